@@ -71,7 +71,7 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
     """Run a site as the launcher does, until the block ends."""
     with tempfile.TemporaryDirectory() as folder:
         start = time.monotonic()
-        runtime = new_runtime(site, Path(folder))
+        runtime = new_runtime(site, Path(folder), web=web)
         with (
             Launcher(runtime, Path(folder), processes_of(runtime, web=web)) as launcher,
             ZenohBus(connect=runtime.bus) as bus,

@@ -242,7 +242,7 @@ async def measure() -> list[tuple[str, list[float]]]:
     await bench.vicon.start()
     living = asyncio.create_task(bench.live())
     with tempfile.TemporaryDirectory() as folder:
-        runtime = new_runtime(site, Path(folder))
+        runtime = new_runtime(site, Path(folder), web=True)
         processes = tuple(spec for spec in processes_of(runtime) if spec.name != "twin")
         with Launcher(runtime, Path(folder), processes), ZenohBus(connect=runtime.bus) as bus:
             ready = Readiness(runtime.site(), bus, web=True, video=False)

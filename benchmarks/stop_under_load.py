@@ -67,6 +67,8 @@ async def flood_sockets(port: int, cookie: str, proof: str) -> None:
                 async with connect(
                     f"ws://{HOST}:{port}{path}", origin=origin, additional_headers=headers
                 ) as line:
+                    if path == "/socket":
+                        await line.send(json.dumps({"type": "hello", "tab": f"flood-{id(line)}"}))
                     while True:
                         await line.send(text)
                         await asyncio.sleep(pause)

@@ -35,7 +35,8 @@ from housefly.tasks.api.questions import CancelTask, RequestTask, Sentence
 from housefly.tasks.api.values import RequestSurface
 from housefly.tasks.api.values import TaskStage as Stage
 from housefly.tasks.rules.mqtt_link import MqttLink
-from housefly.web.process import listening, make_server
+from housefly.web.console_port import listening
+from housefly.web.process import make_server
 from housefly.web.server import create_app
 from housefly.web.session_auth import api_key
 

@@ -4,20 +4,25 @@ import json
 import os
 import re
 import signal
+import socket
 import subprocess
 import sys
 import time
 from collections.abc import Callable
+from http.client import HTTPConnection
 from pathlib import Path
 from typing import Any
 
 import psutil
 import pytest
 
-from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.console_answer import console_answers
+from housefly.app.launcher import Launcher, ProcessSpec, processes_of
 from housefly.app.people_note import UNSEEN_PEOPLE
-from housefly.app.runtime import Runtime
-from housefly.config.site import site_from_file
+from housefly.app.runtime import Runtime, new_runtime
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.site import Site, changed, site_from_file
+from housefly.web.console_port import ConsolePort
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
@@ -48,6 +53,7 @@ def test_ctrl_c_ends_every_process_and_its_recording_is_scored_on_the_truth(
     assert len(children) >= 3
     said = (tmp_path / "log").read_text()
     assert 0 <= said.find(UNSEEN_PEOPLE) < said.find("ready after")
+    assert listeners_of(process.pid, port_said_in(said)) == 1, "held for every next console"
     process.send_signal(signal.SIGINT)
     assert process.wait(40) == 0
     assert psutil.wait_procs(children, timeout=5)[1] == []
@@ -155,6 +161,55 @@ def test_logs_are_for_their_user_alone(tmp_path: Path, runtime: Runtime) -> None
             assert (tmp_path / "web.log").stat().st_mode & 0o777 == 0o600
     finally:
         os.umask(before)
+
+
+def test_who_connects_while_the_console_is_down_is_answered_by_the_next_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    runtime = new_runtime(changed(Site(), web__port=0), tmp_path, web=True)
+    site = runtime.site()
+    parts = tuple(spec for spec in processes_of(runtime) if spec.name == "web")
+    with ZenohBus(listen=runtime.bus), Launcher(runtime, tmp_path, parts) as launcher:
+        wait_for(lambda: console_answers(site))
+        for number in (1, 2):
+            os.kill(launcher.pid("web"), signal.SIGKILL)
+            psutil.Process(launcher.pid("web")).wait()
+            line = HTTPConnection(site.web.host, site.web.port, timeout=60.0)
+            line.request("HEAD", "/")
+            assert launcher.restarts("web") < number, "too late: the next one is already there"
+            assert line.getresponse().status < 500
+            line.close()
+            wait_for(lambda number=number: launcher.restarts("web") == number)
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection((site.web.host, site.web.port))
+
+
+def port_said_in(log: str) -> int:
+    found = re.search(r"console: +http://[\d.]+:(\d+)/", log)
+    assert found, log
+    return int(found[1])
+
+
+def listeners_of(process: int, port: int) -> int:
+    found = psutil.Process(process).net_connections(kind="tcp")
+    return sum(one.status == psutil.CONN_LISTEN and one.laddr.port == port for one in found)
+
+
+def test_only_the_console_inherits_its_socket(tmp_path: Path, runtime: Runtime) -> None:
+    (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
+    port = ConsolePort("127.0.0.1", 0)
+    parts = (
+        ProcessSpec("pilot", "steady", lands=True),
+        ProcessSpec("web", "steady", port=port),
+        ProcessSpec("twin", "steady"),
+    )
+    with Launcher(runtime, tmp_path, parts) as launcher:
+        for part, number in (("pilot", 0), ("web", 1), ("twin", 0)):
+            assert listeners_of(launcher.pid(part), port.number) == number
+        os.kill(launcher.pid("web"), signal.SIGKILL)
+        wait_for(lambda: launcher.restarts("web"))
+        assert listeners_of(launcher.pid("web"), port.number) == 1
 
 
 def test_a_second_run_on_the_same_memory_is_refused_in_words(

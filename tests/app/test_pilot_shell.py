@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import io
 import threading
 from pathlib import Path
 from typing import Any
 
 import pytest
+from full_disk import full_output
 from room_here import RoomHere
 
 from housefly.app.launcher import Launcher, processes_of
@@ -28,6 +31,7 @@ from housefly.bus.topics import (
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
+from housefly.errors import LinkError
 from housefly.messages import (
     Action,
     Command,
@@ -44,6 +48,7 @@ from housefly.messages import (
     Sighting,
     TrackedFrame,
     TrajectoryPoint,
+    VideoFrame,
 )
 from housefly.pilot.assembly import warm_up
 from housefly.pilot.behavior.trajectory_profile import SpacePath
@@ -209,6 +214,45 @@ async def test_an_exception_in_the_step_lands_the_drone_and_ends_the_process(
     assert "ZeroDivisionError" in capfd.readouterr().err
 
 
+async def test_an_exception_in_the_step_lands_the_drone_although_the_log_takes_no_more(
+    write_site: Any,
+) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    links: list[LinkStatus] = []
+    async with RoomHere(loaded) as room:
+        _, failing, _, running = await flying_shell(room, [], links)
+        links.clear()
+        with full_output():
+            failing.fails = True
+            with pytest.raises(StepFailure, match="division by zero"):
+                await asyncio.wait_for(running, 30.0)
+        assert room.world.onboard().flight.name == "LANDED"
+    assert sum("the pilot failed" in " ".join(link.notes) for link in links) >= 2
+
+
+async def test_a_step_that_fails_lands_the_drone_before_it_says_so(
+    write_site: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loaded, clock, bus = open_site(read_site(str(write_site()))), RealClock(), LocalBus()
+    drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
+    shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
+    failing = FailingPilot(shell.pilot)
+    failing.fails = True
+    shell.pilot = failing  # type: ignore[assignment]
+    done: list[str] = []
+    monkeypatch.setattr(drone, "send", lambda command: done.append(command.action.name))
+
+    class Watched(io.StringIO):
+        def write(self, text: str) -> int:
+            done.append("said")
+            return super().write(text)
+
+    with contextlib.redirect_stderr(Watched()) as said:
+        shell._step()
+    assert "ZeroDivisionError" in said.getvalue()
+    assert done[:2] == ["LAND", "said"]
+
+
 async def test_after_a_failed_step_cutting_the_motors_still_passes_and_stop_lands_on(
     write_site: Any,
 ) -> None:
@@ -226,12 +270,14 @@ async def test_after_a_failed_step_cutting_the_motors_still_passes_and_stop_land
             await asyncio.wait_for(running, 10.0)
 
 
+@pytest.mark.parametrize("log_is_full", [False, True], ids=["", "the log takes no more"])
 async def test_a_step_that_cannot_be_published_is_said_and_flown_all_the_same(
-    write_site: Any, monkeypatch: pytest.MonkeyPatch
+    write_site: Any, monkeypatch: pytest.MonkeyPatch, log_is_full: bool
 ) -> None:
     loaded = open_site(read_site(str(write_site()), hub__enabled=False))
     steps: list[PilotStep] = []
     links: list[LinkStatus] = []
+    log = full_output() if log_is_full else contextlib.nullcontext()
     async with RoomHere(loaded) as room:
         shell, _, bus, running = await flying_shell(room, steps, links)
 
@@ -243,9 +289,50 @@ async def test_a_step_that_cannot_be_published_is_said_and_flown_all_the_same(
         publish = bus.publish
         monkeypatch.setattr(bus, "publish", refuse)
         links.clear()
-        await room.until(lambda: len(links) > 1)
+        with log:
+            await room.until(lambda: len(links) > 1)
         assert any("too long" in note for note in links[-1].notes)
         assert room.world.onboard().flight.airborne
         shell.leave()
         await asyncio.wait_for(running, 30.0)
         assert room.world.onboard().flight.name == "LANDED"
+
+
+async def test_a_picture_or_frame_that_cannot_be_published_loses_no_wire(
+    write_site: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loaded, clock, bus = open_site(read_site(str(write_site()))), RealClock(), LocalBus()
+    drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
+    shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
+
+    def refuse(topic: object, message: object) -> None:
+        raise LinkError("the bus is gone")
+
+    monkeypatch.setattr(bus, "publish", refuse)
+    shell._on_video(VideoFrame(b"", True, 640, 360, 0, 1.0))
+    assert "a picture could not be published: LinkError: the bus is gone" in shell._untold
+    shell._on_sightings(())
+    assert "a tracked frame could not" in shell._untold
+
+
+async def test_disks_that_cannot_be_looked_at_once_are_looked_at_again(
+    write_site: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    looks: list[int] = []
+
+    def look() -> None:
+        looks.append(1)
+        if len(looks) == 1:
+            raise RuntimeError("a disk of its own kind")
+
+    monkeypatch.setattr("housefly.app.pilot_shell.DISK_LOOK_PERIOD", 0.01)
+    clock = RealClock()
+    drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
+    shell = PilotShell(loaded, LocalBus(), tracker_of(loaded.site.tracking, clock), drone)
+    monkeypatch.setattr(shell._disks, "look", look)
+    watching = asyncio.create_task(shell._watch_disks())
+    async with asyncio.timeout(10.0):
+        while len(looks) < 2:
+            await asyncio.sleep(0.01)
+    watching.cancel()

@@ -65,6 +65,43 @@ async def test_a_stop_arrives_once_and_is_acknowledged(room: Room) -> None:
     assert room.stops == 1
 
 
+class FailingRoom(Room):
+    """A listener whose handler fails so many times before it stops anything."""
+
+    def __init__(self, address: str, failures: int) -> None:
+        super().__init__(address)
+        self.failures = failures
+
+    def _stop(self) -> None:
+        if self.failures:
+            self.failures -= 1
+            raise OSError("No space left on device")
+        super()._stop()
+
+
+async def test_a_stop_that_failed_is_tried_again_by_its_next_copy(loopback: str) -> None:
+    room = FailingRoom(loopback, failures=2)
+    await room.listener.start()
+    assert await asyncio.wrap_future(StopSender(*room.listener.address, SECRET).send())
+    await asyncio.sleep(0.03)
+    room.listener.close()
+    assert (room.stops, room.failures) == (1, 0)
+
+
+async def test_a_stop_that_fails_is_not_acknowledged_and_the_next_one_is_heard(
+    loopback: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    room = FailingRoom(loopback, failures=1000)
+    await room.listener.start()
+    sender = StopSender(*room.listener.address, SECRET)
+    assert not await asyncio.wrap_future(sender.send())
+    assert "No space left on device" in caplog.text
+    room.failures = 0
+    assert await asyncio.wrap_future(sender.send())
+    room.listener.close()
+    assert room.stops == 1
+
+
 async def test_each_stop_counts(room: Room) -> None:
     sender = StopSender(*room.listener.address, SECRET)
     outcomes = [sender.send() for _ in range(20)]

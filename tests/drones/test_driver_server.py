@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from full_disk import full_output
 
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
@@ -112,6 +113,23 @@ async def test_a_flight_through_the_socket(bench: Bench) -> None:
     await bench.until(lambda: bench.world.asked.hover, Action.HOVER, seconds=2.0)
     await bench.until(lambda: bench.status is DroneStatus.LANDED, Action.LAND)
     await bench.until(lambda: bench.pilot.telemetry_rate_hz > 50)
+
+
+async def test_a_drone_whose_greeting_failed_is_greeted_again_although_the_log_takes_no_more(
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    connect, failures = bench.driver.connect, ["float division by zero"]
+
+    async def fail_once() -> None:
+        if failures:
+            raise ZeroDivisionError(failures.pop())
+        await connect()
+
+    monkeypatch.setattr(bench.driver, "connect", fail_once)
+    with full_output():
+        await bench.pilot.connect()
+        await bench.until(lambda: bench.pilot.telemetry is not None)
+    assert not failures
 
 
 async def test_the_light_is_lit_through_the_socket_and_goes_out_when_nobody_says_so(

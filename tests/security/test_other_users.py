@@ -1,26 +1,31 @@
-"""Another user of the machine cannot reach the bus or the room's memory of a run."""
+"""Another user of the machine reaches neither bus nor memory of a run, and takes no port of it."""
 
 from __future__ import annotations
 
 import asyncio
 import os
+import signal
 import socket
 import stat
 import subprocess
 import tempfile
+import time
 from contextlib import closing
 from functools import partial
 from pathlib import Path
 
 import pytest
 
+from housefly.app.certificates import make_certificate
+from housefly.app.console_answer import console_answers
+from housefly.app.launcher import Launcher, processes_of
 from housefly.app.run_folder import new_run_folder
 from housefly.app.runtime import Runtime, discovery_entry, new_runtime
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config.site import Site
+from housefly.config.site import Site, changed
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced, folder
 from housefly.hub.query_server import QueryServer
@@ -89,11 +94,13 @@ def test_the_attack_itself_works_where_the_folder_is_open(runtime: Runtime) -> N
 
 TAKE = (
     "import socket, sys\n"
-    "link = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\n"
-    "for option in sys.argv[2:]:\n"
+    "kind, host, port, *options = sys.argv[1:]\n"
+    "family = socket.AF_INET6 if ':' in host else socket.AF_INET\n"
+    "link = socket.socket(family, getattr(socket, kind))\n"
+    "for option in options:\n"
     "    link.setsockopt(socket.SOL_SOCKET, getattr(socket, option), 1)\n"
     "try:\n"
-    "    link.bind(('127.0.0.1', int(sys.argv[1])))\n"
+    "    link.bind((host, int(port)))\n"
     "except OSError as error:\n"
     "    sys.exit(error.strerror)\n"
 )
@@ -102,7 +109,12 @@ WAYS = [(), ("SO_REUSEADDR",), ("SO_REUSEPORT",), ("SO_REUSEADDR", "SO_REUSEPORT
 
 def taken_as_nobody(port: int, *options: str) -> str:
     """Return "" when another user could take a UDP port of loopback, else why not."""
-    return as_nobody(TAKE, str(port), *options)
+    return as_nobody(TAKE, "SOCK_DGRAM", "127.0.0.1", str(port), *options)
+
+
+def console_taken_as_nobody(host: str, port: int, *options: str) -> str:
+    """Return "" when another user could take the console's port, else why not."""
+    return as_nobody(TAKE, "SOCK_STREAM", host, str(port), *options)
 
 
 @as_root
@@ -134,6 +146,41 @@ def test_a_port_that_nobody_holds_can_be_taken_by_another_user(runtime: Runtime)
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     assert taken_as_nobody(port) == ""
+    assert console_taken_as_nobody("127.0.0.1", port) == ""
+
+
+def until_it_answers(site: Site) -> None:
+    deadline = time.monotonic() + 60.0
+    while not console_answers(site):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+@as_root
+@pytest.mark.realtime
+@pytest.mark.slow
+@pytest.mark.parametrize("host", ["127.0.0.1", "::1", "0.0.0.0"])
+def test_another_user_cannot_take_the_consoles_port_while_the_console_is_down(
+    host: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Open pages would show him cookie and proof, and STOP would go nowhere."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    site = changed(Site(), web__host=host, web__port=0)
+    if host == "0.0.0.0":
+        files, _ = make_certificate(tmp_path / "tls", ("lab.local",))
+        tls = {"certificate": str(files.certificate), "key": str(files.key)}
+        site = changed(site, **{f"web__tls_{key}": value for key, value in tls.items()})
+    runtime = new_runtime(site, tmp_path, web=True)
+    site, places = runtime.site(), {host, "127.0.0.1" if host == "0.0.0.0" else host}
+    console = tuple(spec for spec in processes_of(runtime) if spec.name == "web")
+    with ZenohBus(listen=runtime.bus), Launcher(runtime, tmp_path, console) as launcher:
+        until_it_answers(site)
+        os.kill(launcher.pid("web"), signal.SIGKILL)
+        said = [console_taken_as_nobody(at, site.web.port, *how) for at in places for how in WAYS]
+        assert set(said) == {"Address already in use"}
+        assert not console_answers(site), "too late: the next one is already there"
+        until_it_answers(site)
+        assert launcher.restarts("web") == 1
 
 
 def test_the_sockets_of_a_run_lie_in_a_folder_of_its_user(runtime: Runtime) -> None:

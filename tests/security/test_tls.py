@@ -187,8 +187,9 @@ import asyncio, sys
 from pathlib import Path
 from housefly.bus.local import LocalBus
 from housefly.config.site import Site, changed
+from housefly.web.console_port import listening
 from housefly.web.exposure import checked_exposure
-from housefly.web.process import listening, make_server
+from housefly.web.process import make_server
 from housefly.web.server import create_app
 from housefly.web.users import UserBook
 

@@ -23,11 +23,12 @@ from housefly.app.certificates import CertificateFiles
 from housefly.bus.local import LocalBus
 from housefly.config.web import WebConfig
 from housefly.hub.api.pilot_queries import RoomView
+from housefly.web.console_port import listening
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditService
 from housefly.web.fake_pilot import FakePilot
 from housefly.web.fake_room import example_room
-from housefly.web.process import listening, make_server
+from housefly.web.process import make_server
 from housefly.web.server import create_app
 from housefly.web.tls import load_certificate
 from housefly.web.users import UserBook

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from dataclasses import replace
 from typing import Any
 
@@ -11,7 +13,8 @@ import pytest
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
 
-from housefly.messages import OrderKind, Severity
+from housefly.bus.topics import STEP_TOPIC
+from housefly.messages import DroneStatus, OrderKind, Phase, PilotStep, Severity
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
 
@@ -84,6 +87,51 @@ async def test_stop_works_before_a_viewer_has_said_who_it_is(console: Any) -> No
         await socket.send('{"type":"stop","id":1}')
         assert json.loads(await asyncio.wait_for(socket.recv(), 5)) == {"id": 1, "type": "accepted"}
         assert len(console.stops) == 1
+
+
+UNNAMED: list[dict[str, object]] = [
+    {"type": "ping", "sent": 1.0},
+    {"type": "lease", "id": 1, "action": "take", "held": True},
+    {"type": "order", "id": 1, "order": "take_off"},
+    {"type": "nudge", "id": 1, "velocity": [0.1, 0.0, 0.0], "sent": 1.0},
+    {"type": "plan", "id": 1, "place": "entrance"},
+    {"type": "invite", "id": 1},
+]
+
+
+@asynccontextmanager
+async def without_hello(console: Any, cookie: str) -> AsyncIterator[Any]:
+    """Open a socket and say nothing."""
+    async with connect(
+        f"ws://{console.host}:{console.port}/socket",
+        origin=console.origin,
+        additional_headers=console.proved({"Cookie": cookie}),
+    ) as socket:
+        yield socket
+
+
+async def test_who_has_not_said_who_it_is_may_stop_and_land_and_nothing_else(console: Any) -> None:
+    async with without_hello(console, await console.session()) as socket:
+        for message in UNNAMED:
+            await socket.send(json.dumps(message))
+            told = json.loads(await asyncio.wait_for(socket.recv(), 5))
+            assert (told["type"], told["reason"]) == ("refused", "say hello first"), message
+        await socket.send('{"type":"order","id":2,"order":"land"}')
+        assert json.loads(await asyncio.wait_for(socket.recv(), 5))["type"] == "accepted"
+    assert kinds(console) == [OrderKind.LAND]
+
+
+async def test_two_that_have_not_said_who_they_are_do_not_have_control_at_once(
+    console: Any,
+) -> None:
+    cookie = await console.session()
+    async with without_hello(console, cookie) as one, without_hello(console, cookie) as other:
+        await one.send('{"type":"lease","id":1,"action":"take","held":true}')
+        await asyncio.wait_for(one.recv(), 5)
+        await asyncio.sleep(0.1)
+        await other.send('{"type":"order","id":2,"order":"hover"}')
+        assert json.loads(await asyncio.wait_for(other.recv(), 5))["type"] == "refused"
+    assert kinds(console) == []
 
 
 async def test_control_changes_hands_by_name(console: Any) -> None:
@@ -254,3 +302,61 @@ async def test_the_room_is_asked_again_when_a_new_pilot_came(console: Any) -> No
         console.pilot.sequence = 0
         message = await one.hear("room")
         assert json.dumps(message).count("Another room") == 1
+
+
+async def test_who_is_here_may_change_its_name_but_not_become_another_tab(console: Any) -> None:
+    async with console.talk(await console.session(), "tab-of-anna", "Anna") as one:
+        await one.hear("viewers", viewers=[{"id": 1, "name": "Anna"}])
+        await one.say(type="hello", tab="tab-of-anna", name="Anna Two")
+        await one.hear("viewers", viewers=[{"id": 1, "name": "Anna Two"}])
+        await one.say(type="hello", tab="another-tab", name="Ben")
+        assert "another tab" in (await one.hear("refused", id=0))["reason"]
+        await one.say(type="hello", tab="tab-of-anna", name="Anna")
+        await one.hear("viewers", viewers=[{"id": 1, "name": "Anna"}])
+
+
+async def test_a_new_pilot_that_does_not_hear_the_drone_yet_does_not_put_it_on_the_ground(
+    console: Any,
+) -> None:
+    steps: list[PilotStep] = []
+    console.bus.subscribe(STEP_TOPIC, steps.append)
+    cookie = await console.session()
+    async with (
+        console.talk(cookie, "tab-of-anna", "Anna") as anna,
+        console.talk(cookie, "tab-of-ben", "Ben") as ben,
+    ):
+        await anna.hear("verdict", pilot=1)
+        console.pilot.status, console.pilot.phase = DroneStatus.FLYING, Phase.OUTBOUND
+        await anna.hear("verdict", airborne=True)
+        console.pilot.publishing = False
+        unheard = replace(steps[-1].inputs, telemetry=None)
+        idle = replace(steps[-1].outputs, phase=Phase.IDLE, goal_name="")
+        console.bus.publish(STEP_TOPIC, PilotStep(1, steps[-1].now, unheard, idle))
+        told = await ben.hear("verdict", airborne=None)
+        assert told["may_be_airborne"] and told["headline"] == "No contact with the drone"
+        assert told["detail"].endswith("it was flying to its goal")
+        assert "in the air when it was last heard" in told["banner"]
+        assert "in the air when it was last heard" in told["if_contact_lost"]
+        await ben.say(type="lease", id=1, action="take")
+        assert "hold" in (await ben.hear("refused", id=1))["reason"]
+        console.pilot.status, console.pilot.phase = DroneStatus.LANDED, Phase.IDLE
+        console.pilot.publishing = True
+        while (await ben.hear("verdict", airborne=False))["at"] < told["at"]:
+            pass
+        await ben.say(type="lease", id=2, action="take")
+        await ben.hear("accepted", id=2)
+
+
+async def test_control_of_a_take_off_whose_drone_is_silent_is_not_taken_without_the_hold(
+    console: Any,
+) -> None:
+    cookie = await console.session()
+    async with (
+        console.talk(cookie, "tab-of-anna", "Anna") as anna,
+        console.talk(cookie, "tab-of-ben", "Ben") as ben,
+    ):
+        await anna.hear("verdict", pilot=1)
+        console.pilot.phase, console.pilot.telemetry_age = Phase.TAKING_OFF, 5.0
+        assert (await ben.hear("verdict", airborne=None))["may_be_airborne"]
+        await ben.say(type="lease", id=1, action="take")
+        assert "hold" in (await ben.hear("refused", id=1))["reason"]

@@ -98,6 +98,26 @@ async def test_after_a_restart_control_waits_for_its_holder_and_the_log_is_there
             assert served.stops
 
 
+async def test_tabs_without_number_that_were_kept_shut_nobody_out(
+    serving: Any, loopback: str, tmp_path: Path
+) -> None:
+    guest = tuple(KnownTab("guest", f"tab-number-{n}", n, "Eve") for n in range(1, 10_001))
+    first = ConsoleMemory(tmp_path)
+    first.read(10.0)
+    first.keep_control(KeptControl(None, guest))
+    first.close()
+    memory = ConsoleMemory(tmp_path)
+    async with (
+        serving(loopback, memory=memory) as served,
+        served.talk(await served.session(), "tab-of-admin", "Ada") as ada,
+    ):
+        assert (await ada.hear("welcome"))["you"] == 10_001
+        await ada.hear("verdict", pilot=10_001)
+    memory.close()
+    kept = ConsoleMemory(tmp_path).read(1e9).control.tabs
+    assert len(kept) <= 256 and kept[-1].name == "Ada"
+
+
 async def confirmed(talk: Any) -> None:
     async with asyncio.timeout(5.0):
         while (await talk.hear("verdict"))["stop"]["progress"] != "confirmed":

@@ -121,6 +121,33 @@ def test_other_bodies_are_shown_until_they_are_not_seen_any_more(listening: List
     assert state is not None and state.others == ()
 
 
+def test_bodies_under_ever_new_names_take_the_place_of_none_that_is_still_seen(
+    listening: Listening,
+) -> None:
+    feed, pilot, clock, bus = listening
+    sofa = FurnitureConfig(name="the sofa", body="Sofa", model="sofa", length=2.4, width=0.9)
+    feed.furniture = (sofa,)
+    pilot.advance(0.01)
+    step = feed.step
+    assert step is not None
+    pose = Pose((2.0, 1.0, 0.5))
+    for turn in range(20):
+        names = ["visitor", *(["Sofa"] if turn == 0 else []), *(f"{turn}.{n}" for n in range(100))]
+        seen = tuple(Sighting(name, pose, clock.now(), clock.now()) for name in names)
+        step = replace(step, sequence=100 + turn, inputs=replace(step.inputs, sightings=seen))
+        bus.publish(STEP_TOPIC, step)
+        clock.advance(0.1)
+    assert len(feed._others) == 256
+    state = feed.state(0.0)
+    assert state is not None
+    shown = {body.name for body in state.others}
+    assert {"visitor", "the sofa", "19.99"} <= shown and "0.0" not in shown
+    clock.advance(3.0)
+    state = feed.state(0.0)
+    assert state is not None and [body.name for body in state.others] == ["the sofa"]
+    assert list(feed._others) == ["Sofa"]
+
+
 def test_furniture_is_shown_as_it_lies_for_as_long_as_the_pilot_remembers_it(
     listening: Listening,
 ) -> None:

@@ -128,9 +128,12 @@ def test_nothing_is_said_of_the_present_by_what_is_of_the_past(known: ConsoleKno
 @given(knowledge)
 def test_a_drone_that_may_fly_is_never_promised_to_stay_down(known: ConsoleKnowledge) -> None:
     verdict = console_verdict(known)
-    may_fly = known.last_status in AIRBORNE_STATUSES
+    is_under_way = known.step is not None and known.step.outputs.phase is not Phase.IDLE
+    may_fly = known.last_status in AIRBORNE_STATUSES or (is_under_way and not known.drone_is_heard)
+    is_known = known.last_status is not DroneStatus.UNKNOWN
     assert verdict.may_be_airborne == may_fly
-    assert ("ground" in verdict.if_contact_lost) == (not may_fly)
+    assert ("ground" in verdict.if_contact_lost) == (is_known and not may_fly)
+    assert "for inf s" not in f"{verdict.banner} {verdict.detail}"
     if may_fly:
         assert objection(verdict, OrderKind.LAND) == ""
 
@@ -174,6 +177,7 @@ TABLE = [
     ("battery low", {"checks": PreflightView(False, (TOO_LOW,))}, "Not ready", "12%"),
     ("pilot gone", {"step_age": 5.0}, "No contact with the pilot", "was on the ground"),
     ("twin gone", {"telemetry_age": 5.0, "pose_age": 5.0}, "Waiting for the drone", ""),
+    ("never heard", {"status": None, "step_age": 5.0}, "No contact with the pilot", "nobody has t"),
     ("no checks", {"checks": PreflightView()}, "On the pad", "looking"),
     ("all well", {}, "Ready on the pad", "motors are off"),
 ]
@@ -212,6 +216,18 @@ def test_in_flight_each_fault_has_its_own_words(
     flying = {"status": DroneStatus.FLYING, "phase": Phase.OUTBOUND, "goal": "entrance"}
     verdict = console_verdict(knowing(**{**flying, **change}))  # type: ignore[arg-type]
     assert verdict.headline == headline and detail in verdict.detail
+
+
+def test_a_silent_drone_that_is_told_to_take_off_is_not_said_to_stand() -> None:
+    known = knowing(phase=Phase.TAKING_OFF, telemetry_age=5.0)
+    silent = console_verdict(known)
+    assert silent.may_be_airborne and silent.airborne is None
+    assert silent.headline == "No contact with the drone"
+    assert silent.detail == "for 5 s; it was taking off"
+    assert "5 s: nobody has told yet what the drone does" in silent.banner
+    gone = console_verdict(replace(known, step_age=6.0))
+    assert "if the pilot has ended" in gone.banner and "goes on taking off" in gone.banner
+    assert not console_verdict(knowing(phase=Phase.TAKING_OFF)).may_be_airborne
 
 
 def test_a_drone_that_somebody_moves_is_said_to_be_moved_and_by_whom() -> None:

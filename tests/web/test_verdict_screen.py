@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 from collections.abc import AsyncIterator, Callable
 from dataclasses import replace
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 import pytest_asyncio
@@ -263,4 +265,9 @@ async def test_a_page_without_its_server_says_what_held_and_no_more(
     await expect(stop).to_contain_text("STOP FAILED")
     await expect(stop).to_contain_text("did not arrive: no contact with the server")
     assert OrderKind.STOP not in [one.kind for one in served.pilot.orders]
+    with socket.create_server((loopback, urlsplit(served.link).port or 0)):
+        # the launcher keeps the port of a server that died: who connects waits
+        await stop.click()
+        await expect(stop).not_to_contain_text("FAILED")
+        await expect(stop).to_contain_text("did not arrive: no contact with the server")
     await context.close()

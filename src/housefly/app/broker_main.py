@@ -16,6 +16,7 @@ from pathlib import Path
 
 from housefly.app.mosquitto import find_mosquitto
 from housefly.app.runtime import runtime_from_environment
+from housefly.config.process_log import log_line
 
 _RETRY_PAUSE = 60.0
 """Pause before the process ends where mosquitto is not installed [s]; the launcher tries again."""
@@ -30,7 +31,7 @@ def main() -> int:
     site = runtime_from_environment().site()
     found = find_mosquitto()
     if found is None:
-        print(_REMEDY, file=sys.stderr, flush=True)
+        log_line(_REMEDY, sys.stderr)
         time.sleep(_RETRY_PAUSE)
         return 1
     folder = Path(tempfile.mkdtemp(prefix="housefly-broker-"))

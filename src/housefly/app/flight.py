@@ -73,7 +73,7 @@ def fly_service(
                 logs = out / "logs"
                 logs.mkdir(exist_ok=True)
                 # One service is flown by one order: nobody else may want something meanwhile.
-                runtime = new_runtime(changed(loaded.site, tasks__enabled=False), logs)
+                runtime = new_runtime(changed(loaded.site, tasks__enabled=False), logs, web=web)
                 outcome = fly_over_wires(
                     runtime,
                     logs,

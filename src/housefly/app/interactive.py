@@ -102,7 +102,7 @@ def run_interactively(
     checked_exposure(loaded.site)
     refuse_taken_ports(loaded.site, web=True)
     refuse_shared_store(loaded.site)
-    runtime = replace(new_runtime(loaded.site, folder), recording=record)
+    runtime = replace(new_runtime(loaded.site, folder, web=True), recording=record)
     with ExitStack() as stack:
         recorder = None
         if record is not None:

@@ -28,6 +28,7 @@ from housefly.app.child import RENEW_SIGNAL
 from housefly.app.liveness import RunLiveness
 from housefly.app.restart_policy import Death, last_words, restart_after
 from housefly.app.runtime import Runtime
+from housefly.web.console_port import ConsolePort
 
 _LANDING_TIMEOUT = 30.0
 """Longest wait for a process that lands the drone [s]."""
@@ -47,6 +48,7 @@ class ProcessSpec:
         niceness: below 0 it counts as 0 where the system does not allow it.
         lands: whether it brings the drone down before it ends. Those are told to end one after the
             other, in this order, before all others; the last one is never killed.
+        port: where it listens; it alone inherits the socket, which the launcher keeps to the end.
     """
 
     name: str
@@ -54,6 +56,12 @@ class ProcessSpec:
     arguments: tuple[str, ...] = ()
     niceness: int = 0
     lands: bool = False
+    port: ConsolePort | None = None
+
+    @property
+    def inherited(self) -> tuple[int, ...]:
+        """The file descriptors that are passed to it alone."""
+        return () if self.port is None else (self.port.descriptor,)
 
 
 DRIVER_PROCESS = ProcessSpec("driver", "housefly.app.driver_main", niceness=-5, lands=True)
@@ -91,12 +99,15 @@ def processes_of(
     if site.tasks.enabled:
         processes.append(ProcessSpec("tasks", "housefly.app.tasks_main", niceness=3))
     if web:
-        processes.append(
-            ProcessSpec(
-                "web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5
-            )
-        )
+        processes.append(_console_of(runtime))
     return tuple(processes)
+
+
+def _console_of(runtime: Runtime) -> ProcessSpec:
+    arguments: tuple[str, ...] = ("--site", str(runtime.site_file), "--bus", runtime.bus)
+    if (port := runtime.console_port) is not None:
+        arguments = (*arguments, "--listener", str(port.descriptor))
+    return ProcessSpec("web", "housefly.web.process", arguments, niceness=5, port=port)
 
 
 @dataclass(slots=True)
@@ -223,6 +234,9 @@ class Launcher:
             _end_all(others)
         for running in self._running.values():
             running.log.close()
+        for spec in self.processes:
+            if spec.port is not None:
+                spec.port.close()
         self._running.clear()
         return tuple(left)
 
@@ -261,7 +275,7 @@ class Launcher:
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
-            pass_fds=descriptors.inherited,
+            pass_fds=(*descriptors.inherited, *spec.inherited),
             # Ctrl-C and a closed terminal are for the launcher alone. No new sessions: kernels that
             # group processes by session ignore their nice values.
             process_group=0,

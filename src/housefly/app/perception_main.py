@@ -19,6 +19,7 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, SIGHT_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
+from housefly.config.process_log import log_line
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.sight import Sight
@@ -103,10 +104,8 @@ class PerceptionProcess:
                 self._bus.publish(SENSOR_TOPIC, report)
             problems = tuple(report.problem for report in reports if report.problem)
             if problems != printed:
-                print(
-                    f"perception: {'; '.join(problems) or 'everything that looks is heard'}",
-                    flush=True,
-                )
+                words = "; ".join(problems) or "everything that looks is heard"
+                log_line(f"perception: {words}")
                 printed = problems
 
 
@@ -116,7 +115,7 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, running.cancel)
-        print("perception ready", flush=True)
+        log_line("perception ready")
         with contextlib.suppress(asyncio.CancelledError):
             await running
 

@@ -16,6 +16,7 @@ from housefly.app.trackers import tracker_of
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
+from housefly.config.process_log import log_line
 from housefly.drones.remote_drone import RemoteDrone
 from housefly.pilot.assembly import warm_up
 
@@ -45,7 +46,7 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             loop.add_signal_handler(number, shell.leave)
-        print("pilot ready", flush=True)
+        log_line("pilot ready")
         try:
             await shell.run()
         finally:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import traceback
+from collections.abc import Iterator
 from dataclasses import replace
 from math import isfinite
 from typing import TYPE_CHECKING
@@ -45,6 +45,7 @@ from housefly.bus.topics import (
 )
 from housefly.clock import RealClock
 from housefly.config.frame_check import frames_known
+from housefly.config.process_log import log_traceback
 from housefly.drones.contracts import Drone
 from housefly.errors import LinkError
 from housefly.messages import (
@@ -246,10 +247,12 @@ class PilotShell:
         try:
             return self.pilot.step(now, inputs)
         except Exception as error:
-            traceback.print_exc()
             self._failure = f"the pilot failed ({type(error).__name__}: {error}): landing"
             event = Event(now, Severity.FAULT, "step_failed", self._failure)
-            return replace(self._landing(now, inputs), events=(event,))
+            outputs = replace(self._landing(now, inputs), events=(event,))
+            self._drone.send(outputs.command)  # before a disk that takes its time
+            log_traceback()
+            return outputs
 
     def _landing(self, now: float, inputs: Inputs) -> Outputs:
         """Land without the step, which may fail again; cutting the motors still passes."""
@@ -260,15 +263,21 @@ class PilotShell:
         return Outputs(Command(action), safety=mode, reason=self._failure)
 
     def _tell(self, step: PilotStep) -> None:
-        """Publish a step; whatever goes wrong with that is no reason not to fly."""
-        try:
+        with self._telling("a step"):
             self._queries.update(step)
             self._bus.publish(STEP_TOPIC, step)
             self._tell_trajectory(step)
+
+    @contextlib.contextmanager
+    def _telling(self, what: str) -> Iterator[None]:
+        """Note what could not be published; that is no reason not to fly, nor to lose a wire."""
+        try:
+            yield
         except Exception as error:
-            if not self._untold:
-                traceback.print_exc()
-            self._untold = f"a step could not be published: {type(error).__name__}: {error}"
+            is_first = not self._untold
+            self._untold = f"{what} could not be published: {type(error).__name__}: {error}"
+            if is_first:
+                log_traceback()
 
     def _tell_trajectory(self, step: PilotStep) -> None:
         """Publish what is planned in space: when it is new, and now and then for newcomers."""
@@ -288,11 +297,13 @@ class PilotShell:
         for sighting in sightings:
             if sighting.body == self._body:
                 self._tracking.add(sighting.received_at)
-        self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
+        with self._telling("a tracked frame"):
+            self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._video.add(frame.received_at)
-        self._bus.publish(VIDEO_TOPIC, frame)
+        with self._telling("a picture"):
+            self._bus.publish(VIDEO_TOPIC, frame)
 
     async def _connect_drone(self) -> None:
         while True:
@@ -320,7 +331,10 @@ class PilotShell:
     async def _watch_disks(self) -> None:
         """Look on a thread: a disk may take its time to answer."""
         while True:
-            await asyncio.to_thread(self._disks.look)
+            try:
+                await asyncio.to_thread(self._disks.look)
+            except Exception:
+                log_traceback()
             await asyncio.sleep(DISK_LOOK_PERIOD)
 
     def _look_at_preflight(self) -> None:
@@ -330,15 +344,15 @@ class PilotShell:
             if self.pilot.origin_confirmed:
                 self._origin.note()
         except Exception:
-            traceback.print_exc()
             self._queries.update_preflight(())
+            log_traceback()
 
     def _estimation(self) -> EstimationReport:
         """Return what the estimator found out; a failure there stops no other report."""
         try:
             return self.pilot.estimation
         except Exception:
-            traceback.print_exc()
+            log_traceback()
             return NOTHING_ESTIMATED
 
     def _link_status(self) -> LinkStatus:

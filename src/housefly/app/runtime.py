@@ -27,6 +27,7 @@ from housefly.config.environment import (
 from housefly.config.site import Site, changed, site_from_file
 from housefly.errors import ConfigError
 from housefly.hub.client.discovery import ROOM_KEY, RoomAddress
+from housefly.web.console_port import ConsolePort
 from housefly.web.exposure import console_address
 from housefly.web.session_auth import api_key
 
@@ -45,6 +46,7 @@ class Runtime:
         driver_socket: Unix socket on which the driver waits for its pilot.
         recording: folder into which the whole run is recorded, or None.
         held_port: keeps other users from the port of STOP; only with whoever started the run.
+        console_port: the same for the console's, where there is a console.
     """
 
     site_file: Path
@@ -56,6 +58,7 @@ class Runtime:
     driver_socket: Path
     recording: Path | None = None
     held_port: StopPort | None = field(default=None, compare=False, repr=False)
+    console_port: ConsolePort | None = field(default=None, compare=False, repr=False)
 
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
@@ -76,10 +79,20 @@ class Runtime:
         return site_from_file(self.site_file)
 
 
-def new_runtime(site: Site, folder: Path) -> Runtime:
-    """Write the site into a folder; make a folder for sockets, a free port and fresh secrets."""
+def new_runtime(site: Site, folder: Path, *, web: bool = False) -> Runtime:
+    """Write the site into a folder; make a folder for sockets, a free port and fresh secrets.
+
+    Args:
+        site: of the run.
+        folder: where its file goes.
+        web: whether there is a console, whose port is held from now on.
+
+    Raises:
+        ConfigError: the console's address cannot be had.
+    """
+    console = ConsolePort(site.web.host, site.web.port) if web else None
     if site.web.port == 0:
-        site = changed(site, web__port=_free_port())
+        site = changed(site, web__port=console.number if console else _free_port())
     if site.mqtt.start and site.mqtt.port == 0:
         site = changed(site, mqtt__port=_free_port())
     site_file = folder / "site.json"
@@ -94,6 +107,7 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
         room_socket=sockets / "room",
         driver_socket=sockets / "driver",
         held_port=held,
+        console_port=console,
     )
 
 

@@ -6,6 +6,7 @@ import logging
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC
+from housefly.config.process_log import log_line
 from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import told_event_to_news
 from housefly.messages import Order, RoomEvent
@@ -32,11 +33,11 @@ class BusTaskOutlet:
 
     def order(self, order: Order) -> None:
         """Give the pilot an order."""
-        print(f"order: {order.kind.value} by {order.sender}", flush=True)
         try:
             self._bus.publish(ORDER_TOPIC, order)
         except HouseflyError as error:
             _log.error("an order could not be given: %s", error)
+        log_line(f"order: {order.kind.value} by {order.sender}")
 
     def tell(self, event: RoomEvent) -> None:
         """Tell the room's memory what happened."""

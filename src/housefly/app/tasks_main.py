@@ -42,6 +42,7 @@ from housefly.bus.topics import (
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
+from housefly.config.process_log import log_line
 from housefly.errors import HouseflyError, LinkError
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
@@ -105,7 +106,7 @@ class TasksProcess:
             str(recording or ""),
         )
         for problem in problems:
-            print(f"tasks: {problem}", flush=True)
+            log_line(f"tasks: {problem}")
         self._triggers: queue.Queue[Trigger] = queue.Queue(_MAX_TRIGGERS)
         rules = self._parts.rules.engine.rules
         self._tasks_ahead = tasks_ahead(rules, self.service.desk.bound)
@@ -203,7 +204,7 @@ async def _every(period: float, work: Callable[[], None]) -> None:
             told = ""
         except HouseflyError as error:
             if str(error) != told:
-                print(f"tasks: {error}", flush=True)
+                log_line(f"tasks: {error}")
             told = str(error)
         await asyncio.sleep(period)
 
@@ -216,7 +217,7 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, running.cancel)
-        print("tasks ready", flush=True)
+        log_line("tasks ready")
         try:
             with contextlib.suppress(asyncio.CancelledError):
                 await running
@@ -243,7 +244,7 @@ def main() -> int:
         loaded = open_site(runtime.site())
         asyncio.run(_run(runtime, loaded))
     except HouseflyError as error:
-        print(f"tasks: {error}", file=sys.stderr)
+        log_line(f"tasks: {error}", sys.stderr)
         return 1
     return 0
 

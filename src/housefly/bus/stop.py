@@ -2,7 +2,7 @@
 
 Datagram: magic, time of sending [ns, monotonic clock of this machine], nonce, truncated
 HMAC-SHA256 over all of it. The listener acts once on each authentic and fresh datagram and
-acknowledges every copy of it.
+acknowledges every copy of it; one on which it could not act is as good as not heard.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import asyncio
 import hashlib
 import hmac
 import ipaddress
+import logging
 import struct
 import time
 from collections.abc import Callable
@@ -18,6 +19,7 @@ from dataclasses import dataclass
 
 from housefly.errors import ConfigError, LinkError, WireError
 
+_log = logging.getLogger(__name__)
 _Address = tuple[str, int]
 
 STOP_MAGIC, ACKNOWLEDGED = b"HFs1", b"HFa1"
@@ -66,7 +68,8 @@ class StopListener:
         host: loopback address.
         port: UDP port; 0 chooses a free one.
         secret: shared with the senders, at least 16 characters.
-        handler: called on the loop once for each STOP; must be quick.
+        handler: called on the loop once for each STOP, and again by its copies while it fails; must
+            be quick.
         is_held: whether a ``StopPort`` of this user keeps the port: then it is shared with that,
             and the caller sees to it that there is one listener only.
 
@@ -127,10 +130,15 @@ class StopListener:
             self.ignored += 1
             return
         if token not in self._seen:
+            try:
+                self._handler()
+            except Exception:
+                _log.exception("STOP could not be obeyed; its next copy tries again")
+                return
+            # Only now: a copy of what failed must act, and must not be acknowledged.
             self._seen = {
                 known: None for known in self._seen if now - known.sent_ns <= _FRESH_NS
             } | {token: None}
-            self._handler()
         if self._transport is not None:
             self._transport.sendto(token.signed(ACKNOWLEDGED, self._secret), sender)
 

@@ -9,10 +9,10 @@ pictures and reports, never the newest ones after it reads again, and delays not
 from __future__ import annotations
 
 import asyncio
-import traceback
 from pathlib import Path
 
 from housefly.clock import Clock
+from housefly.config.process_log import log_traceback
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_messages import (
     DriverMessage,
@@ -126,7 +126,7 @@ class DriverServer:
             except LinkError:
                 await asyncio.sleep(_RECONNECT_PAUSE)
             except Exception:
-                traceback.print_exc()
+                log_traceback()
                 await asyncio.sleep(_RECONNECT_PAUSE)
             else:
                 return

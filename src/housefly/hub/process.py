@@ -19,6 +19,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.process_log import log_line
 from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError, LinkError
 from housefly.hub.client.discovery import ROOM_KEY
@@ -53,7 +54,7 @@ async def _run_hub(
             asyncio.get_running_loop().add_signal_handler(number, working.cancel)
         # Objects that live for the whole run need not be scanned by every collection.
         gc.freeze()
-        print(f"hub ready: memory in {store_address(site)}", flush=True)
+        log_line(f"hub ready: memory in {store_address(site)}")
         try:
             with contextlib.suppress(asyncio.CancelledError):
                 await working
@@ -96,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             )
         )
     except HouseflyError as error:
-        print(f"hub: {error}", file=sys.stderr)
+        log_line(f"hub: {error}", sys.stderr)
         return 1
     return 0
 

@@ -10,6 +10,7 @@ import socket
 from contextlib import suppress
 from pathlib import Path
 
+from housefly.config.process_log import log_line
 from housefly.errors import LinkError, WireError
 from housefly.twin.hands import CarryOrder, decode_carry, encode_carry
 from housefly.twin.world import SimulatedWorld
@@ -55,7 +56,7 @@ class HandsLink:
             try:
                 self._world.carry_drone(decode_carry(datagram))
             except WireError as error:
-                print(f"twin: {error}", flush=True)
+                log_line(f"twin: {error}")
 
 
 def send_carry(path: Path, order: CarryOrder) -> None:

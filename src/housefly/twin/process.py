@@ -21,6 +21,7 @@ from housefly.bus.rate import Rate
 from housefly.bus.simulated_bell import BELL_QUERY, BellPress, press_to_json
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
+from housefly.config.process_log import log_line
 from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError
 from housefly.room.files import load_room
@@ -135,14 +136,14 @@ class Twin:
                 work.append(self._film(self._camera))
             if self._devices is not None:
                 work.append(self._devices.run())
-            print(self._greeting(), flush=True)
+            log_line(self._greeting())
             await asyncio.gather(*work)
 
     def toggle_visitor(self) -> None:
         """Let the visitor come to the door, or leave."""
         present = not self._world.visitor_present
         self._world.set_visitor(present)
-        print(f"twin: the visitor {'is at the door' if present else 'has left'}", flush=True)
+        log_line(f"twin: the visitor {'is at the door' if present else 'has left'}")
 
     def summary(self) -> str:
         """Return one line about the whole run."""
@@ -177,7 +178,7 @@ class Twin:
             self._site.mqtt,
             FaultyDevices(scene, self._site.mqtt.site, self._faults),
             self._now,
-            lambda line: print(f"twin: {line}", flush=True),
+            lambda line: log_line(f"twin: {line}"),
         )
 
     def _bell_wire(self, scene: Scene | None) -> BellWire | None:
@@ -233,12 +234,9 @@ class Twin:
         if state == self._camera_state:
             return
         if camera.restarts != self._camera_state[0]:
-            print(
-                f"twin: the camera process ended and is started again ({camera.restarts})",
-                flush=True,
-            )
+            log_line(f"twin: the camera process ended and is started again ({camera.restarts})")
         if camera.problem != self._camera_state[1]:
-            print(f"twin: the picture is a plain card: {camera.problem}", flush=True)
+            log_line(f"twin: the picture is a plain card: {camera.problem}")
         self._camera_state = state
 
 
@@ -266,7 +264,7 @@ async def run_twin(
         loop.add_signal_handler(number, serving.cancel)
     with contextlib.suppress(asyncio.CancelledError):
         await serving
-    print(twin.summary(), flush=True)
+    log_line(twin.summary())
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -309,7 +307,7 @@ def main(argv: Sequence[str] | None = None) -> int:
                 )
             )
     except HouseflyError as error:
-        print(f"twin: {error}", file=sys.stderr)
+        log_line(f"twin: {error}", sys.stderr)
         return 1
     return 0
 

@@ -18,7 +18,7 @@ from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
 from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
-from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl, KnownTab
+from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl
 from housefly.web.goal_words import subject_of_task
 from housefly.web.guest_links import GuestLinks
 from housefly.web.lease import LEASE_TIMEOUT, Lease
@@ -59,8 +59,9 @@ from housefly.web.roles import Role, role_for_message, role_objection
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_watch import CLOSE_SESSION_OVER
-from housefly.web.state_feed import StateFeed, on_the_ground
+from housefly.web.state_feed import StateFeed
 from housefly.web.stop_latch import StopLatch
+from housefly.web.tab_numbers import TabNumbers
 from housefly.web.task_feed import TaskFeed
 from housefly.web.verdict import console_verdict
 from housefly.web.verdict_message import ConsoleVerdict
@@ -68,7 +69,6 @@ from housefly.web.viewer import Viewer
 
 _LOG = logging.getLogger(__name__)
 
-_MAX_TABS = 10_000
 _MAX_REFUSALS = 200
 """A socket that sends this many commands in a row above the rate limit is closed."""
 _STOP_LOG_PERIOD = 0.5
@@ -99,8 +99,7 @@ class Console:
         self._auth, self._clock, self._audit_log = auth, clock, audit
         self.refusals = RefusalLog(self._record, clock)
         self._stopped_at = float("-inf")
-        self._numbers: dict[tuple[str, str], int] = {}
-        self._names: dict[int, str] = {}
+        self._tabs, self._newest_kept = TabNumbers(), 0
         self._memory, self._kept = memory, KeptControl()
         if memory is not None:
             self._restore(memory.read(clock.now()))
@@ -144,7 +143,7 @@ class Console:
             viewer.send(RefusedReply(0, reason))
             self._within_rate(viewer)
             return
-        if objection := self._role_objection(viewer, message):
+        if objection := self._objection(viewer, message):
             self._write_refusal(viewer, f"{message.type} refused: {objection}")
             viewer.send(RefusedReply(getattr(message, "id", 0), objection))
             self._within_rate(viewer)
@@ -190,22 +189,26 @@ class Console:
 
     def keep_control(self) -> None:
         """Keep, over a restart, who has control, who is known, and whether STOP holds."""
-        stop = self.feed.stop
+        stop, newest = self.feed.stop, self._tabs.newest
         kept = KeptControl(self.lease.holder, self._kept.tabs, stop.holds, stop.by)
-        if self._memory is None or (kept == self._kept and len(kept.tabs) == len(self._numbers)):
+        if self._memory is None or (kept == self._kept and newest == self._newest_kept):
             return
-        tabs = tuple(
-            KnownTab(owner, tab, number, self._names.get(number, ""))
-            for (owner, tab), number in self._numbers.items()
-        )
-        self._kept = replace(kept, tabs=tabs)
+        self._kept, self._newest_kept = replace(kept, tabs=self._tabs.kept()), newest
         self._memory.keep_control(self._kept)
 
     def verdict(self) -> ConsoleVerdict:
         """Return what is to be said of the drone now."""
-        now, holder = self._clock.now(), self.lease.holder
-        known = ConsoleKnowledge(
-            now=now,
+        known = self._knowledge()
+        stop = self.feed.stop.view(
+            known.now, airborne=known.may_be_airborne, pilot_is_heard=known.pilot_is_heard
+        )
+        return console_verdict(replace(known, stop=stop))
+
+    def _knowledge(self) -> ConsoleKnowledge:
+        """Return what is known now, but for the STOP that holds."""
+        holder = self.lease.holder
+        return ConsoleKnowledge(
+            now=self._clock.now(),
             step=self.feed.step,
             step_age=self.feed.age,
             link=link.link if (link := self.feed.link()) else None,
@@ -215,11 +218,8 @@ class Console:
             control="" if holder is None else self._name(holder),
             task_subject=self._task_subject(),
             hand_motion=self.feed.hand_motion,
+            told_last=self.feed.last_status,
         )
-        stop = self.feed.stop.view(
-            now, airborne=known.may_be_airborne, pilot_is_heard=known.pilot_is_heard
-        )
-        return console_verdict(replace(known, stop=stop))
 
     def _task_subject(self) -> str:
         told = self.tasks.message() if self.tasks is not None else None
@@ -244,11 +244,11 @@ class Console:
 
     def name_of_tab(self, owner: str, tab: str) -> str:
         """Return the name that others see for a tab of a session's owner."""
-        return self._name(self._numbers.get((owner, tab)))
+        return self._name(self._tabs.number_of(owner, tab))
 
     def control_objection(self, owner: str, tab: str) -> str:
         """Return why this tab of a session's owner does not have control, in words, or ""."""
-        return self._no_control(self._numbers.get((owner, tab)))
+        return self._no_control(self._tabs.number_of(owner, tab))
 
     def announce(self, words: str) -> None:
         """Put a line into everybody's event log."""
@@ -257,6 +257,13 @@ class Console:
         self.feed.log_event(Severity.INFO, "room", words)
 
     # --- messages
+
+    def _objection(self, viewer: Viewer, message: Any) -> str:
+        """Return why a viewer may not say this at all, in words, or ""."""
+        # Who is nobody yet would share number 0, and control with it, with all others.
+        if not (viewer.present or isinstance(message, Hello) or _is_unlimited(message)):
+            return "say hello first"
+        return self._role_objection(viewer, message)
 
     def _role_objection(self, viewer: Viewer, message: Any) -> str:
         """Return why a viewer's role is not enough, in words, or ""; STOP and LAND look nowhere."""
@@ -283,19 +290,29 @@ class Console:
         return False
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
-        tab = (viewer.session.owner, message.tab)  # nobody else's, even if it has the same name
-        number = self._numbers.get(tab)
-        if number is None and len(self._numbers) >= _MAX_TABS:
-            viewer.close(1013, "too many tabs since the console started")
+        owner = viewer.session.owner  # a tab is nobody else's, even if it has the same name
+        number = self._tabs.number_of(owner, message.tab)
+        if viewer.present and number != viewer.number:
+            reason = "another tab says hello on a socket of its own"
+            self._write_refusal(viewer, f"{message.type} refused: {reason}")
+            viewer.send(RefusedReply(0, reason))
             return
         for other in self.viewers:
             if other is not viewer and other.present and other.number == number:
                 other.number = 0
                 other.close(_CLOSE_OPENED_ELSEWHERE, "this console was opened in another tab")
-        is_known = number is not None
-        viewer.number = self._numbers.setdefault(tab, len(self._numbers) + 1)
+        viewer.number = self._tabs.number_for(owner, message.tab, self._numbers_here())
         viewer.name = viewer.session.user or message.name or f"Viewer {viewer.number}"
-        self._names[viewer.number] = viewer.name
+        self._tabs.rename(owner, message.tab, viewer.name)
+        self._welcome(viewer)
+        # Whoever comes back has watched or lost control before: taking it is then an act.
+        if number is None and not self.flying and self._is_alone(viewer):
+            self.lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
+        self.lease.renew(viewer.number, self._clock.now())
+        self.broadcast_viewers()
+
+    def _welcome(self, viewer: Viewer) -> None:
+        """Send all that is known."""
         events = self.feed.events_after(0)
         viewer.event = events[-1].number if events else 0
         role = viewer.session.role
@@ -309,11 +326,6 @@ class Console:
         viewer.send_latest("verdict", to_text(self.verdict()))
         if (link := self.feed.link()) is not None:
             viewer.send_latest("link", to_text(link))
-        # Whoever comes back has watched or lost control before: taking it is then an act.
-        if not is_known and not self.flying and self._is_alone(viewer):
-            self.lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
-        self.lease.renew(viewer.number, self._clock.now())
-        self.broadcast_viewers()
 
     def _ping(self, viewer: Viewer, message: PingRequest) -> None:
         now = self._clock.now()
@@ -424,8 +436,7 @@ class Console:
 
     def _restore(self, kept: KeptConsole) -> None:
         control, now = kept.control, self._clock.now()
-        self._numbers = {(one.owner, one.tab): one.number for one in control.tabs}
-        self._names = {one.number: one.name for one in control.tabs}
+        self._tabs = TabNumbers(control.tabs)
         latch = StopLatch(control.stop_holds, control.stop_by, sent_at=now)
         self.feed.restore(kept.events, latch)
         if control.holder is not None:
@@ -460,14 +471,19 @@ class Console:
 
     @property
     def flying(self) -> bool:
-        """Whether the drone is off the ground, as far as the console knows."""
-        return not on_the_ground(self.feed.step)
+        """Whether the drone may be off the ground, as far as the console knows."""
+        return self._knowledge().may_be_airborne
+
+    def _numbers_here(self) -> set[int]:
+        """Return the numbers of who is here, or may soon be back to what it has."""
+        here = {one.number for one in self.viewers if one.present}
+        return here if self.lease.holder is None else {*here, self.lease.holder}
 
     def _name(self, number: int | None) -> str:
         for viewer in self.viewers:
             if viewer.number == number:
                 return viewer.name
-        return self._names.get(number or 0, f"Viewer {number}")
+        return self._tabs.name_of(number) or f"Viewer {number}"
 
     def _audit(self, sender: str, words: str, session: str) -> None:
         """Log who asked for what; the pilot adds it to the event log unless it is silent."""

@@ -10,14 +10,13 @@ from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import DroneStatus, Estimate, LinkStatus, PilotStep, SafetyMode, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX
+from housefly.web.last_status import TELEMETRY_AGE_MAX, LastStatus
 from housefly.web.verdict_message import Standing, StopView
 
 PILOT_TIMEOUT = 2.0
 """A pilot that was not heard for longer may have ended [s]."""
 _POSE_AGE_MAX = 0.5
 """An older place is not shown as the present [s]."""
-_TELEMETRY_AGE_MAX = 1.0
-"""Where the room does not tell ``limits.telemetry_age`` [s]."""
 _LOW = 0.3
 """Nothing gets under, or caught in, what is lower than this [m]."""
 
@@ -36,6 +35,7 @@ class ConsoleKnowledge:
         pilot, control: number and name of who has control.
         task_subject: what the task that flies looks at, as people call it, or "".
         hand_motion: the pilot's words while somebody moves the drone by hand, or "".
+        told_last: what the drone said last, also through a pilot before this one.
     """
 
     now: float
@@ -49,6 +49,7 @@ class ConsoleKnowledge:
     control: str = ""
     task_subject: str = ""
     hand_motion: str = ""
+    told_last: LastStatus = field(default_factory=LastStatus)
 
     @property
     def pilot_is_heard(self) -> bool:
@@ -57,40 +58,48 @@ class ConsoleKnowledge:
 
     @property
     def telemetry(self) -> Telemetry | None:
-        """The drone's last word, however old."""
+        """The drone's newest report that this pilot knows, however old."""
         return self.step.inputs.telemetry if self.step else None
 
     @property
     def telemetry_age(self) -> float:
-        """Age of the drone's last word [s]."""
+        """Age of the drone's last word [s]; of a drone never heard, since when that is so."""
         told = self.telemetry
-        if told is None or self.step is None:
+        if self.step is None:
             return inf
+        if told is None or told.status is DroneStatus.UNKNOWN:
+            return max(0.0, self.step.now - self.drone.at) + self.step_age
         return max(0.0, self.step.now - told.received_at) + self.step_age
 
     @property
     def drone_is_heard(self) -> bool:
         """Whether the drone's word is of the present."""
         limits = self.room.limits if self.room else {}
-        longest = limits.get("telemetry_age", _TELEMETRY_AGE_MAX)
+        longest = limits.get("telemetry_age", TELEMETRY_AGE_MAX)
         told = self.telemetry
         heard = told is not None and told.status is not DroneStatus.UNKNOWN
         return self.pilot_is_heard and heard and self.telemetry_age <= longest
 
     @property
+    def drone(self) -> LastStatus:
+        """What the drone said last, however long ago, and to whichever pilot."""
+        return self.told_last.after(self.step) if self.step else self.told_last
+
+    @property
     def last_status(self) -> DroneStatus:
-        """What the drone said last, however long ago."""
-        return self.telemetry.status if self.telemetry else DroneStatus.UNKNOWN
+        """What the drone said last that it does."""
+        return self.drone.status
 
     @property
     def airborne(self) -> bool | None:
         """Whether it flies; None when nobody knows."""
-        return self.last_status in AIRBORNE_STATUSES if self.drone_is_heard else None
+        told = self.telemetry
+        return told.status in AIRBORNE_STATUSES if told and self.drone_is_heard else None
 
     @property
     def may_be_airborne(self) -> bool:
         """Whether one must reckon with a drone in the air."""
-        return self.last_status in AIRBORNE_STATUSES
+        return self.drone.may_be_airborne if self.airborne is None else self.airborne
 
     @property
     def is_cut(self) -> bool:

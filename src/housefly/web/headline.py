@@ -8,7 +8,7 @@ from math import dist
 
 from housefly.messages import DroneStatus, Phase, SafetyMode
 from housefly.web.console_knowledge import ConsoleKnowledge, last_seen, place_in_words
-from housefly.web.lost_contact import goal_title
+from housefly.web.lost_contact import NOBODY_TOLD, goal_title
 from housefly.web.verdict_message import FlightObjection, HeadlineShape, Standing, StopProgress
 
 
@@ -26,7 +26,7 @@ def headline(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> H
     if known.step is None:
         return Headline(HeadlineShape.LOST, "Waiting for the pilot")
     if not known.pilot_is_heard:
-        detail = f"for {known.step_age:.0f} s; {_last_word(known)}"
+        detail = f"for {known.step_age:.0f} s; {_last_status(known)}"
         return Headline(HeadlineShape.LOST, "No contact with the pilot", detail)
     if not known.drone_is_heard:
         return _without_drone(known)
@@ -40,7 +40,7 @@ def headline(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> H
 
 def _without_drone(known: ConsoleKnowledge) -> Headline:
     if known.may_be_airborne:
-        detail = f"for {known.telemetry_age:.0f} s; {_last_word(known)}"
+        detail = f"for {known.telemetry_age:.0f} s; {_last_status(known)}"
         return Headline(HeadlineShape.LOST, "No contact with the drone", detail)
     notes = known.link.notes if known.link else ()
     assert known.step is not None
@@ -48,15 +48,14 @@ def _without_drone(known: ConsoleKnowledge) -> Headline:
     return Headline(HeadlineShape.WARNING, "Waiting for the drone", detail)
 
 
-def _last_word(known: ConsoleKnowledge) -> str:
+def _last_status(known: ConsoleKnowledge) -> str:
     """Return what the drone was last known to do."""
-    assert known.step is not None
     if not known.may_be_airborne:
-        return "it was on the ground"
+        is_known = known.last_status is not DroneStatus.UNKNOWN
+        return "it was on the ground" if is_known else NOBODY_TOLD
     if known.hand_motion:
         return f"it was {known.hand_motion}"
-    out = known.step.outputs
-    return f"it was {_DOING[out.phase].format(goal=goal_title(known))}"
+    return f"it was {_DOING[known.drone.phase].format(goal=goal_title(known))}"
 
 
 _DOING: dict[Phase, str] = {

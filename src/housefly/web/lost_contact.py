@@ -6,12 +6,13 @@ Whoever loses contact cannot see what comes next; these words are what held at t
 from __future__ import annotations
 
 from housefly.messages import Phase, SafetyMode
-from housefly.messages.sensing import DroneStatus
+from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.web.console_knowledge import ConsoleKnowledge
 from housefly.web.goal_words import goal_words
 
 _SECONDS_BY_ITSELF = 120.0
 """``limits.hold_timeout`` where the room does not tell it [s]."""
+NOBODY_TOLD = "nobody has told yet what the drone does"
 _HOME = "comes home and lands by itself"
 
 _BY_SAFETY: dict[SafetyMode, str] = {
@@ -39,13 +40,16 @@ def if_page_is_lost(known: ConsoleKnowledge) -> str:
 
 def without_word(known: ConsoleKnowledge) -> str:
     """Return what is to be reckoned with while pilot or drone are silent."""
-    if known.step is None:
-        return "nobody has told yet what the drone does"
+    is_unknown = known.last_status is DroneStatus.UNKNOWN
+    if known.step is None or (is_unknown and not known.may_be_airborne):
+        return NOBODY_TOLD
     if not known.may_be_airborne:
         return (
             "the drone was on the ground when it was last heard; without a pilot nothing moves it"
         )
-    if known.pilot_is_heard:
+    if known.pilot_is_heard or known.step.outputs.phase is Phase.IDLE:
+        if known.last_status not in AIRBORNE_STATUSES:
+            return NOBODY_TOLD
         return (
             "it was in the air when it was last heard; landing is asked on, and a drone that hears"
             " nobody brakes and lands by itself"

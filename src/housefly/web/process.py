@@ -30,6 +30,7 @@ from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import USE_EDITS_QUERY
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
+from housefly.config.process_log import log_line
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.state import (
     clips_folder,
@@ -46,6 +47,7 @@ from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
 from housefly.web.connections import ConnectionLimiter, limited_protocol
 from housefly.web.console_memory import ConsoleMemory
+from housefly.web.console_port import inherited_listener, listening
 from housefly.web.coverage_layer import coverage_view
 from housefly.web.edit_service import EditService
 from housefly.web.exposure import checked_exposure, console_address, guest_address
@@ -82,15 +84,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         folder = options.site.parent
         if options.port is not None:
             site = changed(site, web__port=options.port)
-        asyncio.run(run_web(site, options.bus, folder, options.site))
+        asyncio.run(run_web(site, options.bus, folder, options.site, options.listener))
     except HouseflyError as error:
-        print(error, file=sys.stderr)
+        log_line(str(error), sys.stderr)
         return 1
     return 0
 
 
 async def run_web(
-    site: Site, endpoint: str, folder: Path = Path(), site_file: Path | None = None
+    site: Site,
+    endpoint: str,
+    folder: Path = Path(),
+    site_file: Path | None = None,
+    descriptor: int | None = None,
 ) -> None:
     """Serve the console of a site on its bus until cancelled or signalled.
 
@@ -100,6 +106,7 @@ async def run_web(
         folder: of the site file, for relative paths.
         site_file: the run's own, which its launcher keeps as it is flown; None where there is
             none.
+        descriptor: of the listening socket that its launcher holds; None opens one.
 
     Raises:
         ConfigError: the address is not allowed or taken, or a secret is missing.
@@ -108,7 +115,7 @@ async def run_web(
     certificate = exposure.certificate
     token = os.environ.get(TOKEN_VARIABLE) or secrets.token_urlsafe(24)
     stop = _stop_sender()
-    with listening(site.web.host, site.web.port) as listener, ZenohBus(connect=endpoint) as bus:
+    with _listener(site, descriptor) as listener, ZenohBus(connect=endpoint) as bus:
         site = changed(site, web__port=listener.getsockname()[1])
         app = create_app(
             bus,
@@ -137,7 +144,7 @@ async def run_web(
         )
         # Later collections skip what lives for the whole run, so that nobody waits for them.
         gc.freeze()
-        print(f"console ready: {console_address(site)}", flush=True)
+        log_line(f"console ready: {console_address(site)}")
         await make_server(app, certificate.context if certificate else None).serve([listener])
 
 
@@ -187,24 +194,10 @@ def _exit(number: int, frame: FrameType | None) -> None:
     raise SystemExit(0)
 
 
-def listening(host: str, port: int) -> HandshakeListener:
-    """Return a socket that listens; raises ConfigError when the address cannot be had."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    # Without the protocol asyncio leaves Nagle on, and every answer waits 40 ms for an
-    # acknowledgement.
-    listener = HandshakeListener(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    try:
-        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind((host, port))
-        # Browsers that connect before the application is up wait instead of being refused.
-        listener.listen()
-    except OSError as error:
-        listener.close()
-        raise ConfigError(
-            "web.port",
-            f"cannot listen on {host} port {port} ({error.strerror}); choose another port",
-        ) from error
-    return listener
+def _listener(site: Site, descriptor: int | None) -> HandshakeListener:
+    if descriptor is None:
+        return listening(site.web.host, site.web.port)
+    return inherited_listener(descriptor)
 
 
 def _reported(sent: Future[bool]) -> Future[bool]:
@@ -274,6 +267,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--port", type=int, help="TCP port instead of the site's; 0 takes a free one"
+    )
+    parser.add_argument(
+        "--listener", type=int, help="file descriptor of a socket that listens, instead of its own"
     )
     return parser
 

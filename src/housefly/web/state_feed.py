@@ -14,7 +14,6 @@ from housefly.clock import Clock
 from housefly.config.furniture import FurnitureConfig
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import (
-    DroneStatus,
     LinkStatus,
     Path,
     PilotStep,
@@ -27,6 +26,7 @@ from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
 from housefly.web.hand_motion import hand_motion_words
+from housefly.web.last_status import LastStatus
 from housefly.web.protocol import EventView, LinkMessage, OtherBody, PathMessage, StateMessage
 from housefly.web.stop_latch import StopLatch
 
@@ -38,6 +38,8 @@ _TRAIL_STEP = 0.04
 """Distance between two points of the trail [m]."""
 _BODY_TIMEOUT = 2.0
 """Tracked bodies other than furniture leave the map when unseen for this long [s]."""
+_BODIES_KEPT = 256
+"""Tracked bodies beside the drone; of more, who was not seen for longest leaves the map."""
 
 
 @dataclass(slots=True)
@@ -76,6 +78,7 @@ class StateFeed:
     _trajectory: tuple[TrajectoryPoint, ...] = ()
     _restarts: int = 0
     _hand_motion: str = ""
+    _last_status: LastStatus = field(default_factory=LastStatus)
     _stop: StopLatch = field(default_factory=StopLatch)
 
     def listen(self, bus: Bus) -> None:
@@ -126,6 +129,12 @@ class StateFeed:
             return self._hand_motion
 
     @property
+    def last_status(self) -> LastStatus:
+        """What the drone said last, also through a pilot before this one."""
+        with self._lock:
+            return self._last_status
+
+    @property
     def restarts(self) -> int:
         """How often a pilot has started counting its steps from the beginning."""
         with self._lock:
@@ -172,7 +181,18 @@ class StateFeed:
 
     def _bodies(self) -> tuple[OtherBody, ...]:
         now = self.clock.now()
-        return tuple(shown.body for shown in self._others.values() if now < shown.until)
+        self._others = {name: one for name, one in self._others.items() if now < one.until}
+        return tuple(shown.body for shown in self._others.values())
+
+    def _see(self, sightings: Sequence[Sighting], now: float) -> None:
+        """Keep where the bodies are; of too many the oldest go, those seen now by first come."""
+        for sighting in sightings:
+            if sighting.body != self.drone_body:
+                self._others[sighting.body] = self._tracked_body(sighting, now)
+        if len(self._others) > _BODIES_KEPT:
+            newest = sorted(self._others, key=lambda one: self._others[one].until, reverse=True)
+            for name in newest[_BODIES_KEPT:]:
+                del self._others[name]
 
     def _tracked_body(self, sighting: Sighting, now: float) -> _TrackedBody:
         for piece in self.furniture:
@@ -191,16 +211,16 @@ class StateFeed:
                 self._restarts += 1
                 self._hand_motion = ""
                 self._stop = self._stop.pilot_restarted(now)
-            if on_the_ground(self._step) and not on_the_ground(step):
+            word = self._last_status.after(step)
+            if word.may_be_airborne and not self._last_status.may_be_airborne:
                 self._trail.clear()
+            self._last_status = word
             self._step, self._heard_at = step, now
             self._stop = self._stop.heard(step)
             self._hand_motion = hand_motion_words(self._hand_motion, step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
-            for sighting in step.inputs.sightings:
-                if sighting.body != self.drone_body:
-                    self._others[sighting.body] = self._tracked_body(sighting, now)
+            self._see(step.inputs.sightings, now)
             if step.outputs.path != self._path:
                 self._path, self._path_number = step.outputs.path, self._path_number + 1
             estimate = step.outputs.estimate
@@ -234,16 +254,6 @@ class StateFeed:
         event = EventView(self._event_number, self.clock.now(), severity, code, text)
         self._events.append(event)
         self.keep_event(event)
-
-
-def on_the_ground(step: PilotStep | None) -> bool:
-    """Return whether the drone reports that it does not fly, or reports nothing."""
-    telemetry = step.inputs.telemetry if step else None
-    return telemetry is None or telemetry.status in (
-        DroneStatus.UNKNOWN,
-        DroneStatus.LANDED,
-        DroneStatus.EMERGENCY,
-    )
 
 
 def _state(

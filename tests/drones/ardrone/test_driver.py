@@ -6,11 +6,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import io
 import socket
 import time
 from pathlib import Path
 
 import pytest
+from full_disk import full_output
 
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
@@ -122,6 +124,45 @@ async def test_a_pilot_that_falls_silent_lets_it_hover_and_then_land(flight) -> 
     assert flight.world.asked.hover and status(flight) is DroneStatus.FLYING
     await flight.silence(2.0)
     assert status(flight) in (DroneStatus.LANDING, DroneStatus.LANDED)
+
+
+async def test_a_watchdog_that_fails_lands_the_drone_although_its_log_takes_no_more(
+    flight, monkeypatch
+) -> None:
+    def fail(*_: object) -> tuple[at.AtCommand, ...]:
+        raise ZeroDivisionError("float division by zero")
+
+    await flying(flight)
+    await flight.hold(Action.FLY, FORWARD, seconds=0.3)
+    monkeypatch.setattr(flight.drone._sequencer, "next_commands", fail)
+    with full_output():
+        await asyncio.sleep(1.0)
+    sent = at.parse_datagram(flight.radio.commands[-1]).commands[0].command
+    assert sent == at.Ref(at.RefBits.LAND)
+    assert not flight.drone._tasks["repeat commands"].done()
+    async with asyncio.timeout(10.0):
+        while flight.world.flight is not twin.FlightState.LANDED:
+            await asyncio.sleep(0.02)
+
+
+async def test_a_watchdog_that_fails_lands_the_drone_before_it_says_so(flight, monkeypatch) -> None:
+    sent: list[int] = []
+
+    def fail(*_: object) -> tuple[at.AtCommand, ...]:
+        raise ZeroDivisionError("float division by zero")
+
+    class Watched(io.StringIO):
+        def write(self, text: str) -> int:
+            sent.append(flight.drone._commands.datagrams)
+            return super().write(text)
+
+    await flying(flight)
+    before = flight.drone._commands.datagrams
+    monkeypatch.setattr(flight.drone._sequencer, "next_commands", fail)
+    with contextlib.redirect_stderr(Watched()) as said:
+        await asyncio.sleep(0.2)
+    assert "ZeroDivisionError" in said.getvalue()
+    assert sent[0] == before + 1
 
 
 async def test_a_flight_over_a_radio_that_loses_a_third_and_mixes_the_rest(flight) -> None:

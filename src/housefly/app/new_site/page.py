@@ -12,11 +12,12 @@ from tempfile import TemporaryDirectory
 from housefly.app.terminal import console
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard
+from housefly.web.console_port import listening
 from housefly.web.new_site.draft_api import DraftApi
 from housefly.web.new_site.draft_service import DraftService
 from housefly.web.new_site.server import create_new_site_app, new_site_session
 from housefly.web.new_site.uploads import Uploads
-from housefly.web.process import listening, make_server
+from housefly.web.process import make_server
 
 _HOST = "127.0.0.1"
 

@@ -8,13 +8,13 @@ pilot pauses, the newest command is repeated.
 from __future__ import annotations
 
 import asyncio
-import traceback
 from collections.abc import Callable, Coroutine
 from dataclasses import replace
 
 from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
+from housefly.config.process_log import log_traceback
 from housefly.drones.ardrone.handshake import Configurator
 from housefly.drones.ardrone.limits_keeper import LimitsKeeper
 from housefly.drones.ardrone.link import CommandLink, led_value
@@ -230,8 +230,8 @@ class ArDrone:
                 try:
                     self._transmit(now)
                 except Exception:
-                    traceback.print_exc()
                     self._commands.send(at.Ref(at.RefBits.LAND), at.Pcmd())
+                    log_traceback()
             await asyncio.sleep(max(0.001, self._sent_at + REPEAT_AFTER - self._clock.now()))
 
     def _transmit(self, now: float) -> None:

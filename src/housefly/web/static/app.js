@@ -1,1 +1,1 @@
-import"./chunk-chunk-E3X2DXY6.js";
+import"./chunk-chunk-XA4URJ4Y.js";

@@ -25,6 +25,7 @@ type Answer = AcceptedReply | RefusedReply | PlanReply | InviteReply;
 const OPENED_ELSEWHERE = 4001;
 const PING_PERIOD = 1000;
 const STOP_PATIENCE = 300;
+const STOP_ANSWER_TIME = 2_000; // a server that is being started again answers nobody
 const NOTICE_KEPT = 20_000;
 const EVENTS_KEPT = 300;
 const NAME_KEY = "housefly name";
@@ -77,7 +78,11 @@ export async function stop(): Promise<string> {
   const late = new Promise<null>((resolve) => setTimeout(() => resolve(null), STOP_PATIENCE));
   if ((await Promise.race([confirmed, late]))?.type === "accepted") return "";
   try {
-    const answer = await fetchAsSession("/stop", { method: "POST", keepalive: true });
+    const answer = await fetchAsSession("/stop", {
+      method: "POST",
+      keepalive: true,
+      signal: AbortSignal.timeout(STOP_ANSWER_TIME),
+    });
     return answer.ok ? "" : "STOP was not accepted";
   } catch {
     return "STOP did not arrive: no contact with the server";
