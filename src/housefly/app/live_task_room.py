@@ -25,7 +25,9 @@ from housefly.tasks.vantage.viewpoint import Viewpoint
 _PATIENCE = 0.5
 """How long an answer of the memory may take [s]: a flying task waits for it."""
 _PAUSE = 5.0
-"""After a question without an answer the memory is not asked again for so long [s]."""
+"""After a question without an answer no flight asks the memory again for so long [s]; a person, who
+can wait, does.
+"""
 
 
 class LiveTaskRoom:
@@ -54,7 +56,7 @@ class LiveTaskRoom:
         """Return the memory's answer; raises ThingError, or LinkError when nobody remembers."""
         if not self._has_memory:
             raise LinkError("this site has no memory: hub.enabled is false")
-        if self._clock() < self._silent_until:
+        if patience <= _PATIENCE and self._clock() < self._silent_until:
             raise LinkError("the room's memory does not answer")
         try:
             text = self._bus.ask(HUB_QUERY, question_to_json(question), patience)
