@@ -138,7 +138,7 @@ def ring(folder: Path, **changes: object) -> BellRun:
         replace(spec, arguments=(*spec.arguments, "--truth", str(truth)))
         if spec.name == "twin"
         else spec
-        for spec in processes_of(runtime, web=False)
+        for spec in processes_of(runtime)
     )
     ear = _Ear()
     with (

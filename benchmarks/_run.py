@@ -73,7 +73,7 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
         start = time.monotonic()
         runtime = new_runtime(site, Path(folder), web=web)
         with (
-            Launcher(runtime, Path(folder), processes_of(runtime, web=web)) as launcher,
+            Launcher(runtime, Path(folder), processes_of(runtime)) as launcher,
             ZenohBus(connect=runtime.bus) as bus,
         ):
             video = site.drone.has_video and site.twin.video

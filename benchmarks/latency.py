@@ -20,7 +20,6 @@ import tempfile
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, closing
-from dataclasses import replace
 from math import pi
 from pathlib import Path
 
@@ -35,10 +34,9 @@ from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import ORDER_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
-from housefly.geometry import quaternion_from_euler
 from housefly.messages import Order, OrderKind, Pose
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import MocapFrame, OnboardState
+from housefly.twin.contracts import MocapFrame
 from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.mocap.vicon_server import ViconServer
 from housefly.wires.ardrone.conversions import Stick
@@ -47,11 +45,11 @@ from stop_under_load import attack
 TRIALS = 200
 CLICKS, LANDINGS = 100, 10
 UNDER_ATTACK = "the same under attack"
-STEP_ASIDE = 0.03
+STEP_ASIDE = 0.008
 """How far the pose jumps [m]: well inside the innovation gate."""
 CADENCE = 0.030
 """Period of the AR.Drone's command stream [s]: the limit that a new setpoint waits for."""
-HOME, HEADING = (10.55, 1.25), quaternion_from_euler(0.0, 0.0, pi)
+HOME, HEADING = (10.55, 1.25), pi
 BATTERY_LASTS = 1800.0
 """A gauge that stood still would keep the drone on the ground [s]."""
 STOP_LIMIT = 0.050
@@ -59,10 +57,11 @@ STOP_LIMIT = 0.050
 
 
 class Probe(KinematicWorld):
-    """A drone that notes when which movement command arrived."""
+    """A drone on its pad that notes when which movement command arrived."""
 
     def __init__(self) -> None:
         super().__init__()
+        self._psi = HEADING
         self.heard: list[tuple[float, Stick]] = []
         self.landings: list[float] = []
 
@@ -70,11 +69,6 @@ class Probe(KinematicWorld):
         """Note the command."""
         self.heard.append((time.monotonic(), stick))
         super().set_stick(stick)
-
-    def onboard(self) -> OnboardState:
-        """Return the state of a drone that stays where it is: it is held against tracking."""
-        noise = 0.01 if round(self.now / 0.005) % 2 else -0.01  # exactly 0 counts as not told
-        return replace(super().onboard(), velocity=(noise, -noise, 0.0))
 
     def request_land(self) -> None:
         """Note the order."""
@@ -107,10 +101,12 @@ class Bench:
             await asyncio.sleep(max(0.0, start + 0.01 * (number + 1) - time.monotonic()))
 
     def _pose(self, number: int) -> Pose:
-        """Return where a frame has the drone: above its pad, or a step aside of it."""
+        """Return where a frame has the drone: where it is, or a step aside of it."""
         noise = 1e-6 * (number % 7)  # what is the same to the last bit counts as frozen
-        height = self.world.truth().pose.position[2] + 0.05
-        return Pose((HOME[0] + self.offset, HOME[1] + noise, height), HEADING)
+        true = self.world.truth().pose
+        x, y, z = true.position
+        at = (HOME[0] + x + self.offset, HOME[1] + y + noise, z + 0.05)
+        return Pose(at, true.orientation)
 
     async def reaction(self, matches: object, since: float, timeout: float = 1.0) -> float:
         """Return how long after ``since`` the first matching command arrived [s]."""

@@ -68,9 +68,7 @@ async def started(tmp_path: Path, site_file: Path, stack: AsyncExitStack) -> Run
     loaded = open_site(read_site(str(site_file), hub__enabled=False))
     room = await stack.enter_async_context(RoomHere(loaded))
     runtime: Runtime = new_runtime(loaded.site, tmp_path)
-    processes = tuple(
-        spec for spec in processes_of(runtime, web=False) if spec.name in ("pilot", "driver")
-    )
+    processes = tuple(spec for spec in processes_of(runtime) if spec.name in ("pilot", "driver"))
     launcher = Launcher(runtime, tmp_path, processes)
     await asyncio.to_thread(launcher.__enter__)
     stack.push_async_callback(asyncio.to_thread, launcher.stop)

@@ -37,6 +37,7 @@ def running_on_a_full_disk(runtime: Runtime) -> Iterator[dict[str, subprocess.Po
             running[spec.name] = subprocess.Popen(
                 [sys.executable, "-m", spec.module, *spec.arguments],
                 env=environment,
+                pass_fds=spec.inherited,
                 stdin=subprocess.DEVNULL,
                 stdout=full,
                 stderr=full,
@@ -72,7 +73,7 @@ def test_every_process_whose_log_takes_no_more_starts_and_stays(
 ) -> None:
     site = read_site(str(write_site()))
     site = changed(site, lasers=[{**LASER, "address": site.drone.address}])
-    runtime = new_runtime(site, tmp_path)
+    runtime = new_runtime(site, tmp_path, web=True)
     with (
         running_on_a_full_disk(runtime) as running,
         ZenohBus(connect=runtime.bus) as bus,

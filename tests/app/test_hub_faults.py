@@ -124,7 +124,7 @@ def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
     home = load_room(site.room.model).home
     runtime = new_runtime(site, folder)
     with (
-        Launcher(runtime, folder, processes_of(runtime, web=False)) as launcher,
+        Launcher(runtime, folder, processes_of(runtime)) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""

@@ -61,13 +61,13 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_RUNTIME_DIR", str(folder))
         site = wires.site_of(folder)
-        runtime = new_runtime(site, folder)
+        runtime = new_runtime(site, folder, web=True)
         truth = folder / "truth.jsonl"
         processes = tuple(
             wires.replace(spec, arguments=(*spec.arguments, "--truth", str(truth)))
             if spec.name == "twin"
             else spec
-            for spec in processes_of(runtime, web=True)
+            for spec in processes_of(runtime)
         )
         with (
             Launcher(runtime, folder, processes),

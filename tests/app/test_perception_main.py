@@ -165,7 +165,7 @@ def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_t
     runtime = new_runtime(changed(site, hub__store=str(tmp_path / "room.db"), **served), tmp_path)
     heard: list[Obstacle] = []
     with (
-        Launcher(runtime, tmp_path, processes_of(runtime, web=False)),
+        Launcher(runtime, tmp_path, processes_of(runtime)),
         ZenohBus(connect=runtime.bus) as bus,
     ):
         sight: list[float] = []

@@ -26,7 +26,7 @@ from housefly.bus.topics import (
     ORDER_TOPIC,
     RECORDING_TOPIC,
     STEP_TOPIC,
-    TRAJECTORY_TOPIC,
+    VIDEO_TOPIC,
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
@@ -34,24 +34,20 @@ from housefly.drones.ardrone.driver import ArDrone
 from housefly.errors import LinkError
 from housefly.messages import (
     Action,
-    Command,
     Inputs,
     LinkStatus,
     Order,
     OrderKind,
     Outputs,
     PilotStep,
-    PlannedTrajectory,
     PreflightCheck,
     RecordingNews,
     Severity,
     Sighting,
     TrackedFrame,
-    TrajectoryPoint,
     VideoFrame,
 )
 from housefly.pilot.assembly import warm_up
-from housefly.pilot.behavior.trajectory_profile import SpacePath
 from housefly.pilot.estimation.estimation_report import EstimationReport
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime]
@@ -78,7 +74,7 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
     site = read_site(str(write_site()), hub__enabled=False)
     runtime = new_runtime(site, tmp_path)
     with (
-        Launcher(runtime, tmp_path, processes_of(runtime, web=False)),
+        Launcher(runtime, tmp_path, processes_of(runtime)),
         ZenohBus(connect=runtime.bus) as bus,
     ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
@@ -89,28 +85,6 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
     missing = [sighting for sighting in stepped if sighting not in told]
     assert len(missing) <= 5, "steps know of frames that were never told"
     assert max(waited) > 0.002, "the pilot steps on its own clock"
-
-
-def test_what_is_planned_in_space_is_told_when_it_is_new_and_each_second(write_site: Any) -> None:
-    loaded, clock, bus = open_site(read_site(str(write_site()))), RealClock(), LocalBus()
-    told: list[PlannedTrajectory] = []
-    bus.subscribe(TRAJECTORY_TOPIC, told.append)
-    drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
-    shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
-    way = ((1.0, 1.0), (2.0, 1.0))
-    first = SpacePath(way, 1.0, 0.5, heights=(1.0, 1.2), times=(0.0, 2.0), speeds=(0.0, 0.5))
-    other = SpacePath(way[::-1], 1.0, 0.5, heights=(1.0, 1.3), times=(0.0, 2.0), speeds=(0.0, 0.5))
-    for number, (now, path) in enumerate(
-        [(10.0, None), (10.1, first), (10.2, first), (10.5, other), (11.4, other), (11.6, other)]
-    ):
-        outputs = Outputs(Command(Action.HOVER), path=path)
-        shell._tell(PilotStep(number, now, Inputs(), outputs))
-    assert [planned.at for planned in told] == [10.1, 10.5, 11.6]
-    assert told[0].points == (
-        TrajectoryPoint((1.0, 1.0, 1.0), 0.0, 0.0),
-        TrajectoryPoint((2.0, 1.0, 1.2), 2.0, 0.5),
-    )
-    assert told[1].points[1].position == (1.0, 1.0, 1.3)
 
 
 class FailingPilot:
@@ -298,7 +272,7 @@ async def test_a_step_that_cannot_be_published_is_said_and_flown_all_the_same(
         assert room.world.onboard().flight.name == "LANDED"
 
 
-async def test_a_picture_or_frame_that_cannot_be_published_loses_no_wire(
+async def test_a_picture_frame_or_report_that_cannot_be_published_stops_nothing(
     write_site: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     loaded, clock, bus = open_site(read_site(str(write_site()))), RealClock(), LocalBus()
@@ -309,10 +283,14 @@ async def test_a_picture_or_frame_that_cannot_be_published_loses_no_wire(
         raise LinkError("the bus is gone")
 
     monkeypatch.setattr(bus, "publish", refuse)
-    shell._on_video(VideoFrame(b"", True, 640, 360, 0, 1.0))
-    assert "a picture could not be published: LinkError: the bus is gone" in shell._untold
-    shell._on_sightings(())
-    assert "a tracked frame could not" in shell._untold
+    for topic, hear in (
+        (VIDEO_TOPIC, lambda: shell._on_video(VideoFrame(b"", True, 640, 360, 0, 1.0))),
+        (FRAME_TOPIC, lambda: shell._on_sightings(())),
+        (LINK_TOPIC, shell._report),
+    ):
+        hear()
+        problem = f"{topic.key} could not be published: LinkError: the bus is gone"
+        assert problem in shell._link_status().notes
 
 
 async def test_disks_that_cannot_be_looked_at_once_are_looked_at_again(

@@ -140,7 +140,7 @@ def running(folder: Path) -> Iterator[House]:
         replace(spec, arguments=(*spec.arguments, "--truth", str(truth)))
         if spec.name == "twin"
         else spec
-        for spec in processes_of(runtime, web=False)
+        for spec in processes_of(runtime)
     )
     with (
         Launcher(runtime, folder, processes) as launcher,

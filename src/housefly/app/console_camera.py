@@ -21,6 +21,11 @@ _BROWSER_FLAGS = [
 _VIEWPORT = {"width": 1280, "height": 720}
 
 
+def has_browser() -> bool:
+    """Return whether there are Chromium and playwright."""
+    return shutil.which("chromium") is not None and _playwright() is not None
+
+
 class ConsoleCamera:
     """Takes pictures of the console in Chromium; does nothing without Chromium or playwright.
 
@@ -34,7 +39,7 @@ class ConsoleCamera:
         self._taken: dict[str, RgbImage] = {}
         self._wake, self._ending = threading.Condition(), False
         self._thread = threading.Thread(target=self._work, name="console camera", daemon=True)
-        self.available = shutil.which("chromium") is not None and _playwright() is not None
+        self.available = has_browser()
 
     def __enter__(self) -> ConsoleCamera:
         if self.available:

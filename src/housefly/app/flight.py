@@ -82,7 +82,6 @@ def fly_service(
                     recorder,
                     progress.show,
                     progress.say,
-                    web=web,
                     on_console=ConsoleDoor(runtime).print_address,
                 )
     finally:

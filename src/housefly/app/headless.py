@@ -48,13 +48,12 @@ def fly_over_wires(
     on_step: Callable[[PilotStep], None],
     say: Callable[[str], None],
     *,
-    web: bool = False,
     on_console: Callable[[], None] = lambda: None,
     give_up_after: float = 240.0,
 ) -> str:
     """Fly one service over real wires and return its outcome ("completed" or the reason).
 
-    With ``web`` there is a console, and ``on_console`` is called once it answers. Ctrl-C lands the
+    Where there is a console, ``on_console`` is called once it answers. Ctrl-C lands the
     drone first and gives the outcome "interrupted".
 
     Raises:
@@ -65,14 +64,14 @@ def fly_over_wires(
     with (
         EndSignals(),
         Launcher(
-            runtime, folder, processes_of(runtime, web=web, truth_file=recorder.truth_file)
+            runtime, folder, processes_of(runtime, truth_file=recorder.truth_file)
         ) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
         missing = Readiness(
             site,
             bus,
-            web=web,
+            web=runtime.has_console,
             video=site.drone.has_video and site.twin.video,
             on_console=on_console,
         ).wait(_START_TIMEOUT, say, lambda: launcher.given_up != ())

@@ -68,14 +68,11 @@ DRIVER_PROCESS = ProcessSpec("driver", "housefly.app.driver_main", niceness=-5, 
 """Whoever pilots, the driver is a process of its own."""
 
 
-def processes_of(
-    runtime: Runtime, *, web: bool = True, truth_file: Path | None = None
-) -> tuple[ProcessSpec, ...]:
+def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[ProcessSpec, ...]:
     """Return the processes that a site needs.
 
     Args:
-        runtime: of the site.
-        web: whether the console is among them.
+        runtime: of the site; the console is among them where its port is held.
         truth_file: where a simulated room writes the true course of what flies; None writes none.
     """
     site = runtime.site()
@@ -84,7 +81,7 @@ def processes_of(
     if site.mqtt.broker and site.mqtt.start:
         processes.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
-        has_bus = web or site.depth_cameras
+        has_bus = runtime.has_console or site.depth_cameras
         twin_arguments = (*site_argument, "--bus", runtime.bus) if has_bus else site_argument
         if truth_file is not None:
             twin_arguments = (*twin_arguments, "--truth", str(truth_file.resolve()))
@@ -98,16 +95,14 @@ def processes_of(
         processes.append(ProcessSpec("perception", "housefly.app.perception_main", niceness=2))
     if site.tasks.enabled:
         processes.append(ProcessSpec("tasks", "housefly.app.tasks_main", niceness=3))
-    if web:
-        processes.append(_console_of(runtime))
-    return tuple(processes)
-
-
-def _console_of(runtime: Runtime) -> ProcessSpec:
-    arguments: tuple[str, ...] = ("--site", str(runtime.site_file), "--bus", runtime.bus)
     if (port := runtime.console_port) is not None:
-        arguments = (*arguments, "--listener", str(port.descriptor))
-    return ProcessSpec("web", "housefly.web.process", arguments, niceness=5, port=port)
+        listens_at = ("--bus", runtime.bus, "--listener", str(port.descriptor))
+        processes.append(
+            ProcessSpec(
+                "web", "housefly.web.process", (*site_argument, *listens_at), niceness=5, port=port
+            )
+        )
+    return tuple(processes)
 
 
 @dataclass(slots=True)

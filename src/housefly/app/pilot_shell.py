@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Iterator
 from dataclasses import replace
 from math import isfinite
 from typing import TYPE_CHECKING
@@ -26,6 +25,7 @@ from housefly.app.obstacle_inbox import ObstacleInbox
 from housefly.app.origin_memory import OriginMemory
 from housefly.app.people_note import people_note
 from housefly.app.people_sight import PeopleSight
+from housefly.app.pilot_publisher import PilotPublisher
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.app.stand_down import StandDown
@@ -39,8 +39,6 @@ from housefly.bus.topics import (
     RECORDING_TOPIC,
     SIGHT_TOPIC,
     STAND_DOWN_QUERY,
-    STEP_TOPIC,
-    TRAJECTORY_TOPIC,
     VIDEO_TOPIC,
 )
 from housefly.clock import RealClock
@@ -57,7 +55,6 @@ from housefly.messages import (
     Order,
     OrderKind,
     Outputs,
-    Path,
     PilotStep,
     SafetyMode,
     Severity,
@@ -67,7 +64,6 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.assembly import make_pilot
-from housefly.pilot.behavior.planned_trajectory import planned_trajectory
 from housefly.pilot.contracts import Maneuver
 from housefly.pilot.estimation.estimation_report import NOTHING_ESTIMATED, EstimationReport
 from housefly.room.grid import extent_of
@@ -78,8 +74,6 @@ if TYPE_CHECKING:
 
 _LINK_PERIOD = 0.5
 """How often the health of the wires is published [s]."""
-_TRAJECTORY_PERIOD = 1.0
-"""How often the trajectory in use is published again [s]."""
 _LANDING_TIMEOUT = 25.0
 """How long an ordered shutdown waits for the drone to land [s]."""
 _LOOP_PATIENCE = 1.0
@@ -129,9 +123,7 @@ class PilotShell:
         self._drone_problem = ""
         self._failure = ""
         self._is_cut = False
-        self._untold = ""
-        self._told_path: Path | None = None
-        self._told_path_at = 0.0
+        self._publisher = PilotPublisher(bus)
 
     async def run(self) -> None:
         """Fly until ``leave`` is called and the drone is down.
@@ -241,7 +233,8 @@ class PilotShell:
         outputs = replace(outputs, events=outputs.events + refusals) if refusals else outputs
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1
-        self._tell(step)
+        self._queries.update(step)
+        self._publisher.publish_step(step)
 
     def _decide(self, now: float, inputs: Inputs) -> Outputs:
         try:
@@ -262,32 +255,6 @@ class PilotShell:
         )
         return Outputs(Command(action), safety=mode, reason=self._failure)
 
-    def _tell(self, step: PilotStep) -> None:
-        with self._telling("a step"):
-            self._queries.update(step)
-            self._bus.publish(STEP_TOPIC, step)
-            self._tell_trajectory(step)
-
-    @contextlib.contextmanager
-    def _telling(self, what: str) -> Iterator[None]:
-        """Note what could not be published; that is no reason not to fly, nor to lose a wire."""
-        try:
-            yield
-        except Exception as error:
-            is_first = not self._untold
-            self._untold = f"{what} could not be published: {type(error).__name__}: {error}"
-            if is_first:
-                log_traceback()
-
-    def _tell_trajectory(self, step: PilotStep) -> None:
-        """Publish what is planned in space: when it is new, and now and then for newcomers."""
-        path, now = step.outputs.path, step.now
-        if path == self._told_path and now - self._told_path_at < _TRAJECTORY_PERIOD:
-            return
-        self._told_path, self._told_path_at = path, now
-        if (planned := planned_trajectory(path, now)) is not None:
-            self._bus.publish(TRAJECTORY_TOPIC, planned)
-
     def _airborne(self) -> bool:
         telemetry = self._drone.telemetry
         return telemetry is not None and telemetry.status in AIRBORNE_STATUSES
@@ -297,13 +264,11 @@ class PilotShell:
         for sighting in sightings:
             if sighting.body == self._body:
                 self._tracking.add(sighting.received_at)
-        with self._telling("a tracked frame"):
-            self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
+        self._publisher.publish(FRAME_TOPIC, TrackedFrame(sightings))
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._video.add(frame.received_at)
-        with self._telling("a picture"):
-            self._bus.publish(VIDEO_TOPIC, frame)
+        self._publisher.publish(VIDEO_TOPIC, frame)
 
     async def _connect_drone(self) -> None:
         while True:
@@ -319,8 +284,11 @@ class PilotShell:
     async def _report_links(self) -> None:
         while True:
             await asyncio.sleep(_LINK_PERIOD)
-            self._bus.publish(LINK_TOPIC, self._link_status())
-            self._look_at_preflight()
+            self._report()
+
+    def _report(self) -> None:
+        self._publisher.publish(LINK_TOPIC, self._link_status())
+        self._look_at_preflight()
 
     async def _show_recording(self) -> None:
         """Keep the drone's light as it should be, beside the steps and never within one."""
@@ -378,7 +346,7 @@ class PilotShell:
                     self._tracker.problem,
                     self._drone_problem or self._drone.problem,
                     self._obstacles.problem,
-                    self._untold,
+                    self._publisher.problem,
                     self._recording.note,
                     self._people_note,
                 )

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from housefly.app.console_camera import ConsoleCamera
+from housefly.app.console_camera import ConsoleCamera, has_browser
 from housefly.app.headless import fly_over_wires
 from housefly.app.loaded_site import open_site
 from housefly.app.reproduction_flights import GOAL, LOOK_TIME, RecordedService, read_service
@@ -69,7 +69,7 @@ def fly_wire_service(
     loaded = open_site(_over_wires(site))
     logs = folder / "logs"
     logs.mkdir(parents=True, exist_ok=True)
-    runtime = new_runtime(loaded.site, logs)
+    runtime = new_runtime(loaded.site, logs, web=has_browser())
     recorder = FlightRecorder(folder, loaded.site, loaded.room, loaded.grid)
     order = Order(OrderKind.SERVICE, place=GOAL, look_s=LOOK_TIME, sender="reproduction")
     outcome = "failed"
@@ -84,7 +84,6 @@ def fly_wire_service(
                 recorder,
                 moments.update,
                 on_word,
-                web=camera.available,
             )
         finally:
             summary = recorder.finish(outcome)

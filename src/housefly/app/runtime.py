@@ -60,6 +60,11 @@ class Runtime:
     held_port: StopPort | None = field(default=None, compare=False, repr=False)
     console_port: ConsolePort | None = field(default=None, compare=False, repr=False)
 
+    @property
+    def has_console(self) -> bool:
+        """Whether there is a console."""
+        return self.console_port is not None
+
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
         mine = {

@@ -139,13 +139,12 @@ class Console:
             first = error.errors()[0]
             key = dotted(first["loc"]) or "message"
             reason = f"{key}: {words_of(first)}"
-            self._write_refusal(viewer, f"a message that cannot be read: {reason}")
-            viewer.send(RefusedReply(0, reason))
+            self._refuse(viewer, "a message that cannot be read", reason)
             self._within_rate(viewer)
             return
         if objection := self._objection(viewer, message):
-            self._write_refusal(viewer, f"{message.type} refused: {objection}")
-            viewer.send(RefusedReply(getattr(message, "id", 0), objection))
+            number = getattr(message, "id", 0)
+            self._refuse(viewer, f"{message.type} refused", objection, number)
             self._within_rate(viewer)
             return
         self.lease.renew(viewer.number, self._clock.now())
@@ -294,8 +293,7 @@ class Console:
         number = self._tabs.number_of(owner, message.tab)
         if viewer.present and number != viewer.number:
             reason = "another tab says hello on a socket of its own"
-            self._write_refusal(viewer, f"{message.type} refused: {reason}")
-            viewer.send(RefusedReply(0, reason))
+            self._refuse(viewer, "hello refused", reason)
             return
         for other in self.viewers:
             if other is not viewer and other.present and other.number == number:
@@ -349,8 +347,7 @@ class Console:
         if message.order is OrderKind.STOP:
             self._stop(viewer, StopRequest("stop", message.id))
         elif reason := self._order_objection(viewer, message):
-            self._write_refusal(viewer, f"{message.order.value} refused: {reason}")
-            viewer.send(RefusedReply(message.id, reason))
+            self._refuse(viewer, f"{message.order.value} refused", reason, message.id)
         else:
             self._audit(viewer.name, order_in_words(message), viewer.session.name)
             sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
@@ -366,8 +363,7 @@ class Console:
         if not reason and late > LATE_MAX:
             reason = f"the line is slow: this came {late:.1f} s late"
         if reason:
-            self._write_refusal(viewer, f"{ORDER_WORDS[OrderKind.NUDGE]} refused: {reason}")
-            viewer.send(RefusedReply(message.id, reason))
+            self._refuse(viewer, f"{ORDER_WORDS[OrderKind.NUDGE]} refused", reason, message.id)
             return
         if now - viewer.nudged_at > NEW_TIME:
             self._audit(viewer.name, ORDER_WORDS[OrderKind.NUDGE], viewer.session.name)
@@ -394,10 +390,10 @@ class Console:
     async def _confirm(
         self, viewer: Viewer, asked: OrderRequest | NudgeRequest, sent: asyncio.Future[str]
     ) -> None:
-        problem = await sent
-        if problem:
-            self._write_refusal(viewer, f"{asked.type} was not passed on: {problem}")
-        viewer.send(RefusedReply(asked.id, problem) if problem else AcceptedReply(asked.id))
+        if problem := await sent:
+            self._refuse(viewer, f"{asked.type} was not passed on", problem, asked.id)
+        else:
+            viewer.send(AcceptedReply(asked.id))
 
     def _plan(self, viewer: Viewer, message: PlanQuestion) -> None:
         viewer.question = message
@@ -416,8 +412,7 @@ class Console:
         else:
             problem, words = "that viewer is not here any more, or may not fly", ""
         if problem:
-            self._write_refusal(viewer, f"{message.action} control refused: {problem}")
-            viewer.send(RefusedReply(message.id, problem))
+            self._refuse(viewer, f"{message.action} control refused", problem, message.id)
             return
         self._record(viewer.name, viewer.session.name, words)
         self.feed.log_event(Severity.INFO, "control", f"{viewer.name} {words}")
@@ -429,8 +424,7 @@ class Console:
         try:
             viewer.send(self._links.make(viewer, message))
         except MissingPartError as error:
-            self._write_refusal(viewer, f"{message.type} refused: {error}")
-            viewer.send(RefusedReply(message.id, str(error)))
+            self._refuse(viewer, f"{message.type} refused", str(error), message.id)
 
     # --- helpers
 
@@ -497,8 +491,10 @@ class Console:
         if self._audit_log is not None:
             self._audit_log.record(who, session, what)
 
-    def _write_refusal(self, viewer: Viewer, what: str) -> None:
-        self.refusals.refused(viewer.name, viewer.session.name, what)
+    def _refuse(self, viewer: Viewer, what: str, reason: str, number: int = 0) -> None:
+        """Write down that a message was refused, and answer why; 0 where its number is unknown."""
+        self.refusals.refused(viewer.name, viewer.session.name, f"{what}: {reason}")
+        viewer.send(RefusedReply(number, reason))
 
     def _start(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(work)

@@ -106,7 +106,7 @@ def _of_fresh_house(site: Site) -> PreflightView:
         folder = Path(name)
         runtime = new_runtime(site, folder)
         with (
-            Launcher(runtime, folder, processes_of(runtime, web=False)) as launcher,
+            Launcher(runtime, folder, processes_of(runtime)) as launcher,
             ZenohBus(connect=runtime.bus) as bus,
             console.status("starting") as status,
         ):

@@ -49,7 +49,7 @@ def launch(loaded: LoadedSite, *, logs: str | Path | None = None) -> Iterator[Bu
     has_video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with (
         announced(discovery_entry(runtime)),
-        Launcher(runtime, folder, processes_of(runtime, web=False)) as launcher,
+        Launcher(runtime, folder, processes_of(runtime)) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
         missing = Readiness(runtime.site(), bus, web=False, video=has_video).wait(
