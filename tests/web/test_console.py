@@ -332,8 +332,8 @@ async def test_a_new_pilot_that_does_not_hear_the_drone_yet_does_not_put_it_on_t
         unheard = replace(steps[-1].inputs, telemetry=None)
         idle = replace(steps[-1].outputs, phase=Phase.IDLE, goal_name="")
         console.bus.publish(STEP_TOPIC, PilotStep(1, steps[-1].now, unheard, idle))
-        told = await ben.hear("verdict", airborne=None)
-        assert told["may_be_airborne"] and told["headline"] == "No contact with the drone"
+        told = await ben.hear("verdict", airborne=None, may_be_airborne=True)
+        assert told["headline"] == "No contact with the drone"
         assert told["detail"].endswith("it was flying to its goal")
         assert "in the air when it was last heard" in told["banner"]
         assert "in the air when it was last heard" in told["if_contact_lost"]
@@ -357,6 +357,6 @@ async def test_control_of_a_take_off_whose_drone_is_silent_is_not_taken_without_
     ):
         await anna.hear("verdict", pilot=1)
         console.pilot.phase, console.pilot.telemetry_age = Phase.TAKING_OFF, 5.0
-        assert (await ben.hear("verdict", airborne=None))["may_be_airborne"]
+        await ben.hear("verdict", airborne=None, may_be_airborne=True)
         await ben.say(type="lease", id=1, action="take")
         assert "hold" in (await ben.hear("refused", id=1))["reason"]
