@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from housefly.hub.situations.actor import ARM_REACH
@@ -13,6 +15,7 @@ from housefly.hub.situations.resting import LEFT_ALONE
 from housefly.messages import Observation, RoomEvent
 
 LAYOUT = Layout(containers={"cabinet": (5.0, 1.0, 0.6)})
+WITH_DRONE = replace(LAYOUT, robots=frozenset({"drone"}))
 PERSON = (("kind", "person"),)
 
 
@@ -258,6 +261,14 @@ def test_a_thing_seen_on_a_table_is_taken_carried_and_left_elsewhere() -> None:
     taken, put = room.told
     assert (taken.kind, taken.cause, dict(taken.facts)["x"]) == ("object taken", "ann", 2.0)
     assert (put.kind, put.cause, dict(put.facts)["x"]) == ("object put", "ann", 4.75)
+
+
+def test_a_drone_that_flies_and_lands_was_neither_taken_nor_put() -> None:
+    for layout, kinds in ((LAYOUT, ["object taken", "object put"]), (WITH_DRONE, [])):
+        room = room_with_contents(layout)
+        for x in (2.0, 4.0, 6.0):
+            room.wait(10.0, things=(("drone", x, 1.0),))
+        assert room.kinds()[:2] == kinds
 
 
 def test_one_wrong_position_is_no_move() -> None:

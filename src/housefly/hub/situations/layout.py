@@ -48,6 +48,7 @@ class Layout:
         containers: positions of cabinets and refrigerators, by id [m].
         open_limits: how long a door may stand open, by id [s]; default ``door.OPEN_TOO_LONG``.
         people: ids of people, for sources that do not say what a thing is.
+        robots: ids of what moves by itself: nobody takes it, and nobody puts it down.
         devices: what is known of measuring devices, by id.
     """
 
@@ -59,4 +60,5 @@ class Layout:
     containers: Mapping[str, Vec3] = field(default_factory=dict)
     open_limits: Mapping[str, float] = field(default_factory=dict)
     people: frozenset[str] = frozenset()
+    robots: frozenset[str] = frozenset()
     devices: Mapping[str, DeviceTraits] = field(default_factory=dict)

@@ -33,7 +33,7 @@ class Objects:
     """
 
     def __init__(self, tracks: PersonTracks, layout: Layout) -> None:
-        self._tracks, self._places = tracks, layout.containers
+        self._tracks, self._places, self._robots = tracks, layout.containers, layout.robots
         self._contents, self._resting = ContentsDetector(layout.containers), RestingDetector(tracks)
         self._carrier: dict[str, str] = {}
         self._taken: dict[str, Move] = {}
@@ -42,7 +42,7 @@ class Objects:
     def add(self, item: DetectorInput) -> None:
         """Add what containers and position sensors report about things."""
         self._contents.add(item)
-        if not self._contents.container_of(item.thing):
+        if item.thing not in self._robots and not self._contents.container_of(item.thing):
             self._resting.add(item)
 
     def update(self, now: float) -> tuple[RoomEvent, ...]:
