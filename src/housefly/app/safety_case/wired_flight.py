@@ -121,7 +121,7 @@ def fly_wired(key: WiredKey, folder: Path, seat: int = 0) -> WiredResult:
     from_start = struck is None and variant_of(key.row).from_start
     begin = 0.0 if from_start else float(rng.uniform(*span))
     folder.mkdir(parents=True, exist_ok=True)
-    site = _own_site(folder, seat, scanned=not struck and needs_intruders(key.row))
+    site = write_own_site(folder, seat, scanned=not struck and needs_intruders(key.row))
     command = [
         *(sys.executable, "-m", "housefly.cli", "fly", SAFETY_PLACE, "--site", str(site)),
         *("--headless", "--look", str(_LOOK_TIME), "--seed", str(1 + key.seed)),
@@ -158,14 +158,15 @@ def _end(process: subprocess.Popen[bytes]) -> None:
         process.wait()
 
 
-def _own_site(folder: Path, seat: int, *, scanned: bool) -> Path:
-    """Write the site with addresses of its own, and with the scanners of the lively demo."""
+def write_own_site(folder: Path, seat: int, *, scanned: bool) -> Path:
+    """Write the site with addresses and a memory of its own; scanned, with the lively lasers."""
     lasers = lively_changes()["lasers"] if scanned else ()
     here = f"127.77.{seat}"
     site = read_site(
         SAFETY_SITE,
         drone__address=f"{here}.1",
         tracking__address=f"{here}.1",
+        hub__store=str((folder / "room.db").resolve()),
         lasers=[{**laser, "address": f"{here}.{2 + n}"} for n, laser in enumerate(lasers)],
     )
     file = folder / "site.json"
