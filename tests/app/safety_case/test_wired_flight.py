@@ -2,6 +2,7 @@ from pathlib import Path
 
 from housefly.app.loaded_site import read_site
 from housefly.app.safety_case.wired_flight import write_own_site
+from housefly.config.site import Site
 from housefly.hub.store.lock import locked_store, refuse_shared_store
 
 
@@ -10,7 +11,7 @@ def test_flights_at_the_same_time_share_no_address_and_no_memory(tmp_path: Path)
     for seat in range(2):
         folder = tmp_path / str(seat)
         folder.mkdir()
-        sites.append(read_site(write_own_site(folder, seat, scanned=True)))
+        sites.append(read_site(str(write_own_site(folder, seat, scanned=True))))
     first, second = sites
 
     assert _addresses(first).isdisjoint(_addresses(second))
@@ -18,5 +19,5 @@ def test_flights_at_the_same_time_share_no_address_and_no_memory(tmp_path: Path)
         refuse_shared_store(second)
 
 
-def _addresses(site) -> set[str]:
+def _addresses(site: Site) -> set[str]:
     return {site.drone.address, site.tracking.address, *(laser.address for laser in site.lasers)}
