@@ -18,13 +18,14 @@ run_tests = $(PYTEST) --cache-clear -n $(1) -m $(2) || { [ $$? -eq 1 ] && \
 # Tests start hundreds of processes: what they import is compiled once.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help setup setup-dev demo test interop safety fuzz test-fast check format bench client lock audit clean
+.PHONY: help setup setup-dev demo test interop safety branches fuzz test-fast check format bench client lock audit clean
 
 help:
 	@echo "make demo       set everything up and fly the simulated room; prints the address of the console"
 	@echo "make test       set everything up and run the tests (interop and safety fly more)"
 	@echo "make interop    more flights over real wires: tracking rates and systems, endings, tasks, console"
 	@echo "make safety     fly every fault in every phase, with and without guards; writes docs/safety-case.html"
+	@echo "make branches   which branches of the safety gate its own tests reach; fails below 100 %"
 	@echo "make fuzz       fuzz every parser, FUZZ_SECONDS (30) each; keeps what it finds"
 	@echo "make test-fast  only the tests that need no wire and no browser"
 	@echo "make check      format, lint, types, import contracts"
@@ -55,10 +56,17 @@ test: setup-dev
 interop: setup-dev
 	$(REALTIME) -m interop
 
+# Compiled functions run as plain Python here: their branches count, too.
+branches: setup-dev
+	NUMBA_DISABLE_JIT=1 $(BIN)/coverage run -m pytest -q -n 0 --hypothesis-profile=same-examples \
+		tests/pilot/safety
+	$(BIN)/coverage report
+
 # All of it is flown and written, whatever is found; what was found decides at the end.
 safety: setup-dev
 	@$(BIN)/housefly safety --wires 1 --out safety-case; flown=$$?; \
-	cp safety-case/safety-case.html docs/safety-case.html && $(REALTIME) -m safety && exit $$flown
+	cp safety-case/safety-case.html docs/safety-case.html && $(REALTIME) -m safety && \
+	$(MAKE) branches && exit $$flown
 
 fuzz: setup-dev
 	@$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r requirements/fuzz.txt

@@ -353,6 +353,18 @@ def test_the_clock_ends_a_flight_that_the_gauge_does_not() -> None:
     assert first["flight_time_over"] == pytest.approx(usable + 2.0, abs=1.1)
 
 
+def test_a_gauge_that_stood_still_is_known_on_the_ground_until_it_shows_another_number() -> None:
+    gate = Gate(LIMITS, FENCE)
+    gate.assess(replace(STOOD, now=0.0, battery=0.5))
+    assert not gate.gauge_stuck
+    for n in range(1, 71):
+        gate.assess(replace(FINE, now=float(n), battery=0.5))
+    gate.assess(replace(STOOD, now=71.0, battery=0.5))
+    assert gate.gauge_stuck
+    gate.assess(replace(STOOD, now=72.0, battery=0.9))
+    assert not gate.gauge_stuck
+
+
 def test_a_battery_that_empties_faster_than_expected_turns_home_sooner() -> None:
     gate = Gate(LIMITS, FENCE)
     gate.assess(replace(STOOD, now=0.0))
@@ -436,6 +448,24 @@ def test_what_is_exactly_at_its_bound_is_not_broken_yet() -> None:
         broken("tracking_on_ground", NOTHING_OBSERVED, consistency=known, **standing)
         for known in drifts.values()
     ] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("own_height", "told_for", "still_up"),
+    [
+        (0.25, 60.0, True),  # its sonar sees the floor far below
+        (0.24, 25.6, True),  # low by its sonar: a descent from the ceiling takes 10.7 s
+        (0.24, 25.7, False),
+        (None, 25.6, True),
+        (None, 25.7, False),
+    ],
+)
+def test_a_landing_that_tracking_does_not_see_is_judged_by_sonar_and_time(
+    own_height: float | None, told_for: float, still_up: bool
+) -> None:
+    report = None if own_height is None else replace(REPORT, height=own_height)
+    seen = FlightObservations(landing_for=told_for)
+    assert broken("landing_refused", seen, pose_age=inf, telemetry=report) is still_up
 
 
 @pytest.mark.parametrize("report", [None, replace(REPORT, acceleration=None)])
