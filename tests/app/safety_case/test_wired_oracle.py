@@ -55,6 +55,14 @@ def test_each_thing_that_must_not_happen_is_found(changes: dict[str, object], wo
     assert words in judged(**changes)
 
 
+def test_a_drone_that_nothing_keeps_in_the_air_may_fall_and_no_more() -> None:
+    fallen = replace(FLOWN, position=moved(2, 7.0, 0.05))
+    ends = (BOUNDS, 1.0, "when the flight ended")
+    assert wired_violations(fallen, *ends, cannot_hover=True) == ()
+    outside = replace(FLOWN, position=moved(0, 5.0, 12.0))
+    assert wired_violations(outside, *ends, cannot_hover=True) == ("I2: 2.0 m outside the room",)
+
+
 def test_what_is_touched_with_motors_at_rest_and_one_sample_of_a_flight_are_no_harm() -> None:
     one = {name: getattr(FLOWN, name)[:1] for name in ("time", "position", "solid", "person")}
     assert judged(contacts=(replace(TOUCH, motors_turned=False),)) == ()

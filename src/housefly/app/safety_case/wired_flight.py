@@ -138,7 +138,7 @@ def fly_wired(key: WiredKey, folder: Path, seat: int = 0) -> WiredResult:
             _end(process)
     outcome = _outcome(folder)
     truth = read_truth(folder / TRUTH_FILE)
-    return WiredResult(key, round(begin, 1), _violations(truth, outcome, late), outcome)
+    return WiredResult(key, round(begin, 1), _violations(key, truth, outcome, late), outcome)
 
 
 def _has_ended(process: subprocess.Popen[bytes]) -> bool:
@@ -181,10 +181,18 @@ def _outcome(folder: Path) -> str:
         return ""
 
 
-def _violations(truth: TrueFlight | None, outcome: str, late: bool) -> tuple[str, ...]:
+def _violations(
+    key: WiredKey, truth: TrueFlight | None, outcome: str, late: bool
+) -> tuple[str, ...]:
     if truth is None or not outcome:
         return ("no record of it",)
     loaded = load_site(SAFETY_SITE, hub__enabled=False)
     # A drone that stands and is silent for good never says so: its flight may end late.
     end = f"after {_TIMEOUT:.0f} s" if late else "when the flight ended"
-    return wired_violations(truth, loaded.room.bounds, loaded.site.limits.speed, end)
+    return wired_violations(
+        truth,
+        loaded.room.bounds,
+        loaded.site.limits.speed,
+        end,
+        cannot_hover=key.row not in PROCESS_FAULTS and variant_of(key.row).cannot_hover,
+    )

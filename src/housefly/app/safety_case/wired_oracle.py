@@ -16,7 +16,9 @@ _FALL_TIME = 0.15
 """A fall is judged over at least this long: samples are 0.02 s apart [s]."""
 
 
-def wired_violations(truth: TrueFlight, bounds: Bounds, speed: float, end: str) -> tuple[str, ...]:
+def wired_violations(
+    truth: TrueFlight, bounds: Bounds, speed: float, end: str, *, cannot_hover: bool = False
+) -> tuple[str, ...]:
     """Return what happened that must not, in words; none means safe.
 
     Args:
@@ -24,13 +26,14 @@ def wired_violations(truth: TrueFlight, bounds: Bounds, speed: float, end: str) 
         bounds: of the room.
         speed: cruise speed of the site [m/s].
         end: when the flight was over, in words.
+        cannot_hover: whether it has to fall by its fault, which is not judged then.
     """
     return (
         *sorted({f"I1: touched {c.kind} {c.name}" for c in truth.contacts if c.motors_turned}),
         *_outside(truth, bounds, stopping_distance(speed, 1.0, 0.3)),
         *_cut_in_the_air(truth),
         *_risen_again(truth),
-        *_fallen(truth),
+        *(() if cannot_hover else _fallen(truth)),
         *_left_up(truth, end),
     )
 
