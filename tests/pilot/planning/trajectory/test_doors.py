@@ -11,6 +11,8 @@ from space_room import LIMITS
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.obstacles import Obstacle, ObstacleKind
+from housefly.pilot.planning.space import doors
 from housefly.pilot.planning.space.any_angle import in_metres, in_voxel_edges, taut
 from housefly.pilot.planning.space.clearance import HullCylinder
 from housefly.pilot.planning.space.costs import height_wish, narrowness
@@ -84,6 +86,21 @@ def test_the_map_of_this_moment_leads_through_a_door_with_the_headings_that_fit(
     near = oriented_clearances(room_rows(room), poses, HULL, 1.0)
     assert near.min() >= site.map.tracking_bound
     assert np.hypot(*flight.rows[near < 0.16, 3:5].T).max() < 0.475
+
+
+def test_from_within_somebody_no_door_is_searched_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    room = two_rooms(2.0)
+    space = SpaceMap(changed(Site(), map__planner="space"), room, build_grid(room, Site()))
+    person = Obstacle("visitor", (2.0, 2.6), 0.25, top=1.8, kind=ObstacleKind.PERSON)
+    space.update([person], 0.0)
+    searches: list[object] = []
+    search = doors.CellSearch
+    monkeypatch.setattr(doors, "CellSearch", lambda *a: searches.append(a) or search(*a))
+    goal = (6.0, 1.4, 1.1)
+    assert space.trajectory(at_rest(np.array((2.0, 2.6, 1.1))), goal, 0.0, 0.5, 1.5) is None
+    assert not searches
+    assert space.trajectory(at_rest(np.array((2.0, 0.9, 1.1))), goal, 0.0, 0.2, 1.5) is not None
+    assert searches
 
 
 def spun(place: Vec2, turn: float) -> Vec2:

@@ -115,9 +115,14 @@ class DoorMap:
             return None
         if not (self._narrow.allowed[here] and self._narrow.allowed[there]):
             return None
-        narrow, wide = with_rows(self._narrow, live), with_rows(self._wide, live).free()
-        for give in DOOR_GIVES:
-            voxels = replace(narrow, keep=self._wide.keep - give)
+        narrow = with_rows(self._narrow, live)
+        maps = [replace(narrow, keep=self._wide.keep - give) for give in DOOR_GIVES]
+        # Searching a whole map takes longer than the step may: not where there can be no way.
+        maps = [voxels for voxels in maps if voxels.is_free(here) and voxels.is_free(there)]
+        if not maps:
+            return None
+        wide = with_rows(self._wide, live).free()
+        for voxels in maps:
             flight = self._through(voxels, wide, rows, start, goal, limits, zones)
             proven = None if flight is None else self._proven(flight, rows, yaw)
             if proven is not None:

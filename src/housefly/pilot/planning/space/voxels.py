@@ -63,6 +63,10 @@ class VoxelMap:
         mask: VoxelMask = self.allowed & (self.clearance >= np.float32(self.keep))
         return mask
 
+    def is_free(self, voxel: VoxelIndex) -> bool:
+        """Return whether the middle of the hull may be in a voxel of the map."""
+        return bool(self.allowed[voxel] and self.clearance[voxel] >= np.float32(self.keep))
+
     def voxel_of(self, point: Vec3) -> VoxelIndex:
         """Return the voxel of a point [m]; it may be off the map, as are points of no room."""
         if not all(abs(value) <= _COORDINATE_MAX for value in point):
