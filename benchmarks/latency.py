@@ -3,7 +3,7 @@ sockets, with the real processes.
 
 The benchmark is the wall cameras and the drone: it publishes frames as a Vicon server and takes AT
     commands as an AR.Drone.
-A pose that steps aside by 30 mm must change the commanded tilt; STOP must clear the progressive
+A pose that steps aside by 8 mm must change the commanded tilt; STOP must clear the progressive
 bit. Clicks are measured once more under attack: a flood of idle connections, greedy sockets of one
 session, and a disk that is written and synced without a pause.
 """

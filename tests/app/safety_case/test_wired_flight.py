@@ -1,3 +1,5 @@
+from __future__ import annotations
+
 from pathlib import Path
 
 from housefly.app.loaded_site import read_site
