@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from housefly.config import process_log
+
 # The first call of a compiled function compiles it: no deadline. `make test` tries the same
 # examples each time, so that it tells of a change and not of chance; pytest alone goes on looking.
 settings.register_profile("housefly", deadline=None)
@@ -23,6 +25,12 @@ def loopback() -> str:
     """Return a loopback address that no other test, in any process, uses at the same time."""
     number = next(_counter)
     return f"127.{1 + os.getpid() % 250}.{os.getpid() // 250 % 250}.{1 + number % 250}"
+
+
+@pytest.fixture
+def fresh_log(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Print every traceback, whatever failed in a test just before."""
+    monkeypatch.setattr(process_log, "_REPEATS", process_log._Repeats())
 
 
 @pytest.fixture

@@ -167,7 +167,7 @@ async def test_the_drones_light_shows_that_its_camera_is_recorded_until_the_reco
 
 
 async def test_an_exception_in_the_step_lands_the_drone_and_ends_the_process(
-    write_site: Any, capfd: pytest.CaptureFixture[str]
+    write_site: Any, capfd: pytest.CaptureFixture[str], fresh_log: None
 ) -> None:
     loaded = open_site(read_site(str(write_site()), hub__enabled=False))
     steps: list[PilotStep] = []

@@ -10,13 +10,10 @@ from contextlib import redirect_stderr, redirect_stdout
 import pytest
 from full_disk import full_output
 
-from housefly.config import process_log
 from housefly.config.process_log import REPEAT_PERIOD, log_line, log_traceback
 
 
-@pytest.fixture(autouse=True)
-def nothing_printed_yet(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(process_log, "_REPEATS", process_log._Repeats())
+pytestmark = pytest.mark.usefixtures("fresh_log")
 
 
 def printed_of_a_failure() -> None:
