@@ -12,7 +12,6 @@ from full_disk import full_output
 
 from housefly.config.process_log import REPEAT_PERIOD, log_line, log_traceback
 
-
 pytestmark = pytest.mark.usefixtures("fresh_log")
 
 
