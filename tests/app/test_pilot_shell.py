@@ -50,7 +50,7 @@ from housefly.messages import (
 from housefly.pilot.assembly import warm_up
 from housefly.pilot.estimation.estimation_report import EstimationReport
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.usefixtures("fresh_log")]
 
 
 def test_frames_are_told_as_they_come_and_not_at_the_next_step(
@@ -167,7 +167,7 @@ async def test_the_drones_light_shows_that_its_camera_is_recorded_until_the_reco
 
 
 async def test_an_exception_in_the_step_lands_the_drone_and_ends_the_process(
-    write_site: Any, capfd: pytest.CaptureFixture[str], fresh_log: None
+    write_site: Any, capfd: pytest.CaptureFixture[str]
 ) -> None:
     loaded = open_site(read_site(str(write_site()), hub__enabled=False))
     steps: list[PilotStep] = []

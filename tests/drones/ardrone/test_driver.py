@@ -35,7 +35,7 @@ from housefly.wires.ardrone.pave import (
     encode_frame,
 )
 
-pytestmark = pytest.mark.wire
+pytestmark = [pytest.mark.wire, pytest.mark.usefixtures("fresh_log")]
 
 FORWARD = Setpoint(theta=0.1)
 
