@@ -62,7 +62,7 @@ class Broadcast:
     async def _send_changes(self) -> None:
         while True:
             await asyncio.sleep(1.0 / _STATE_RATE)
-            self._console.check_lease()
+            self._console.control.expire()
             self._console.keep_stop()
             self._console.keep_control()
             self._send_link()
@@ -70,7 +70,7 @@ class Broadcast:
             self._send_tasks()
             self._send_state()
             self._send_verdict()
-            self._console.send_events()
+            self._console.viewers.send_events(self._console.feed)
 
     def _send_state(self) -> None:
         step = self._console.feed.step
@@ -78,7 +78,7 @@ class Broadcast:
             return
         self._sequence = step.sequence
         if (state := self._console.feed.state(self._home_s)) is not None:
-            self._console.broadcast("state", to_text(state))
+            self._console.viewers.broadcast("state", to_text(state))
 
     def _send_verdict(self) -> None:
         """Send what changed at once; otherwise often enough to be missed when it stays away."""
@@ -86,25 +86,25 @@ class Broadcast:
         is_due = last is None or verdict.at - last.at >= _VERDICT_PERIOD
         if last is None or is_due or not says_the_same(verdict, last):
             self._verdict = verdict
-            self._console.broadcast("verdict", to_text(verdict))
+            self._console.viewers.broadcast("verdict", to_text(verdict))
 
     def _send_link(self) -> None:
         link = self._console.feed.link()
         if link is not None and link is not self._link:
             self._link = link
-            self._console.broadcast("link", to_text(link))
+            self._console.viewers.broadcast("link", to_text(link))
 
     def _send_path(self) -> None:
         path = self._console.feed.path()
         if path.number != self._path:
             self._path = path.number
-            self._console.broadcast("path", to_text(path))
+            self._console.viewers.broadcast("path", to_text(path))
 
     def _send_tasks(self) -> None:
         told = self._console.tasks.message() if self._console.tasks else None
         if told is not None and told != self._tasks:
             self._tasks = told
-            self._console.broadcast("tasks", to_text(told))
+            self._console.viewers.broadcast("tasks", to_text(told))
 
     async def _watch_tasks(self, feed: TaskFeed) -> None:
         while True:
@@ -123,7 +123,9 @@ class Broadcast:
                     _LOG.debug("the room is not known yet: %s", error)
                 else:
                     known_restarts = restarts
-                    self._console.broadcast("room", to_text(RoomMessage(self._console.room)))
+                    self._console.viewers.broadcast(
+                        "room", to_text(RoomMessage(self._console.room))
+                    )
             await asyncio.sleep(_ROOM_RETRY_PERIOD)
 
     async def _watch_return_time(self) -> None:
@@ -136,7 +138,7 @@ class Broadcast:
             found = await self._preflight()
             if found != self._console.preflight:
                 self._console.preflight = found
-                self._console.broadcast("preflight", to_text(PreflightMessage(found)))
+                self._console.viewers.broadcast("preflight", to_text(PreflightMessage(found)))
             await asyncio.sleep(_PREFLIGHT_PERIOD if found.checks else _PREFLIGHT_RETRY_PERIOD)
 
     async def _watch_sessions(self) -> None:

@@ -1,11 +1,10 @@
-"""The open browsers of one drone: who has control, and what each message of a browser does."""
+"""What each message of a browser does, and what all the browsers of one drone are told."""
 
 from __future__ import annotations
 
 import asyncio
 import logging
 from collections.abc import Callable, Coroutine
-from concurrent.futures import Future
 from dataclasses import replace
 from typing import Any
 
@@ -19,9 +18,9 @@ from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
 from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl
+from housefly.web.control import Control
 from housefly.web.goal_words import subject_of_task
 from housefly.web.guest_links import GuestLinks
-from housefly.web.lease import LEASE_TIMEOUT, Lease
 from housefly.web.nudges import LATE_MAX, NEW_TIME, nudge_order
 from housefly.web.order_objections import order_objection_now
 from housefly.web.orders import (
@@ -36,7 +35,6 @@ from housefly.web.plan_answers import answer_plans
 from housefly.web.protocol import (
     CLIENT_MESSAGE,
     AcceptedReply,
-    EventsMessage,
     Hello,
     InviteRequest,
     LeaseRequest,
@@ -49,8 +47,6 @@ from housefly.web.protocol import (
     RefusedReply,
     RoomMessage,
     StopRequest,
-    ViewersMessage,
-    ViewerView,
     Welcome,
     to_text,
 )
@@ -61,20 +57,18 @@ from housefly.web.session_auth import SessionAuth
 from housefly.web.session_watch import CLOSE_SESSION_OVER
 from housefly.web.state_feed import StateFeed
 from housefly.web.stop_latch import StopLatch
+from housefly.web.stop_sender import StopSender
 from housefly.web.tab_numbers import TabNumbers
 from housefly.web.task_feed import TaskFeed
 from housefly.web.verdict import console_verdict
 from housefly.web.verdict_message import ConsoleVerdict
 from housefly.web.viewer import Viewer
+from housefly.web.viewers import Viewers
 
 _LOG = logging.getLogger(__name__)
 
 _MAX_REFUSALS = 200
 """A socket that sends this many commands in a row above the rate limit is closed."""
-_STOP_LOG_PERIOD = 0.5
-"""STOPs closer together than this make one line of the log [s]."""
-_CLOSE_OPENED_ELSEWHERE = 4001
-"""WebSocket close code; the client knows it."""
 
 
 class Console:
@@ -91,16 +85,16 @@ class Console:
         memory: ConsoleMemory | None = None,
         guest_address: str = "",
     ) -> None:
-        self.feed, self.link, self.lease, self.tasks = feed, link, Lease(), tasks
+        self.feed, self.link, self.tasks = feed, link, tasks
         self.room: RoomView | None = None
         self.preflight = PreflightView()
-        self.viewers: set[Viewer] = set()
+        self.viewers = Viewers()
+        self.control = Control(self.viewers, feed, auth, clock, lambda: self.flying)
         self.seats = Seats()
         self._auth, self._clock, self._audit_log = auth, clock, audit
         self.refusals = RefusalLog(self._record, clock)
-        self._stopped_at = float("-inf")
-        self._tabs, self._newest_kept = TabNumbers(), 0
-        self._memory, self._kept = memory, KeptControl()
+        self._stop_sender = StopSender(feed, link, clock)
+        self._memory, self._kept, self._newest_kept = memory, KeptControl(), 0
         if memory is not None:
             self._restore(memory.read(clock.now()))
         self._links = GuestLinks(
@@ -125,8 +119,8 @@ class Console:
 
     def remove_viewer(self, viewer: Viewer) -> None:
         """Forget a closed socket; its tab keeps control until the lease expires."""
-        self.viewers.discard(viewer)
-        self.broadcast_viewers()
+        self.viewers.remove(viewer)
+        self.control.broadcast()
 
     def receive(self, viewer: Viewer, text: str) -> None:
         """Do what a browser's message asks, or answer why not."""
@@ -147,52 +141,22 @@ class Console:
             self._refuse(viewer, f"{message.type} refused", objection, number)
             self._within_rate(viewer)
             return
-        self.lease.renew(viewer.number, self._clock.now())
+        self.control.renew(viewer)
         if _is_unlimited(message) or self._within_rate(viewer):
             self._handlers[type(message)](viewer, message)
 
-    def broadcast(self, kind: str, text: str) -> None:
-        """Send every browser the newest message of a kind; it replaces one that still waits."""
-        for viewer in self.viewers:
-            if viewer.present:
-                viewer.send_latest(kind, text)
-
-    def broadcast_viewers(self) -> None:
-        """Send everybody who is here and who has control."""
-        people = {viewer.number: viewer.name for viewer in self.viewers if viewer.present}
-        here = tuple(ViewerView(number, name) for number, name in sorted(people.items()))
-        self.broadcast("viewers", to_text(ViewersMessage(self.lease.holder, here)))
-
-    def send_events(self) -> None:
-        """Send every browser the lines of the event log that it does not have yet."""
-        for viewer in self.viewers:
-            if viewer.present and (events := self.feed.events_after(viewer.event)):
-                viewer.event = events[-1].number
-                viewer.send(EventsMessage(events))
-
-    def check_lease(self) -> None:
-        """Free control when its holder has fallen silent."""
-        holder = self.lease.holder
-        if self.lease.expire(self._clock.now()):
-            silent = f"was silent for {LEASE_TIMEOUT:.0f} s"
-            text = f"{self._name(holder)} {silent} and lost control: nobody has it now"
-            self.feed.log_event(Severity.WARNING, "control", text)
-            self.broadcast_viewers()
-
     def keep_stop(self) -> None:
         """Send a STOP that holds again until the pilot has taken it: a new one knows nothing."""
-        now, latch = self._clock.now(), self.feed.stop
-        if latch.must_send(now) and self.pilot_is_heard:
-            self.feed.change_stop(lambda one: one.sent_again(now))
-            self._send_stop(latch.by)
+        if self.pilot_is_heard:
+            self._stop_sender.send_again()
 
     def keep_control(self) -> None:
         """Keep, over a restart, who has control, who is known, and whether STOP holds."""
-        stop, newest = self.feed.stop, self._tabs.newest
-        kept = KeptControl(self.lease.holder, self._kept.tabs, stop.holds, stop.by)
+        stop, newest = self.feed.stop, self.viewers.tabs.newest
+        kept = KeptControl(self.control.holder, self._kept.tabs, stop.holds, stop.by)
         if self._memory is None or (kept == self._kept and newest == self._newest_kept):
             return
-        self._kept, self._newest_kept = replace(kept, tabs=self._tabs.kept()), newest
+        self._kept, self._newest_kept = replace(kept, tabs=self.viewers.tabs.kept()), newest
         self._memory.keep_control(self._kept)
 
     def verdict(self) -> ConsoleVerdict:
@@ -205,7 +169,6 @@ class Console:
 
     def _knowledge(self) -> ConsoleKnowledge:
         """Return what is known now, but for the STOP that holds."""
-        holder = self.lease.holder
         return ConsoleKnowledge(
             now=self._clock.now(),
             step=self.feed.step,
@@ -213,8 +176,8 @@ class Console:
             link=link.link if (link := self.feed.link()) else None,
             preflight=self.preflight,
             room=self.room,
-            pilot=holder,
-            control="" if holder is None else self._name(holder),
+            pilot=self.control.holder,
+            control=self.control.holder_name,
             task_subject=self._task_subject(),
             hand_motion=self.feed.hand_motion,
             told_last=self.feed.last_status,
@@ -228,26 +191,18 @@ class Console:
 
     def check_sessions(self) -> None:
         """Close the sockets of sessions that are over; free control of who may no longer fly."""
-        for viewer in tuple(self.viewers):
-            session = self._auth.renewed(viewer.session)
-            if session is None:
+        for viewer in self.viewers:
+            if self._auth.renewed(viewer.session) is None:
                 viewer.close(CLOSE_SESSION_OVER, "this session is over")
-            may_fly = session is not None and session.role.includes(Role.FLY)
-            if viewer.present and viewer.number == self.lease.holder and not may_fly:
-                self._take_control_from(viewer)
-
-    def name_of_owner(self, owner: str) -> str:
-        """Return the name that others see for an owner of a session, of any of its tabs."""
-        names = (one.name for one in self.viewers if one.present and one.session.owner == owner)
-        return next(names, "a browser")
+            self.control.take_from_who_may_not_fly(viewer)
 
     def name_of_tab(self, owner: str, tab: str) -> str:
         """Return the name that others see for a tab of a session's owner."""
-        return self._name(self._tabs.number_of(owner, tab))
+        return self.viewers.name_of_tab(owner, tab)
 
     def control_objection(self, owner: str, tab: str) -> str:
         """Return why this tab of a session's owner does not have control, in words, or ""."""
-        return self._no_control(self._tabs.number_of(owner, tab))
+        return self.control.objection(self.viewers.tabs.number_of(owner, tab))
 
     def announce(self, words: str) -> None:
         """Put a line into everybody's event log."""
@@ -272,12 +227,6 @@ class Console:
         session = self._auth.renewed(viewer.session)
         return role_objection(session.role, needed) if session else "this session is over"
 
-    def _take_control_from(self, viewer: Viewer) -> None:
-        self.lease.release(viewer.number)
-        text = f"{viewer.name} may not fly any more and lost control"
-        self.feed.log_event(Severity.WARNING, "control", text)
-        self.broadcast_viewers()
-
     def _within_rate(self, viewer: Viewer) -> bool:
         if viewer.limiter.spend(self._clock.now()):
             return True
@@ -290,24 +239,22 @@ class Console:
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
         owner = viewer.session.owner  # a tab is nobody else's, even if it has the same name
-        number = self._tabs.number_of(owner, message.tab)
+        tabs = self.viewers.tabs
+        number = tabs.number_of(owner, message.tab)
         if viewer.present and number != viewer.number:
             reason = "another tab says hello on a socket of its own"
             self._refuse(viewer, "hello refused", reason)
             return
-        for other in self.viewers:
-            if other is not viewer and other.present and other.number == number:
-                other.number = 0
-                other.close(_CLOSE_OPENED_ELSEWHERE, "this console was opened in another tab")
-        viewer.number = self._tabs.number_for(owner, message.tab, self._numbers_here())
+        self.viewers.close_others_of(viewer, number)
+        viewer.number = tabs.number_for(owner, message.tab, self.control.numbers_here())
         viewer.name = viewer.session.user or message.name or f"Viewer {viewer.number}"
-        self._tabs.rename(owner, message.tab, viewer.name)
+        tabs.rename(owner, message.tab, viewer.name)
         self._welcome(viewer)
         # Whoever comes back has watched or lost control before: taking it is then an act.
-        if number is None and not self.flying and self._is_alone(viewer):
-            self.lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
-        self.lease.renew(viewer.number, self._clock.now())
-        self.broadcast_viewers()
+        if number is None:
+            self.control.give_to_the_first(viewer)
+        self.control.renew(viewer)
+        self.control.broadcast()
 
     def _welcome(self, viewer: Viewer) -> None:
         """Send all that is known."""
@@ -335,13 +282,9 @@ class Console:
         viewer.send(AcceptedReply(message.id))
 
     def stop(self, sender: str, session: str = "") -> None:
-        """Send STOP; a key held down makes one line of the log, not hundreds."""
-        now = self._clock.now()
-        self.feed.change_stop(lambda one: one.pressed(sender, now))
-        self._send_stop(sender)
-        if now - self._stopped_at > _STOP_LOG_PERIOD:
+        """Send STOP."""
+        if self._stop_sender.press(sender):
             self._audit(sender, "STOP", session)
-        self._stopped_at = now
 
     def _order(self, viewer: Viewer, message: OrderRequest) -> None:
         if message.order is OrderKind.STOP:
@@ -357,7 +300,7 @@ class Console:
         """Pass a nudge on; many of them in a row are one line in the log."""
         now = self._clock.now()
         late = viewer.delay.lateness(message.sent, now)
-        reason = self._no_control(viewer.number) or order_objection_now(
+        reason = self.control.objection(viewer.number) or order_objection_now(
             OrderKind.NUDGE, self.verdict()
         )
         if not reason and late > LATE_MAX:
@@ -374,18 +317,11 @@ class Console:
     def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
         if message.order in ORDERS_WITHOUT_CONTROL:
             return order_objection(message, self.room)
-        if problem := self._no_control(viewer.number):
+        if problem := self.control.objection(viewer.number):
             return problem
         if not self.pilot_is_heard and message.order is not OrderKind.CUT:
             return "no contact with the pilot"
         return order_objection(message, self.room)
-
-    def _no_control(self, number: int | None) -> str:
-        """Return who else has control, in words, or ""."""
-        holder = self.lease.holder
-        if holder is None:
-            return "nobody has control: take it first"
-        return "" if holder == number else f"{self._name(holder)} has control"
 
     async def _confirm(
         self, viewer: Viewer, asked: OrderRequest | NudgeRequest, sent: asyncio.Future[str]
@@ -400,24 +336,14 @@ class Console:
         self._start(answer_plans(viewer, self.link))
 
     def _lease(self, viewer: Viewer, message: LeaseRequest) -> None:
-        now, me = self._clock.now(), viewer.number
-        if message.action == "take":
-            problem = self.lease.acquire(me, now, flying=self.flying, held=message.held)
-            words = "took control"
-        elif message.action == "release":
-            problem, words = self.lease.release(me), "laid down control"
-        elif message.to in {other.number for other in self.viewers if self._may_fly(other)}:
-            problem = self.lease.hand_over(me, message.to, now)
-            words = f"handed control to {self._name(message.to)}"
-        else:
-            problem, words = "that viewer is not here any more, or may not fly", ""
+        problem, words = self.control.change(viewer, message)
         if problem:
             self._refuse(viewer, f"{message.action} control refused", problem, message.id)
             return
         self._record(viewer.name, viewer.session.name, words)
         self.feed.log_event(Severity.INFO, "control", f"{viewer.name} {words}")
         viewer.send(AcceptedReply(message.id))
-        self.broadcast_viewers()
+        self.control.broadcast()
 
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
         self._record(viewer.name, viewer.session.name, f"made a one-time link: {message.role}")
@@ -430,33 +356,14 @@ class Console:
 
     def _restore(self, kept: KeptConsole) -> None:
         control, now = kept.control, self._clock.now()
-        self._tabs = TabNumbers(control.tabs)
+        self.viewers.tabs = TabNumbers(control.tabs)
         latch = StopLatch(control.stop_holds, control.stop_by, sent_at=now)
         self.feed.restore(kept.events, latch)
         if control.holder is not None:
-            self.lease.reserve(control.holder, now)
+            self.control.reserve(control.holder)
         if not kept.is_new:
             text = "the console was started again: what happened meanwhile is not in this log"
             self.feed.log_event(Severity.WARNING, "console", text)
-
-    def _send_stop(self, sender: str) -> None:
-        sent = self.link.stop(sender)
-        if isinstance(sent, Future):
-            sent.add_done_callback(self._stop_answered)
-
-    def _stop_answered(self, sent: Future[bool]) -> None:
-        """Note whether the pilot acknowledged STOP; called on any thread."""
-        if not sent.cancelled() and sent.exception() is None and sent.result():
-            self.feed.change_stop(lambda one: one.acknowledged())
-
-    def _is_alone(self, viewer: Viewer) -> bool:
-        """Return whether nobody else is here, nobody has control, and this viewer may have it."""
-        alone = self.lease.holder is None and sum(one.present for one in self.viewers) == 1
-        return alone and viewer.session.role.includes(Role.FLY)
-
-    def _may_fly(self, viewer: Viewer) -> bool:
-        session = self._auth.renewed(viewer.session) if viewer.present else None
-        return session is not None and session.role.includes(Role.FLY)
 
     @property
     def pilot_is_heard(self) -> bool:
@@ -467,17 +374,6 @@ class Console:
     def flying(self) -> bool:
         """Whether the drone may be off the ground, as far as the console knows."""
         return self._knowledge().may_be_airborne
-
-    def _numbers_here(self) -> set[int]:
-        """Return the numbers of who is here, or may soon be back to what it has."""
-        here = {one.number for one in self.viewers if one.present}
-        return here if self.lease.holder is None else {*here, self.lease.holder}
-
-    def _name(self, number: int | None) -> str:
-        for viewer in self.viewers:
-            if viewer.number == number:
-                return viewer.name
-        return self._tabs.name_of(number) or f"Viewer {number}"
 
     def _audit(self, sender: str, words: str, session: str) -> None:
         """Log who asked for what; the pilot adds it to the event log unless it is silent."""

@@ -141,10 +141,10 @@ def create_app(
         clock,
         key=key,
         hook_key=hook_key,
-        name_of=console.name_of_owner,
+        name_of=console.viewers.name_of_owner,
         audit=audit,
     )
-    clip_routes = ClipFiles(clips, auth, key, console.name_of_owner, audit).routes()
+    clip_routes = ClipFiles(clips, auth, key, console.viewers.name_of_owner, audit).routes()
     edits_api = EditsApi(
         edits, auth, console, lambda: restart_objection(console.verdict(), board.message())
     )
@@ -172,7 +172,7 @@ def create_app(
         ],
         middleware=[
             Middleware(HostGuard, hosts=hosts),
-            Middleware(RefusedChanges, auth, console.name_of_owner, console.refusals),
+            Middleware(RefusedChanges, auth, console.viewers.name_of_owner, console.refusals),
             Middleware(ReadingPace, auth, clock),
             Middleware(RoleGuard, auth=auth),
         ],
