@@ -24,7 +24,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.errors import LinkError
 from housefly.geometry import Vec2
-from housefly.hub.store.lock import refuse_shared_store
+from housefly.hub.store.lock import reserved_store
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 
@@ -60,8 +60,8 @@ def fly_over_wires(
         LinkError: the drone or the tracking system did not answer in time.
     """
     site = runtime.site()
-    refuse_shared_store(site)
     with (
+        reserved_store(site),
         EndSignals(),
         Launcher(
             runtime, folder, processes_of(runtime, truth_file=recorder.truth_file)

@@ -31,7 +31,7 @@ from housefly.bus.topics import (
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.hub.client.discovery import announced
-from housefly.hub.store.lock import refuse_shared_store
+from housefly.hub.store.lock import reserved_store
 from housefly.record.recorder import FlightRecorder
 from housefly.web.exposure import checked_exposure
 
@@ -101,9 +101,9 @@ def run_interactively(
     started = time.monotonic()
     checked_exposure(loaded.site)
     refuse_taken_ports(loaded.site, web=True)
-    refuse_shared_store(loaded.site)
     runtime = replace(new_runtime(loaded.site, folder, web=True), recording=record)
     with ExitStack() as stack:
+        stack.enter_context(reserved_store(loaded.site))
         recorder = None
         if record is not None:
             recorder = FlightRecorder(record, loaded.site, loaded.room, loaded.grid)

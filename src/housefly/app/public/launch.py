@@ -15,9 +15,10 @@ from housefly.app.readiness import Readiness
 from housefly.app.runtime import discovery_entry, new_runtime
 from housefly.bus.bus import Bus
 from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.site import Site
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced
-from housefly.hub.store.lock import refuse_shared_store
+from housefly.hub.store.lock import reserved_store
 
 _START_TIMEOUT = 60.0
 """Longest time until pilot, tracking and drone answer [s]."""
@@ -40,7 +41,12 @@ def launch(loaded: LoadedSite, *, logs: str | Path | None = None) -> Iterator[Bu
     """
     site, _ = with_newest_edits(loaded.site)
     refuse_taken_ports(site, web=False)
-    refuse_shared_store(site)
+    with reserved_store(site), _started(site, logs) as bus:
+        yield bus
+
+
+@contextmanager
+def _started(site: Site, logs: str | Path | None) -> Iterator[Bus]:
     compile_once(CompiledPart.CHAIN, lambda words: None)
     temporary = TemporaryFolder() if logs is None else None
     folder = temporary.path if temporary else Path(logs or "")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext, suppress
 from pathlib import Path
 
 from housefly.config.site import Site
@@ -40,15 +40,31 @@ def locked_store(site: Site) -> Iterator[None]:
         with _server_lock(site):
             yield
         return
-    descriptor = _opened(path)
-    try:
-        _lock(descriptor, path)
-        os.ftruncate(descriptor, 0)
-        with suppress(OSError):  # a full disk: the number is for the words only
-            os.pwrite(descriptor, str(os.getpid()).encode(), 0)
+    with _held(path):
         yield
-    finally:
-        os.close(descriptor)
+
+
+@contextmanager
+def reserved_store(site: Site) -> Iterator[None]:
+    """Keep the store of a site for one run, from before its hub opens it until the block ends.
+
+    Two runs that begin at once would both find it free otherwise. A server is asked only whether
+    another run holds it; what else is wrong with a store is for the hub to tell.
+
+    Raises:
+        SharedStoreError: another run holds it, or is about to.
+    """
+    path = lock_file(site)
+    with ExitStack() as stack:
+        if path is not None:
+            try:
+                stack.enter_context(_held(path.with_suffix(".run")))
+            except SharedStoreError:
+                raise
+            except StoreError:
+                pass  # it cannot be written: the hub says so, and the room flies without a memory
+        refuse_shared_store(site)
+        yield
 
 
 def refuse_shared_store(site: Site) -> None:
@@ -65,6 +81,20 @@ def refuse_shared_store(site: Site) -> None:
     descriptor = _opened(path)
     try:
         _lock(descriptor, path)
+    finally:
+        os.close(descriptor)
+
+
+@contextmanager
+def _held(path: Path) -> Iterator[None]:
+    """Hold a lock file for this process; it holds the number of the process, for others' words."""
+    descriptor = _opened(path)
+    try:
+        _lock(descriptor, path)
+        os.ftruncate(descriptor, 0)
+        with suppress(OSError):  # a full disk: the number is for the words only
+            os.pwrite(descriptor, str(os.getpid()).encode(), 0)
+        yield
     finally:
         os.close(descriptor)
 
