@@ -121,7 +121,8 @@ def perception(loaded: LoadedSite) -> list[float]:
     for n in range(400):
         world.put("a", (6.0 + 0.01 * n, 3.0))
         world.put("b", (9.0 - 0.01 * n, 2.5))
-        scans.append(scan_of(world.scan("laser-1"), UST_10LX, site.lasers[0], 1.0 + 0.025 * n))
+        now = 1.0 + 0.025 * n
+        scans.append(scan_of(world.scan("laser-1"), UST_10LX, site.lasers[0], now, now))
     for scan in scans[:20]:
         tracker.update(scan, scan.received_at)
     return timed(lambda n: tracker.update(scans[20 + n], scans[20 + n].received_at), 380)

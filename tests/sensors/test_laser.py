@@ -84,6 +84,39 @@ async def test_a_clock_that_stands_still_is_no_measurement(loopback: str) -> Non
     await server.stop()
 
 
+async def test_of_scans_that_waited_only_the_newest_is_handed_on(loopback: str) -> None:
+    server, client = LaserServer(UST_10LX, loopback), LaserClient(config(loopback))
+    await server.start()
+
+    async def check(heard: list[Scan]) -> None:
+        await until(lambda: len(heard) > 3)
+        before = client.overtaken
+        for number in range(15):  # nobody reads meanwhile: the machine was busy
+            server.publish((*RANGES[:-1], 3000 + number), 100_000 + 25 * number)
+        await until(lambda: client.overtaken > before + 5)
+        await until(lambda: heard[-1].ranges[-1] == inf)
+        seen = [scan.ranges[-1] for scan in heard if scan.ranges[-1] != inf]
+        assert len(seen) <= 15 - (client.overtaken - before) + 1 and seen == sorted(seen)
+
+    await reading(client, server, check, lambda n: 25 * n)
+    await server.stop()
+
+
+async def test_a_scan_that_waited_is_as_old_as_it_is(loopback: str) -> None:
+    server, client = LaserServer(UST_10LX, loopback), LaserClient(config(loopback))
+    await server.start()
+
+    async def check(heard: list[Scan]) -> None:
+        await until(lambda: len(heard) > 1 and age(heard[-1]) > 0.2)
+        assert age(heard[0]) == pytest.approx(0.03)
+
+    def age(scan: Scan) -> float:
+        return scan.received_at - scan.captured_at
+
+    await reading(client, server, check, lambda n: n)  # 1 ms of its clock in 10 of ours
+    await server.stop()
+
+
 async def test_it_comes_back_when_the_scanner_does(loopback: str) -> None:
     server, client = LaserServer(UST_10LX, loopback), LaserClient(config(loopback))
 

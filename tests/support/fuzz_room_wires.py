@@ -158,7 +158,7 @@ def _scip(data: bytes) -> None:
             reply = decode_reply(block)
             scan = decode_measurement(reply)
             if scan is not None:
-                scan_of(scan.ranges, UST_10LX, LaserConfig(name="a"), 10.0)
+                scan_of(scan.ranges, UST_10LX, LaserConfig(name="a"), 10.0, 10.0)
             _ = ScannerParameters.of(reply).first_angle
         except WireError:
             continue

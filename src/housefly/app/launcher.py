@@ -92,7 +92,7 @@ def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[P
             ProcessSpec("hub", "housefly.hub.process", (*site_argument, *asked_at), niceness=5)
         )
     if site.lasers or site.depth_cameras:
-        processes.append(ProcessSpec("perception", "housefly.app.perception_main", niceness=2))
+        processes.append(ProcessSpec("perception", "housefly.app.perception_main"))
     if site.tasks.enabled:
         processes.append(ProcessSpec("tasks", "housefly.app.tasks_main", niceness=3))
     if (port := runtime.console_port) is not None:

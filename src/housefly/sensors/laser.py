@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from math import inf
 
 import numpy as np
@@ -14,6 +14,7 @@ from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
 from housefly.numeric import FloatArray
+from housefly.sensors.scan_clock import ScanClock
 from housefly.wires.scip import (
     MeasureRequest,
     PlainRequest,
@@ -30,6 +31,10 @@ from housefly.wires.scip.replies import MAX_REPLY
 _CONNECT_TIMEOUT = 2.0
 _BETWEEN = 20
 """Replies to earlier requests that may come before the one waited for."""
+_READ = 256 * 1024
+"""Bytes read at once; what waits on a busy machine is passed over in few steps."""
+_END = b"\n\n"
+"""Ends a reply."""
 
 
 class LaserClient(ReconnectingClient[Scan]):
@@ -38,6 +43,7 @@ class LaserClient(ReconnectingClient[Scan]):
     Attributes:
         scans: how many were handed on.
         stale: scans dropped because the scanner's clock stood still.
+        overtaken: scans dropped because a newer one had arrived before they were read.
         parameters: what the scanner says of itself, None before it did.
     """
 
@@ -45,10 +51,10 @@ class LaserClient(ReconnectingClient[Scan]):
 
     def __init__(self, config: LaserConfig, clock: Clock | None = None) -> None:
         super().__init__(f"{config.address}:{config.port}", clock)
-        self.scans = self.stale = 0
+        self.scans = self.stale = self.overtaken = 0
         self.parameters: ScannerParameters | None = None
         self._config = config
-        self._stamp = -1
+        self._stamp, self._scan_clock, self._unread = -1, ScanClock(), b""
 
     def _no_data_problem(self) -> str:
         return f"connected to {self._where}, but no scans arrive"
@@ -74,8 +80,9 @@ class LaserClient(ReconnectingClient[Scan]):
                     f"the scanner at {self._where} does not measure (status {answer.status})"
                 )
             self.parameters, self._stamp, self._problem = parameters, -1, ""
+            self._scan_clock, self._unread = ScanClock(), b""
             while True:
-                found = decode_measurement(await self._reply(reader))
+                found = decode_measurement(await self._newest_reply(reader))
                 if found is not None:
                     self._hand_on(found, parameters, sink)
 
@@ -93,7 +100,8 @@ class LaserClient(ReconnectingClient[Scan]):
         self._stamp = found.stamp
         self._data_arrived(now)
         self.scans += 1
-        sink(scan_of(found.ranges, parameters, self._config, now))
+        taken_at = self._scan_clock.taken_at(found.stamp, now)
+        sink(scan_of(found.ranges, parameters, self._config, taken_at, now))
 
     async def _ask(
         self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, request: ScipRequest
@@ -108,15 +116,36 @@ class LaserClient(ReconnectingClient[Scan]):
         raise WireError(f"no reply to {line[:2].decode()}")
 
     async def _reply(self, reader: asyncio.StreamReader) -> ScipReply:
-        silence = f"connected to {self._where}, but it is silent"
         try:
-            return decode_reply(await self._before_timeout(reader.readuntil(b"\n\n"), silence))
+            return decode_reply(await self._before_silence(reader.readuntil(_END)))
         except asyncio.LimitOverrunError as error:
             raise WireError("a reply without an end") from error
 
+    async def _newest_reply(self, reader: asyncio.StreamReader) -> ScipReply:
+        """Return the newest whole reply that arrived: those before it show what was."""
+        while True:
+            whole, end, rest = self._unread.rpartition(_END)
+            if end:
+                self._unread = rest
+                self.overtaken += whole.count(_END)
+                return decode_reply(whole.rpartition(_END)[2] + _END)
+            if len(rest) > MAX_REPLY:
+                raise WireError("a reply without an end")
+            arrived = await self._before_silence(reader.read(_READ))
+            if not arrived:
+                raise asyncio.IncompleteReadError(rest, None)
+            self._unread += arrived
+
+    async def _before_silence(self, reading: Awaitable[bytes]) -> bytes:
+        return await self._before_timeout(reading, f"connected to {self._where}, but it is silent")
+
 
 def scan_of(
-    ranges: tuple[int, ...], parameters: ScannerParameters, config: LaserConfig, received_at: float
+    ranges: tuple[int, ...],
+    parameters: ScannerParameters,
+    config: LaserConfig,
+    taken_at: float,
+    received_at: float,
 ) -> Scan:
     """Return a scan in metres; out-of-range distances and error codes become infinite.
 
@@ -124,9 +153,10 @@ def scan_of(
         ranges: one number per beam [mm].
         parameters: as reported by the scanner.
         config: its name and latency.
+        taken_at: when it left the scanner [s].
         received_at: [s].
     """
-    captured_at = received_at - config.latency
+    captured_at = taken_at - config.latency
     metres = tuple(metres_of(ranges, parameters).tolist())
     return Scan(
         config.name, captured_at, received_at, parameters.first_angle, parameters.step, metres

@@ -17,7 +17,7 @@ from housefly.wires.scip.requests import MeasureRequest, decode_request, encode_
 
 STATUS_DONE, _STATUS_SCAN = "00", "99"
 """Status of a request that was obeyed, and of a later scan of MD."""
-_STAMP_PERIOD = 1 << 24
+STAMP_PERIOD = 1 << 24
 """The sensor's clock wraps after this [ms]: about four hours and 40 minutes."""
 _RANGE_WIDTH = 3
 """Characters of one distance."""
@@ -89,7 +89,7 @@ def decode_reply(data: bytes) -> ScipReply:
 
 def measurement_reply(request: MeasureRequest, stamp: int, ranges: tuple[int, ...]) -> ScipReply:
     """Return the reply that carries a scan."""
-    clock = encode_number(stamp % _STAMP_PERIOD, 4)
+    clock = encode_number(stamp % STAMP_PERIOD, 4)
     status = _STATUS_SCAN if request.code == "MD" else STATUS_DONE
     return ScipReply(
         _echo(request), status, (clock + checksum(clock), *encode_lines(ranges, _RANGE_WIDTH))
