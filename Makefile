@@ -64,7 +64,7 @@ branches: setup-dev
 
 # All of it is flown and written, whatever is found; what was found decides at the end.
 safety: setup-dev
-	@$(BIN)/housefly safety --wires 1 --out safety-case; flown=$$?; \
+	@$(BIN)/housefly safety --wires 1 --at-once 2 --out safety-case; flown=$$?; \
 	cp safety-case/safety-case.html docs/safety-case.html && $(REALTIME) -m safety && \
 	$(MAKE) branches && exit $$flown
 
