@@ -8,6 +8,7 @@ from math import inf, nan
 from pathlib import Path
 
 import pytest
+from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
 from gate_words import rules_table
 
 from housefly.config.limits import LimitsConfig
@@ -24,7 +25,7 @@ from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, PeopleSilence
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget
 from housefly.pilot.safety.gate import Gate, GateAssessment, released
-from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.motion_rules import TILT_WRONG_MAX, vertical_speed
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObservations
@@ -39,28 +40,6 @@ from housefly.pilot.safety.tracking_rules import (
 )
 from housefly.pilot.safety.wind_rules import TAKE_OFF_DRIFT
 
-LIMITS = LimitsConfig()
-FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.3)
-RULES = {rule.code: rule for rule in SAFETY_RULES}
-HERE = (5.0, 2.0, 1.1)
-REPORT = Telemetry(0.0, DroneStatus.FLYING, 0.9, height=1.05, acceleration=(0.0, 0.0, 9.81))
-FINE = GateInputs(
-    now=0.0,
-    status=DroneStatus.FLYING,
-    battery=0.9,
-    pose_age=0.02,
-    telemetry_age=0.05,
-    position=HERE,
-    stopped=False,
-    cutting=False,
-    phase=Phase.OUTBOUND,
-    velocity=(0.0, 0.0, 0.0),
-    reference=Reference(HERE, (0.0, 0.0, 0.0), 0.0),
-    flight_height=1.1,
-    flown=Setpoint(),
-    telemetry=REPORT,
-    home_time=20.0,
-)
 FLOOR = (5.0, 2.0, 0.05)
 STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR)
 TICK = 0.05

@@ -1,0 +1,242 @@
+"""Every rule of the last gate at its bound, to the last bit: which side the bound belongs to."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from math import inf
+
+import pytest
+from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
+
+from housefly.messages import DroneStatus, Phase, Reference
+from housefly.pilot.behavior.standing import STANDS_HIGH
+from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.safety.drone_rules import (
+    CHARGE_WARNING,
+    CLIFF_CHARGE,
+    HELD_TIME_MAX,
+    LATE_HOLD,
+    LATE_LAND,
+    LATE_STEPS_MAX,
+    LOW_HEIGHT,
+    OWN_LOW_HEIGHT,
+    STILL_SPEED,
+    descent_time,
+    lies_on_floor,
+)
+from housefly.pilot.safety.energy import GAUGE_STILL_TIME, NO_ENERGY, EnergyBudget
+from housefly.pilot.safety.fallbacks import (
+    STEERED_ERROR_MAX,
+    STEERED_MAX,
+    can_steer_landing,
+    possible_mode,
+)
+from housefly.pilot.safety.inputs import GateInputs
+from housefly.pilot.safety.motion_rules import (
+    BLOW_SPEED,
+    CONTROL_ERROR_HOLD,
+    CONTROL_ERROR_LAND,
+    HEIGHT_FAR,
+    HEIGHT_OFF,
+    STUCK_SPEED,
+    STUCK_TILT,
+    TAKE_OVER_TIME,
+    TILT_WRONG_MAX,
+    VELOCITY_ERROR_MAX,
+    VERTICAL_SPEED_SLACK,
+    height_off,
+)
+from housefly.pilot.safety.observer import (
+    NOTHING_OBSERVED,
+    TILT_ERROR_MAX,
+    FlightObservations,
+)
+from housefly.pilot.safety.rule import COUNTED, Counting, RuleContext
+from housefly.pilot.safety.tracking_rules import (
+    DRIFT_LAND,
+    DRIFT_WARN,
+    FRAME_ERROR_MAX,
+    HEIGHT_DISAGREES,
+    LATENCY_HOLD,
+    LATENCY_SLOW,
+    REFUSED_HOLD,
+    REFUSED_LAND,
+)
+from housefly.pilot.safety.wind_rules import BLOWN_ABOUT, LANDING_DRIFT
+
+ZERO = (0.0, 0.0, 0.0)
+AT_ORIGIN = Reference(ZERO, ZERO, 0.0)
+FLOWN = replace(NOTHING_OBSERVED, cruising_for=60.0, climbing_for=60.0)
+PARTS = {field.name for field in fields(GateInputs)}
+BUDGET = {field.name for field in fields(EnergyBudget)}
+KNOWN = {field.name for field in fields(TrackingConsistency)}
+LATE_LANDING = LIMITS.landing_timeout + 1.0
+LATEST_LANDING = LIMITS.landing_timeout + descent_time(
+    RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE)
+)
+
+
+def context(**changes: object) -> RuleContext:
+    """A flight where all is well but these: of the step, of the charge, of tracking, or seen."""
+
+    def of(names: set[str]) -> dict[str, object]:
+        return {name: changes.pop(name) for name in tuple(changes) if name in names}
+
+    now = replace(FINE, **of(PARTS))  # type: ignore[arg-type]
+    if known := of(KNOWN):
+        now = replace(now, consistency=TrackingConsistency(**known))  # type: ignore[arg-type]
+    seen = replace(FLOWN, energy=replace(NO_ENERGY, **of(BUDGET)))  # type: ignore[arg-type]
+    seen = replace(seen, **changes)  # type: ignore[arg-type]
+    return RuleContext(now, seen, LIMITS, FENCE)
+
+
+def placed(x: float = 0.0, z: float = 0.0, **changes: object) -> RuleContext:
+    """So far from a reference at the origin, where differences are exact."""
+    return context(position=(x, 0.0, z), reference=AT_ORIGIN, flight_height=0.0, **changes)
+
+
+def landing(**changes: object) -> RuleContext:
+    """A landing has been wanted for long."""
+    return context(**{"landing_for": LATE_LANDING, "phase": Phase.LANDING, **changes})
+
+
+STILL = replace(REPORT, velocity=ZERO, height=0.0)
+ON_FLOOR = {"position": (5.0, 2.0, 0.0), "telemetry": STILL}
+
+AT_BOUND: list[tuple[str, RuleContext, bool]] = [
+    ("battery_low", context(battery=LIMITS.battery_floor), False),
+    ("battery_cliff", context(charge_lost=CLIFF_CHARGE), False),
+    ("flight_time_over", context(time_left=0.0), True),
+    ("held_too_often", context(held_for=HELD_TIME_MAX), False),
+    ("battery_return", context(battery=0.5, charge_needed=0.5), False),
+    ("battery_weak", context(battery=0.5 + CHARGE_WARNING, charge_needed=0.5), False),
+    ("flight_time", context(time_left=35.0, time_needed=35.0), False),
+    ("battery_gauge", context(gauge_still_for=GAUGE_STILL_TIME), True),
+    ("loop_slow", context(late_steps=LATE_STEPS_MAX), True),
+    ("loop_slow", context(late_steps=LATE_STEPS_MAX - 1), False),
+    ("loop_late", context(late=LATE_HOLD), False),
+    ("loop_stalled", context(late=LATE_LAND), False),
+    ("landing_refused", landing(landing_for=LIMITS.landing_timeout), False),
+    ("landing_refused", landing(), True),
+    ("landing_refused", landing(position=(5.0, 2.0, LOW_HEIGHT)), True),
+    ("motors_running", landing(**ON_FLOOR, velocity=(STILL_SPEED, 0.0, 0.0)), False),
+    ("motors_running", landing(**ON_FLOOR, velocity=(0.5 * STILL_SPEED, 0.0, 0.0)), True),
+    (
+        "motors_running",
+        landing(
+            position=(5.0, 2.0, 0.0), telemetry=replace(STILL, velocity=(0.0, STILL_SPEED, 0.0))
+        ),
+        False,
+    ),
+    ("blown_about", context(velocity_error=BLOWN_ABOUT), False),
+    (
+        "landing_drift",
+        landing(**ON_FLOOR, velocity=(LANDING_DRIFT, 0.0, 0.0)),
+        False,
+    ),
+    ("tilt_error", context(tilt_error=TILT_ERROR_MAX), False),
+    ("tilt_lost", context(tilt_wrong_for=TILT_WRONG_MAX), False),
+    ("contact", context(velocity_change=BLOW_SPEED), False),
+    ("stuck", context(tilt_asked=STUCK_TILT), False),
+    ("stuck", context(tilt_asked=1.5 * STUCK_TILT), True),
+    ("stuck", context(tilt_asked=1.5 * STUCK_TILT, velocity=(STUCK_SPEED, 0.0, 0.0)), False),
+    ("stuck", context(tilt_asked=1.5 * STUCK_TILT, telemetry=None), True),
+    ("outside_fence", context(position=(10.0 + LIMITS.fence_margin, 2.0, 1.1)), False),
+    ("too_high", context(position=(5.0, 2.0, FENCE.ceiling)), False),
+    ("too_high", context(position=(5.0, 2.0, 2.5)), True),
+    ("too_high", context(position=(5.0, 2.0, 2.5), pose_age=LIMITS.pose_age_level), True),
+    ("too_low", context(position=(5.0, 2.0, LIMITS.height_min)), False),
+    ("height_error", placed(z=HEIGHT_FAR), False),
+    ("height_not_reached", placed(z=HEIGHT_OFF), False),
+    ("height_off", placed(z=HEIGHT_OFF), False),
+    (
+        "vertical_speed",
+        context(velocity=(0.0, 0.0, LIMITS.vertical_speed_max + VERTICAL_SPEED_SLACK)),
+        False,
+    ),
+    ("control_lost", placed(CONTROL_ERROR_LAND), False),
+    ("control_error", placed(CONTROL_ERROR_HOLD), False),
+    ("drifting", placed(velocity=(VELOCITY_ERROR_MAX, 0.0, 0.0)), False),
+    ("drifting", placed(velocity=(0.5, 0.0, 0.0), cruising_for=TAKE_OVER_TIME), False),
+    ("drifting", placed(velocity=(0.5, 0.0, 0.0)), True),
+    ("not_on_floor", placed(z=STANDS_HIGH, status=DroneStatus.LANDED), False),
+    ("poses_refused", context(refused_for=REFUSED_HOLD), False),
+    ("poses_refused_long", context(refused_for=REFUSED_LAND), False),
+    ("tracking_drift", context(drift=DRIFT_LAND), False),
+    ("tracking_frame", context(frame_error=FRAME_ERROR_MAX), False),
+    ("tracking_late", context(latency_error=LATENCY_HOLD), False),
+    ("tracking_slow", context(latency_error=LATENCY_SLOW), False),
+    ("tracking_height", context(height_error=-HEIGHT_DISAGREES), False),
+    ("tracking_height_off", context(height_error=HEIGHT_DISAGREES), False),
+]
+
+
+def broken(code: str, seen: RuleContext) -> bool:
+    """Whether a rule counts and is broken."""
+    return COUNTED[RULES[code].counts](seen) and RULES[code].broken(seen)
+
+
+@pytest.mark.parametrize(("code", "seen", "is_broken"), AT_BOUND)
+def test_a_bound_belongs_to_the_side_that_the_page_says(
+    code: str, seen: RuleContext, is_broken: bool
+) -> None:
+    assert broken(code, seen) is is_broken
+
+
+def test_a_slow_drift_is_told_beyond_its_bound_only() -> None:
+    assert not broken("tracking_drifting", context(drift=DRIFT_WARN))
+
+
+def test_who_lands_untracked_counts_as_up_by_its_sonar_and_until_a_descent_has_had_its_time() -> (
+    None
+):
+    def untracked(height: float, landing_for: float) -> bool:
+        report = replace(REPORT, height=height)
+        return broken(
+            "landing_refused",
+            context(pose_age=inf, telemetry=report, landing_for=landing_for, phase=Phase.LANDING),
+        )
+
+    assert untracked(OWN_LOW_HEIGHT, LATEST_LANDING + 60.0)
+    assert not untracked(0.9 * OWN_LOW_HEIGHT, LATEST_LANDING)
+    assert untracked(0.9 * OWN_LOW_HEIGHT, 0.999 * LATEST_LANDING)
+
+
+def test_a_landing_counts_from_its_first_moment() -> None:
+    assert not COUNTED[Counting.LANDING](context(landing_for=0.0))
+    assert COUNTED[Counting.LANDING](context(landing_for=1e-9))
+
+
+def test_the_floor_ends_where_a_drone_counts_as_up() -> None:
+    assert not lies_on_floor(placed(z=LOW_HEIGHT))
+    assert lies_on_floor(placed(z=0.99 * LOW_HEIGHT))
+
+
+def test_a_height_counts_from_the_moment_at_which_it_should_be_reached() -> None:
+    assert height_off(placed(z=1.0, climbing_for=6.0)) == 1.0
+    assert height_off(placed(z=1.0, climbing_for=5.99)) == 0.0
+
+
+def test_a_landing_is_steered_up_to_its_bounds() -> None:
+    lowest = LIMITS.landing_height + 0.05
+    assert can_steer_landing(context())
+    assert not can_steer_landing(context(position=(*HERE[:2], lowest), reference=None))
+    assert not can_steer_landing(context(landing_for=STEERED_MAX))
+    assert not can_steer_landing(context(late_steps=1))
+    above = Reference((0.0, 0.0, 1.0), ZERO, 0.0)
+    assert not can_steer_landing(context(reference=above, position=(STEERED_ERROR_MAX, 0.0, 1.0)))
+
+
+def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None:
+    deaf = replace(REPORT, faults=("ultrasound deaf",))
+    enough = descent_time(context())
+    modes = [
+        possible_mode(RULES["landing_refused"].mode.LAND, context(telemetry=deaf, landing_for=t))
+        for t in (enough, enough + 0.01)
+    ]
+    assert [mode.name for mode in modes] == ["DESCEND", "LAND"]
+
+
+def test_nothing_observed_breaks_no_rule() -> None:
+    seen = RuleContext(FINE, FlightObservations(), LIMITS, FENCE)
+    assert not [code for code in RULES if broken(code, seen)]
