@@ -29,7 +29,7 @@ from pathlib import Path
 from types import ModuleType
 
 import hypothesis  # noqa: F401 - once, for the processes of all changes
-import numba  # noqa: F401
+import numba
 import pytest
 import yaml  # noqa: F401
 
@@ -183,6 +183,9 @@ def is_noticed(mutant: Mutant, tree: ast.Module) -> bool:
         silence = os.open(os.devnull, os.O_WRONLY)
         os.dup2(silence, 1)
         os.dup2(silence, 2)
+        # What is compiled comes from a cache that knows the file, not the change.
+        is_compiled = "@compiled" in path_of(mutant.module).read_text("utf-8")
+        vars(numba.config)["DISABLE_JIT"] = is_compiled
         sys.meta_path.insert(0, ChangedModule(mutant.module, tree))
         options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:randomly", "--no-header"]
         os._exit(int(pytest.main([*options, *MODULES[mutant.module]])) != 0)

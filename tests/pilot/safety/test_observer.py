@@ -22,6 +22,7 @@ def test_what_we_ask_for_is_smoothed_about_as_the_drone_answers() -> None:
     for n in range(1 + round(TILT_TIME / TICK)):
         seen = observer.observe(replace(leaning, now=TICK * n), held=False, landing=False)
     share = 1.0 - exp(-1.0)
+    assert TILT_TIME == 0.2  # of the drone's inner loops, about
     assert seen.tilt_asked == pytest.approx(0.1 * share)
     report = Telemetry(0.0, DroneStatus.FLYING, 0.9, phi=-0.08 * share, theta=0.06 * share)
     seen = observer.observe(

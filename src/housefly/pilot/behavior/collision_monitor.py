@@ -41,9 +41,8 @@ class CollisionMonitor:
         self._commander = commander
         self._navigator = navigator
         self._task = commander.task
-        self._asked_at = 0.0
         self._reported = False
-        self._resumed_at = self._told_at = -inf
+        self._asked_at = self._resumed_at = self._told_at = -inf
         self._patience = 0.0
 
     def step(
