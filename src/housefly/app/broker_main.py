@@ -10,9 +10,7 @@ import ctypes
 import os
 import signal
 import sys
-import tempfile
 import time
-from pathlib import Path
 
 from housefly.app.mosquitto import find_mosquitto
 from housefly.app.runtime import runtime_from_environment
@@ -28,14 +26,14 @@ _REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install 
 
 def main() -> int:
     """Become the broker."""
-    site = runtime_from_environment().site()
+    runtime = runtime_from_environment()
+    site = runtime.site()
     found = find_mosquitto()
     if found is None:
         log_line(_REMEDY, sys.stderr)
         time.sleep(_RETRY_PAUSE)
         return 1
-    folder = Path(tempfile.mkdtemp(prefix="housefly-broker-"))
-    settings = folder / "mosquitto.conf"
+    settings = runtime.site_file.with_name("mosquitto.conf")  # it ends with the run's folder
     settings.write_text(
         f"listener {site.mqtt.port} {site.mqtt.broker}\nallow_anonymous true\npersistence"
         f" false\nuser root\nmax_connections {_MAX_CLIENTS}\nmax_packet_size {_MAX_PACKET}\n"
