@@ -130,3 +130,21 @@ def test_a_height_that_moves_with_a_trajectory_is_the_same_height_until_it_jumps
 
     assert climbed(0.01, follows=True) == pytest.approx(1.8)
     assert climbed(0.01, follows=False) == climbed(0.2, follows=True) == 0.0
+
+
+def test_a_pose_that_is_just_fresh_enough_is_believed() -> None:
+    limits = LimitsConfig()
+    observer = FlightObserver(limits)
+    stands = replace(
+        FINE,
+        status=DroneStatus.LANDED,
+        position=(5.0, 2.0, 0.07),
+        pose_age=limits.pose_age_level,
+    )
+    assert observer.observe(stands, held=False, landing=False).standing_height == 0.07
+    for n in range(100):
+        velocity = (0.5 if n < 90 else 0.0, 0.0, 0.0)
+        flies = replace(FINE, now=TICK * n, pose_age=limits.pose_age_level, velocity=velocity)
+        flies = replace(flies, phase=Phase.OUTBOUND)
+        seen = observer.observe(flies, held=False, landing=False)
+    assert seen.velocity_change == pytest.approx(0.5)

@@ -8,9 +8,11 @@ from math import inf
 import pytest
 from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
+from housefly.geometry import GRAVITY
 from housefly.messages import DroneStatus, Phase, Reference
+from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
-from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 from housefly.pilot.safety.drone_rules import (
     CHARGE_WARNING,
     CLIFF_CHARGE,
@@ -31,8 +33,10 @@ from housefly.pilot.safety.fallbacks import (
     can_steer_landing,
     possible_mode,
 )
+from housefly.pilot.safety.gate import Gate
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.motion_rules import (
+    BLOW_ACCELERATION,
     BLOW_SPEED,
     CONTROL_ERROR_HOLD,
     CONTROL_ERROR_LAND,
@@ -100,6 +104,15 @@ def landing(**changes: object) -> RuleContext:
     return context(**{"landing_for": LATE_LANDING, "phase": Phase.LANDING, **changes})
 
 
+def blown_off(z: float, **changes: object) -> RuleContext:
+    """It takes off and is blown away, so high; tracking does not tell how fast."""
+    report = replace(REPORT, height=z)
+    status = DroneStatus.TAKING_OFF
+    known = context(status=status, position=(5.0, 2.0, z), velocity=None, telemetry=report)
+    seen = replace(known.seen, **{"start": (5.0, 2.0), "drift": (0.8, 0.0), **changes})  # type: ignore[arg-type]
+    return replace(known, seen=seen)
+
+
 STILL = replace(REPORT, velocity=ZERO, height=0.0)
 ON_FLOOR = {"position": (5.0, 2.0, 0.0), "telemetry": STILL}
 
@@ -141,6 +154,16 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT), True),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT, velocity=(STUCK_SPEED, 0.0, 0.0)), False),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT, telemetry=None), True),
+    ("stuck", context(tilt_asked=1.5 * STUCK_TILT, velocity=(0.0, 0.0, 0.5)), True),
+    (
+        "stuck",
+        context(tilt_asked=1.5 * STUCK_TILT, telemetry=replace(REPORT, velocity=(0.0, 0.0, 0.5))),
+        True,
+    ),
+    ("take_off_aborted", blown_off(0.05), True),
+    ("take_off_aborted", blown_off(0.2), False),
+    ("take_off_aborted", blown_off(0.0, start=None), False),
+    ("take_off_aborted", blown_off(0.0, drift=None), False),
     ("outside_fence", context(position=(10.0 + LIMITS.fence_margin, 2.0, 1.1)), False),
     ("too_high", context(position=(5.0, 2.0, FENCE.ceiling)), False),
     ("too_high", context(position=(5.0, 2.0, 2.5)), True),
@@ -240,3 +263,21 @@ def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None
 def test_nothing_observed_breaks_no_rule() -> None:
     seen = RuleContext(FINE, FlightObservations(), LIMITS, FENCE)
     assert not [code for code in RULES if broken(code, seen)]
+
+
+def test_words_say_what_is_left_and_what_struck() -> None:
+    clock = context(time_left=21.4, time_needed=35.0)
+    assert RULES["flight_time"].words(clock).startswith("21 s of flight left")
+    over = context(time_left=-3.0, time_needed=35.0)
+    assert RULES["flight_time"].words(over).startswith("0 s of flight left")
+    struck = replace(REPORT, acceleration=(BLOW_ACCELERATION + GRAVITY, 0.0, 0.0))
+    words = RULES["contact"].words(context(telemetry=struck, velocity_change=0.6))
+    assert words.startswith("struck something: 0.6 m/s faster or slower at once")
+
+
+def test_nothing_is_assumed_of_a_step_that_says_nothing() -> None:
+    bare = GateInputs(0.0, DroneStatus.FLYING, 0.9, 0.0, 0.0, None, False, False)
+    said = {field.name: getattr(bare, field.name) for field in fields(GateInputs)[8:]}
+    assert said["home_time"] == said["late"] == 0.0 and said["has_way_home"]
+    assert not bare.faults and bare.consistency == NOTHING_KNOWN and bare.silence == NO_SILENCE
+    assert Gate(LIMITS, FENCE).standing_height == 0.0

@@ -1,0 +1,48 @@
+"""What the last gate says, word for word, and its numbers: both are changed on purpose only.
+
+``words.txt`` holds what each rule says when it is broken first, ``numbers.txt`` every constant.
+"""
+
+from __future__ import annotations
+
+import ast
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from gate_cases import BROKEN, assessed
+from gate_flight import RULES
+
+FOLDER = Path(__file__).parent
+WORDS = dict(line.split(": ", 1) for line in (FOLDER / "words.txt").read_text("utf-8").splitlines())
+NUMBERS = dict(line.split() for line in (FOLDER / "numbers.txt").read_text("utf-8").splitlines())
+MODULES = {name.partition("::")[0] for name in NUMBERS}
+
+
+@pytest.mark.parametrize("code", sorted(set(RULES) - {"flight_time_over"}))
+def test_people_are_told_what_is_wrong_with_value_and_limit(code: str) -> None:
+    change, _, observable = BROKEN[code]
+    found = assessed(change, RULES[code].after + observable + 0.6)
+    words = (rule.words for _, each in found for rule in each.broken if rule.code == code)
+    assert next(words) == WORDS[code]
+
+
+@pytest.mark.parametrize("module", sorted(MODULES))
+def test_the_numbers_of_the_gate_are_these(module: str) -> None:
+    loaded = import_module(f"housefly.pilot.safety.{module}")
+    source = ast.parse(Path(str(loaded.__file__)).read_text("utf-8"))
+    assigned = [node for node in source.body if isinstance(node, ast.Assign)]
+    names = [
+        name.id
+        for node in assigned
+        for name in ast.walk(node.targets[0])
+        if isinstance(name, ast.Name)
+    ]
+    values = {name: getattr(loaded, name) for name in names}
+    found = {
+        f"{module}::{name}": f"{value}"
+        for name, value in values.items()
+        if isinstance(value, int | float)
+    }
+    own = f"{module}::"
+    assert found == {name: value for name, value in NUMBERS.items() if name.startswith(own)}
