@@ -36,7 +36,12 @@ import yaml  # noqa: F401
 ROOT = Path(__file__).resolve().parents[1]
 SAFETY, BEHAVIOR = "housefly.pilot.safety", "housefly.pilot.behavior"
 RULES = ("tests/pilot/safety", "tests/pilot/test_faults.py")
-PEOPLE = ("tests/pilot/test_obstacles.py", "tests/pilot/test_people.py")
+PEOPLE = (
+    "tests/pilot/behavior/test_collision_monitor.py",
+    "tests/pilot/safety/test_words_and_numbers.py",
+    "tests/pilot/test_obstacles.py",
+    "tests/pilot/test_people.py",
+)
 MODULES = {
     **{
         f"{SAFETY}.{name}": RULES

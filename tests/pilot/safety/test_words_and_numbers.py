@@ -29,7 +29,7 @@ def test_people_are_told_what_is_wrong_with_value_and_limit(code: str) -> None:
 
 @pytest.mark.parametrize("module", sorted(MODULES))
 def test_the_numbers_of_the_gate_are_these(module: str) -> None:
-    loaded = import_module(f"housefly.pilot.safety.{module}")
+    loaded = import_module(f"housefly.pilot.{module}")
     source = ast.parse(Path(str(loaded.__file__)).read_text("utf-8"))
     assigned = [node for node in source.body if isinstance(node, ast.Assign)]
     names = [
