@@ -61,3 +61,11 @@ def test_a_row_means_its_first_variant_and_an_unknown_one_means_nothing() -> Non
 def test_so_many_processes_are_refused(workers: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["safety", "--rows", "F13", "--workers", workers]) == 2
     assert "--workers" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_written_is_told_before_anything_is_flown(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert main(["safety", "--quick", "--out", str(tmp_path / "file" / "case")]) == 2
+    assert "cannot be written to" in capsys.readouterr().err
