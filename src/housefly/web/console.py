@@ -56,8 +56,8 @@ from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_watch import CLOSE_SESSION_OVER
 from housefly.web.state_feed import StateFeed
+from housefly.web.stop_button import StopButton
 from housefly.web.stop_latch import StopLatch
-from housefly.web.stop_sender import StopSender
 from housefly.web.tab_numbers import TabNumbers
 from housefly.web.task_feed import TaskFeed
 from housefly.web.verdict import console_verdict
@@ -93,7 +93,7 @@ class Console:
         self.seats = Seats()
         self._auth, self._clock, self._audit_log = auth, clock, audit
         self.refusals = RefusalLog(self._record, clock)
-        self._stop_sender = StopSender(feed, link, clock)
+        self._stop_button = StopButton(feed, link, clock)
         self._memory, self._kept, self._newest_kept = memory, KeptControl(), 0
         if memory is not None:
             self._restore(memory.read(clock.now()))
@@ -148,7 +148,7 @@ class Console:
     def keep_stop(self) -> None:
         """Send a STOP that holds again until the pilot has taken it: a new one knows nothing."""
         if self.pilot_is_heard:
-            self._stop_sender.send_again()
+            self._stop_button.send_again()
 
     def keep_control(self) -> None:
         """Keep, over a restart, who has control, who is known, and whether STOP holds."""
@@ -283,7 +283,7 @@ class Console:
 
     def stop(self, sender: str, session: str = "") -> None:
         """Send STOP."""
-        if self._stop_sender.press(sender):
+        if self._stop_button.press(sender):
             self._audit(sender, "STOP", session)
 
     def _order(self, viewer: Viewer, message: OrderRequest) -> None:

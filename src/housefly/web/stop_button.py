@@ -12,7 +12,7 @@ _LOG_PERIOD = 0.5
 """STOPs closer together than this make one line of the log [s]."""
 
 
-class StopSender:
+class StopButton:
     """Sends STOP, and again to a pilot that was started anew: it knows nothing of it."""
 
     def __init__(self, feed: StateFeed, link: PilotLink, clock: Clock) -> None:
