@@ -8,7 +8,7 @@ import pytest
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Phase, Reference, Setpoint, Telemetry
 from housefly.pilot.safety.inputs import GateInputs
-from housefly.pilot.safety.observer import TILT_TIME, FlightObserver
+from housefly.pilot.safety.observer import LATE_STEP, TILT_TIME, FlightObserver
 
 FINE = GateInputs(
     0.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False, flight_height=1.1
@@ -148,3 +148,29 @@ def test_a_pose_that_is_just_fresh_enough_is_believed() -> None:
         flies = replace(flies, phase=Phase.OUTBOUND)
         seen = observer.observe(flies, held=False, landing=False)
     assert seen.velocity_change == pytest.approx(0.5)
+
+
+def test_a_take_off_drifts_in_both_directions_of_the_plane() -> None:
+    observer = FlightObserver(LimitsConfig())
+    rises = replace(FINE, status=DroneStatus.TAKING_OFF, velocity=(0.3, -0.4, 0.2))
+    for n in range(300):
+        seen = observer.observe(replace(rises, now=TICK * n), held=False, landing=False)
+    assert seen.drift == pytest.approx((0.3, -0.4))
+
+
+def test_a_step_counts_as_late_beyond_its_bound_only() -> None:
+    observer = FlightObserver(LimitsConfig())
+    for n, late in enumerate((LATE_STEP, LATE_STEP, 0.051, 0.06)):
+        inputs = replace(FINE, now=TICK * n, late=late)
+        seen = observer.observe(inputs, held=False, landing=False)
+    assert seen.late_steps == 2
+
+
+def test_what_is_off_counts_from_the_moment_at_which_the_drone_has_recovered() -> None:
+    observer, errors = FlightObserver(LimitsConfig()), []
+    wanted = Reference((5.0, 2.0, 1.1), (0.0, 0.0, 0.0), 0.0)
+    flies = replace(FINE, phase=Phase.OUTBOUND, reference=wanted, flown=Setpoint())
+    for n in range(18):  # an eighth of a second: its sums are exact
+        blown = replace(flies, now=n / 8.0, velocity=(0.2, 0.0, 0.0))
+        errors.append(observer.observe(blown, held=False, landing=False).velocity_error)
+    assert errors[7] == 0.0 and errors[8] > 0.0

@@ -8,8 +8,9 @@ from math import inf
 import pytest
 from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
-from housefly.geometry import GRAVITY
+from housefly.geometry import GRAVITY, stopping_distance
 from housefly.messages import DroneStatus, Phase, Reference
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -34,7 +35,7 @@ from housefly.pilot.safety.fallbacks import (
     possible_mode,
 )
 from housefly.pilot.safety.gate import Gate
-from housefly.pilot.safety.inputs import GateInputs
+from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.motion_rules import (
     BLOW_ACCELERATION,
     BLOW_SPEED,
@@ -169,6 +170,13 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("too_high", context(position=(5.0, 2.0, 2.5)), True),
     ("too_high", context(position=(5.0, 2.0, 2.5), pose_age=LIMITS.pose_age_level), True),
     ("too_low", context(position=(5.0, 2.0, LIMITS.height_min)), False),
+    ("too_low", context(position=(5.0, 2.0, 0.27), flight_height=0.5), False),
+    ("too_low", context(position=(5.0, 2.0, 0.24), flight_height=0.5), True),
+    (
+        "contact",
+        context(telemetry=replace(REPORT, acceleration=(BLOW_ACCELERATION + GRAVITY, 0.0, 0.0))),
+        False,
+    ),
     ("height_error", placed(z=HEIGHT_FAR), False),
     ("height_not_reached", placed(z=HEIGHT_OFF), False),
     ("height_off", placed(z=HEIGHT_OFF), False),
@@ -244,6 +252,7 @@ def test_a_landing_is_steered_up_to_its_bounds() -> None:
     lowest = LIMITS.landing_height + 0.05
     assert can_steer_landing(context())
     assert not can_steer_landing(context(position=(*HERE[:2], lowest), reference=None))
+    assert can_steer_landing(context(position=(*HERE[:2], lowest + 0.01), reference=None))
     assert not can_steer_landing(context(landing_for=STEERED_MAX))
     assert not can_steer_landing(context(late_steps=1))
     above = Reference((0.0, 0.0, 1.0), ZERO, 0.0)
@@ -273,6 +282,37 @@ def test_words_say_what_is_left_and_what_struck() -> None:
     struck = replace(REPORT, acceleration=(BLOW_ACCELERATION + GRAVITY, 0.0, 0.0))
     words = RULES["contact"].words(context(telemetry=struck, velocity_change=0.6))
     assert words.startswith("struck something: 0.6 m/s faster or slower at once")
+    low = landing(position=(5.0, 2.0, 0.04), velocity=(0.3, 0.0, 0.0))
+    assert "only 0.04 m above the floor" in RULES["landing_drift"].words(low)
+    sunk = landing(position=(5.0, 2.0, -0.04), velocity=(0.3, 0.0, 0.0))
+    assert "only 0.00 m above the floor" in RULES["landing_drift"].words(sunk)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_who_flies_towards_any_side_of_the_room_leaves_it_by_the_way_it_needs_to_rest(
+    axis: int, side: float
+) -> None:
+    fence, speed = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5), 1.0
+    place, velocity = [0.0, 0.0], [0.0, 0.0]
+    place[axis], velocity[axis] = 1.5 * side, speed * side
+    way = stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
+    inside = fence.leaving((*place, 1.0), (*velocity, 0.0))  # type: ignore[arg-type]
+    assert inside == pytest.approx(1.5 + way - 2.0)
+    away = fence.leaving((*place, 1.0), (*(-v for v in velocity), 0.0))  # type: ignore[arg-type]
+    assert away <= 0.0
+    place[axis] = 3.0 * side  # outside already: only what comes on top
+    beyond = fence.leaving((*place, 1.0), (*velocity, 0.0))  # type: ignore[arg-type]
+    assert beyond == pytest.approx(way)
+
+
+def test_who_rises_leaves_the_room_by_its_ceiling() -> None:
+    fence = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5)
+    way = stopping_distance(0.5, BRAKING_DECELERATION, REACTION_TIME)
+    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, 0.5)) == pytest.approx(2.4 + way - 2.5)
+    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, 0.5)) == pytest.approx(way)
+    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, -0.5)) == 0.0
+    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, -0.5)) < 0.0 + 1e-9
 
 
 def test_nothing_is_assumed_of_a_step_that_says_nothing() -> None:
