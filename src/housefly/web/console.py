@@ -18,7 +18,7 @@ from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
 from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl
-from housefly.web.control import Control
+from housefly.web.control_lease import ControlLease
 from housefly.web.goal_words import subject_of_task
 from housefly.web.guest_links import GuestLinks
 from housefly.web.nudges import LATE_MAX, NEW_TIME, nudge_order
@@ -89,7 +89,7 @@ class Console:
         self.room: RoomView | None = None
         self.preflight = PreflightView()
         self.viewers = Viewers()
-        self.control = Control(self.viewers, feed, auth, clock, lambda: self.flying)
+        self.control = ControlLease(self.viewers, feed, auth, clock, lambda: self.flying)
         self.seats = Seats()
         self._auth, self._clock, self._audit_log = auth, clock, audit
         self.refusals = RefusalLog(self._record, clock)

@@ -15,7 +15,7 @@ from housefly.web.viewer import Viewer
 from housefly.web.viewers import Viewers
 
 
-class Control:
+class ControlLease:
     """The right to fly, of one tab at most.
 
     Args:
