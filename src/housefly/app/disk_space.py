@@ -73,7 +73,7 @@ class DiskSpace:
                     short[folder] = share
         self._fullest = _words(shares) if shares else "unknown"
         self.shortage = _words(short) if short else ""
-        refusals = (_why_unwritable(folder) for folder in self._kept)
+        refusals = (why_unwritable(folder) for folder in self._kept)
         self.refusal = next(filter(None, refusals), "")
 
     def checks(self) -> tuple[PreflightCheck, ...]:
@@ -147,7 +147,7 @@ def _words(shares: dict[Path, float]) -> str:
     return f"{shares[folder]:.1%} free at {folder}"
 
 
-def _why_unwritable(folder: Path) -> str:
+def why_unwritable(folder: Path) -> str:
     """Write a file that never has a name, and return in words why that cannot be, or "".
 
     A folder that is not there yet will be made in the nearest one that is; one that does not even

@@ -101,9 +101,9 @@ def run_interactively(
     started = time.monotonic()
     checked_exposure(loaded.site)
     refuse_taken_ports(loaded.site, web=True)
-    runtime = replace(new_runtime(loaded.site, folder, web=True), recording=record)
     with ExitStack() as stack:
         stack.enter_context(reserved_store(loaded.site))
+        runtime = replace(new_runtime(loaded.site, folder, web=True), recording=record)
         recorder = None
         if record is not None:
             recorder = FlightRecorder(record, loaded.site, loaded.room, loaded.grid)

@@ -15,7 +15,11 @@ CLOCK_DRIFT = 5e-4
 
 
 class ScanClock:
-    """Dates the scans of one connection: the quickest of them tells the offset of the clocks."""
+    """Dates the scans of one connection: the quickest of them tells the offset of the clocks.
+
+    It is never forgotten, as ``ClockOffset`` forgets: what waits in a stream may stay late for
+    minutes.
+    """
 
     def __init__(self) -> None:
         self._stamp, self._unwrapped = -1, 0

@@ -8,10 +8,10 @@ import time
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from pathlib import Path
-from tempfile import TemporaryFile
 from typing import TYPE_CHECKING
 
 from housefly.app.commands.subcommand import Subcommand
+from housefly.app.disk_space import why_unwritable
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
@@ -91,8 +91,8 @@ def _run(options: Namespace) -> int:
     if not 0 <= options.workers <= _MAX_WORKERS:
         raise ConfigError("--workers", f"is {options.workers}; allowed: 0 to {_MAX_WORKERS}")
     row = None if options.again is None else _row_again(options.again)
-    if row is None:
-        _refuse_unwritable(Path(options.out))
+    if row is None and (problem := why_unwritable(Path(options.out))):
+        raise ConfigError("--out", f"{options.out} cannot be written to: {problem}")
     compile_once(CompiledPart.CHAIN, console.print)
     if row is not None:
         return _fly_again(row, options)
@@ -102,16 +102,6 @@ def _run(options: Namespace) -> int:
         words = f"what was flown is kept in {options.out}: run the same again to go on"
         console.print(words, markup=False, soft_wrap=True)
         raise
-
-
-def _refuse_unwritable(out: Path) -> None:
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        with TemporaryFile(dir=out):
-            pass
-    except OSError as error:
-        words = f"{out} cannot be written to ({error.strerror}): choose another folder"
-        raise ConfigError("--out", words) from error
 
 
 def _plan(options: Namespace) -> SafetyPlan:
