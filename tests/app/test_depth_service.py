@@ -116,6 +116,12 @@ def test_perception_runs_where_there_are_depth_cameras(tmp_path: Path) -> None:
     assert "perception" in [spec.name for spec in processes_of(new_runtime(site(), tmp_path))]
 
 
+def test_who_looks_for_people_is_as_urgent_as_the_pilot(tmp_path: Path) -> None:
+    niceness = {spec.name: spec.niceness for spec in processes_of(new_runtime(site(), tmp_path))}
+    assert niceness["perception"] == niceness["pilot"]
+    assert niceness["perception"] < min(niceness["hub"], niceness["tasks"])
+
+
 def test_two_depth_cameras_with_one_name_are_refused() -> None:
     with pytest.raises(ConfigError, match="same name"):
         changed(site(), depth_cameras=CAMERAS * 2)
