@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from housefly.pilot.estimation.displacement import OdometryTolerance
 from housefly.pilot.estimation.onboard_odometry import (
     FLOW_BIAS,
     FLOW_BIAS_TIME,
@@ -18,14 +19,8 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_at,
     odometry_headed,
 )
-from housefly.pilot.estimation.track_windows import (
-    EMPTY_WINDOWS,
-    TRACK_ROW,
-    WINDOW_RING_SIZE,
-    OdometryTolerance,
-    TrackRing,
-    windows_advanced,
-)
+from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE, TrackRing
+from housefly.pilot.estimation.track_windows import EMPTY_WINDOWS, windows_advanced
 
 TICK = 0.01
 LONG_LEG = 8.0
@@ -40,6 +35,7 @@ def _flown(
     period: float,
     loss: float,
     drift: float,
+    flow_scale: float,
     motion: MotionRing,
     rows: TrackRing,
 ) -> tuple[float, float, float]:
@@ -50,6 +46,7 @@ def _flown(
     keep = np.exp(-TICK / FLOW_BIAS_TIME)
     drive = FLOW_BIAS * np.sqrt(1.0 - keep * keep)
     past = np.zeros(4)
+    tolerance = OdometryTolerance(0.002, max(0.001, abs(flow_scale - 1.0)))
     for tick in range(1, int(seconds / TICK)):
         at = tick * TICK
         wanted = speed if at % (2.0 * LONG_LEG) < LONG_LEG else -speed
@@ -59,7 +56,16 @@ def _flown(
         bias_y = keep * bias_y + drive * np.random.normal()
         noise_x, noise_y = FLOW_NOISE * np.random.normal(), FLOW_NOISE * np.random.normal()
         report = OnboardReport(
-            at, 0.0, 0.0, 0.0, past[0] + bias_x + noise_x, bias_y + noise_y, 1.0, 0.0, True, np.nan
+            at=at,
+            theta=0.0,
+            phi=0.0,
+            psi=0.0,
+            forward=flow_scale * past[0] + bias_x + noise_x,
+            left=bias_y + noise_y,
+            height=1.0,
+            vz=0.0,
+            airborne=True,
+            drone_time=np.nan,
         )
         past[:-1] = past[1:]
         past[-1] = v
@@ -76,9 +82,7 @@ def _flown(
         if odometry.since > at:
             continue
         onboard = odometry_at(odometry, motion, at)
-        windows = windows_advanced(
-            windows, rows, at, seen_x, seen_y, 0.0, onboard, OdometryTolerance(0.002, 0.001)
-        )
+        windows = windows_advanced(windows, rows, at, seen_x, seen_y, 0.0, onboard, tolerance)
         if windows.drift == windows.drift:
             worst = max(worst, windows.drift)
         if windows.drift > 0.05 and lied > 0.0:
@@ -95,6 +99,7 @@ def flown(
     period: float = 0.01,
     loss: float = 0.0,
     drift: float = 0.0,
+    flow_scale: float = 1.0,
 ) -> tuple[float, float, float]:
     """Return the largest drift told, and how far a drift had come when it was told, and landed.
 
@@ -105,6 +110,7 @@ def flown(
         period: between two poses [s].
         loss: share of poses lost.
         drift: of tracking across the way, after 10 s [m/s].
+        flow_scale: of the flow's velocity; its error is known and tolerated.
     """
     motion, rows = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION), np.zeros(WINDOW_RING_SIZE, TRACK_ROW)
-    return _flown(seed, seconds, speed, period, loss, drift, motion, rows)
+    return _flown(seed, seconds, speed, period, loss, drift, flow_scale, motion, rows)

@@ -19,6 +19,7 @@ from housefly.pilot.estimation.boxed_estimator import (
     tracked_climb_rate,
 )
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
+from housefly.pilot.estimation.displacement import OdometryTolerance
 from housefly.pilot.estimation.estimator import estimator_created, pose_estimate
 from housefly.pilot.estimation.estimator_state import (
     EstimatorParameters,
@@ -26,7 +27,6 @@ from housefly.pilot.estimation.estimator_state import (
     Measurement,
     PoseEstimate,
 )
-from housefly.pilot.estimation.track_windows import OdometryTolerance
 from housefly.pilot.estimation.tracking_monitor import GAP_MIN, TrackingMonitor
 from housefly.pilot.estimation.validation import (
     RejectionLog,

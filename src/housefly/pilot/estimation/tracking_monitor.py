@@ -16,6 +16,7 @@ from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Sighting, 
 from housefly.numeric import wrapped
 from housefly.pilot.estimation.carrying import CarryDetector
 from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
@@ -29,12 +30,9 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_headed,
 )
 from housefly.pilot.estimation.report_clock import ReportClock
+from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
-    TRACK_ROW,
-    WINDOW_RING_SIZE,
-    OdometryTolerance,
-    displacement_bound,
     windows_advanced,
     windows_restarted,
 )

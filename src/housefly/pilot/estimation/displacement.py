@@ -1,0 +1,146 @@
+"""Tracked displacement against the onboard one between two rows, compiled.
+
+What the odometry may be off by is known: white noise, a wandering bias, and a share of the way.
+"""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import Any, NamedTuple
+
+from housefly.numeric import compiled
+from housefly.pilot.estimation.flow_bias import (
+    FlowBias,
+    bias_predicted,
+    first_bias,
+    parted_from,
+)
+from housefly.pilot.estimation.onboard_odometry import FLOW_BIAS_TIME, flow_bias_variance
+from housefly.pilot.estimation.track_row import known_bias
+
+SIGMAS = 5.25
+"""Displacements further apart than this many standard deviations disagree."""
+AGREE_AGAIN = 0.6
+"""Displacements closer than this share of the bound agree again."""
+TIMING_ERROR = 0.01
+"""Stamps and reports may be apart by this [s]: it counts while the velocity changes."""
+BIAS_TURN_MAX = 1.0
+"""A bias predicts nothing over a greater turn [rad]."""
+LEARNING_TIME = 1.5
+"""Time constant by which the bias of the flow is learned [s]."""
+MANOEUVRE_ROWS = 10
+"""Whether the velocity changes is seen over so many rows."""
+MANOEUVRE_MIN, MANOEUVRE_USUAL = 0.085, 0.5
+"""Velocities that differ by less are the flow's noise; usually they change by so much [m/s]."""
+
+
+class OdometryTolerance(NamedTuple):
+    """What tracking and odometry may be off by.
+
+    Attributes:
+        position_noise: one sigma of a sighting [m].
+        way_error: share of the way by which flow scale and heading may misjudge it.
+    """
+
+    position_noise: float
+    way_error: float
+
+
+@compiled
+def displacement_bound(
+    seconds: float, white: float, way: float, speed_change: float, tolerance: OdometryTolerance
+) -> float:
+    """Return how far tracked and onboard displacement may be apart [m].
+
+    Args:
+        seconds: between the two looks [s].
+        white: variance of the odometry by white noise [m^2].
+        way: flown in between [m].
+        speed_change: between the two looks [m/s].
+        tolerance: of tracking and odometry.
+    """
+    noise = tolerance.position_noise
+    variance = white + flow_bias_variance(seconds) + 2.0 * noise * noise
+    return SIGMAS * sqrt(variance) + tolerance.way_error * way + TIMING_ERROR * speed_change
+
+
+@compiled
+def parted(new: Any, row: Any, tolerance: OdometryTolerance, share: float) -> bool:
+    """Return whether the two displacements since a row differ by this share of their bound."""
+    dx = (new.px - new.ox) - (row.px - row.ox)
+    dy = (new.py - new.oy) - (row.py - row.oy)
+    change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
+    bound = displacement_bound(
+        new.at - row.at, new.variance - row.variance, new.way - row.way, change, tolerance
+    )
+    return bool(dx * dx + dy * dy > (share * bound) ** 2)
+
+
+@compiled
+def learned_velocity(before: Any, new: Any) -> tuple[float, float]:
+    """Return the velocity at which the bias after a new row was learned [m/s]."""
+    keep = exp(-(new.at - before.at) / LEARNING_TIME)
+    return new.vx + keep * (before.mean_vx - new.vx), new.vy + keep * (before.mean_vy - new.vy)
+
+
+@compiled
+def _unlearned_way(new: Any, row: Any) -> float:
+    """Return the way that the bias of a row knows nothing of [m].
+
+    A bias that was learned at a constant velocity holds its share of the way already, less what it
+    forgets: it is learned with a lag, and expected to fade.
+    """
+    seconds = new.at - row.at
+    bend_x = new.ox - row.ox - seconds * row.mean_vx
+    bend_y = new.oy - row.oy - seconds * row.mean_vy
+    learning = sqrt((row.vx - row.mean_vx) ** 2 + (row.vy - row.mean_vy) ** 2)
+    mean = sqrt(row.mean_vx * row.mean_vx + row.mean_vy * row.mean_vy)
+    forgotten = (0.5 * seconds + LEARNING_TIME) / FLOW_BIAS_TIME
+    return sqrt(bend_x * bend_x + bend_y * bend_y) + seconds * (learning + forgotten * mean)
+
+
+@compiled
+def next_bias(earlier: Any, before: Any, new: Any, tolerance: OdometryTolerance) -> FlowBias:
+    """Return the bias that the row before predicts for a new one, by one that is ten rows older.
+
+    Timing errors and the share of the way come in one piece with a change of velocity, which is
+    spread over its rows.
+    """
+    change = sqrt((new.vx - earlier.vx) ** 2 + (new.vy - earlier.vy) ** 2)
+    share = (new.at - before.at) / (new.at - earlier.at)
+    manoeuvre = MANOEUVRE_USUAL * share * max(change - MANOEUVRE_MIN, 0.0)
+    return bias_predicted(
+        known_bias(before),
+        new.at - before.at,
+        new.psi - before.psi,
+        new.variance - before.variance + TIMING_ERROR * TIMING_ERROR * manoeuvre,
+        tolerance.way_error * tolerance.way_error * manoeuvre,
+    )
+
+
+@compiled
+def predicted_bias(row: Any, new: Any) -> FlowBias:
+    """Return the bias that a row predicts for a much newer one."""
+    white = new.variance - row.variance
+    return bias_predicted(known_bias(row), new.at - row.at, new.psi - row.psi, white, 0.0)
+
+
+@compiled
+def predicted_bias_since(row: Any, new: Any, learned: bool, noise: float) -> FlowBias:
+    """Return what a row predicts, by what was learned until then or by nothing."""
+    if learned:
+        return predicted_bias(row, new)
+    start = first_bias(row.px - row.ox, row.py - row.oy, noise)
+    return bias_predicted(start, new.at - row.at, 0.0, new.variance - row.variance, 0.0)
+
+
+@compiled
+def parted_from_prediction(new: Any, row: Any, tolerance: OdometryTolerance) -> bool:
+    """Return whether the displacements since a row differ by more than its bias predicts."""
+    if abs(new.psi - row.psi) > BIAS_TURN_MAX:
+        return False
+    noise, expected = tolerance.position_noise, predicted_bias(row, new)
+    change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
+    bound = SIGMAS * sqrt(expected.variance + noise * noise) + TIMING_ERROR * change
+    bound += tolerance.way_error * _unlearned_way(new, row)
+    return bool(parted_from(expected, new.px - new.ox, new.py - new.oy) > bound)
