@@ -27,8 +27,8 @@ def test_no_line_is_longer_than_a_hundred_columns() -> None:
     assert house.long_lines() == []
 
 
-def test_the_walk_from_a_sighting_to_a_command_is_some_sixty_modules() -> None:
-    assert len(house.walk()) <= 68
+def test_the_walk_from_a_sighting_to_a_command_is_some_seventy_modules() -> None:
+    assert len(house.walk()) <= 72
 
 
 def test_packages_and_loose_modules_stay_few() -> None:

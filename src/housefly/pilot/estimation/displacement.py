@@ -96,7 +96,8 @@ def _unlearned_way(new: Any, row: Any) -> float:
     learning = sqrt((row.vx - row.mean_vx) ** 2 + (row.vy - row.mean_vy) ** 2)
     mean = sqrt(row.mean_vx * row.mean_vx + row.mean_vy * row.mean_vy)
     forgotten = (0.5 * seconds + LEARNING_TIME) / FLOW_BIAS_TIME
-    return sqrt(bend_x * bend_x + bend_y * bend_y) + seconds * (learning + forgotten * mean)
+    way = sqrt(bend_x * bend_x + bend_y * bend_y)
+    return float(way + seconds * (learning + forgotten * mean))
 
 
 @compiled
