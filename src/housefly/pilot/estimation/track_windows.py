@@ -35,6 +35,8 @@ BIAS_WINDOWS = (1.0, 1.5, 2.0, 2.5, 3.5, 5.0)
 """Windows over which a displacement is compared with what the bias before it predicts [s]."""
 FRAME_WINDOWS = (0.5, 1.0, 2.0, 4.0)
 """Windows over which directions and turns are compared [s]."""
+AGE_SLACK = 1e-6
+"""A row that is younger than a window by this fills it, too [s]."""
 
 
 class TrackWindows(NamedTuple):
@@ -122,39 +124,19 @@ def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) ->
     """Return the windows with the newest row held against those before it."""
     mask = ring.size - 1
     new, oldest = ring[w.taken & mask], max(w.first, w.taken + 1 - ring.size)
-    angle, turn, mirrored = -1.0, -1.0, False
-    has_parted, since, learned = False, w.taken, False
-    drift_window, frame_window, bias_window = 0, 0, 0
-    for index in range(w.taken - 1, oldest - 1, -1):
-        row = ring[index & mask]
-        age = new.at - row.at + 1e-6
-        if frame_window < len(FRAME_WINDOWS) and age >= FRAME_WINDOWS[frame_window]:
-            frame_window += 1
-            angle = max(angle, direction_error(new, row, tolerance.position_noise))
-            turn = max(turn, turn_error(new, row))
-            mirrored = mirrored or turns_back(new, row)
-        if bias_window < len(BIAS_WINDOWS) and age >= BIAS_WINDOWS[bias_window]:
-            bias_window += 1
-            if parted_from_prediction(new, row, tolerance):
-                has_parted, since, learned = True, index, True
-        if drift_window < len(DRIFT_WINDOWS) and age >= DRIFT_WINDOWS[drift_window]:
-            drift_window += 1
-            # What has parted by a short window began before it: a slow drift is seen late.
-            if parted(new, row, tolerance, AGREE_AGAIN if has_parted else 1.0):
-                has_parted, since, learned = True, index, False
-        if drift_window == len(DRIFT_WINDOWS):
-            break
+    error, mirrored = _frame_compared(ring, w.taken, oldest, tolerance)
+    since, learned = _parting(ring, w.taken, oldest, tolerance)
     anchored, anchor_way = w.anchored, w.anchor_way
-    if anchored and not has_parted and _back(w, new, tolerance):
+    if anchored and since < 0 and _back(w, new, tolerance):
         anchored = False
-    if has_parted and not anchored:
+    if since >= 0 and not anchored:
         row = ring[since & mask]
         anchored, anchor_way = True, row.way
         keep_bias(new, predicted_bias_since(row, new, learned, tolerance.position_noise))
-    drift = nan if drift_window == 0 else 0.0
+    is_full = new.at - ring[oldest & mask].at + AGE_SLACK >= DRIFT_WINDOWS[0]
+    drift = 0.0 if is_full else nan
     if anchored:
         drift = parted_from(known_bias(new), new.px - new.ox, new.py - new.oy)
-    error = max(angle, turn)
     return TrackWindows(
         taken=w.taken + 1,
         first=w.first,
@@ -164,6 +146,52 @@ def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) ->
         frame_error=error if error >= 0.0 else w.frame_error,
         mirrored=mirrored,
     )
+
+
+@compiled
+def _frame_compared(
+    ring: TrackRing, newest: int, oldest: int, tolerance: OdometryTolerance
+) -> tuple[float, bool]:
+    """Return the greatest angle of all windows [rad], -1 for none, and whether turns go back."""
+    mask = ring.size - 1
+    new, error, mirrored, window = ring[newest & mask], -1.0, False, 0
+    for index in range(newest - 1, oldest - 1, -1):
+        row = ring[index & mask]
+        if new.at - row.at + AGE_SLACK >= FRAME_WINDOWS[window]:
+            window += 1
+            angle = direction_error(new, row, tolerance.position_noise)
+            error = max(error, angle, turn_error(new, row))
+            mirrored = mirrored or turns_back(new, row)
+            if window == len(FRAME_WINDOWS):
+                break
+    return error, mirrored
+
+
+@compiled
+def _parting(
+    ring: TrackRing, newest: int, oldest: int, tolerance: OdometryTolerance
+) -> tuple[int, bool]:
+    """Return the oldest row since which the ways have parted, -1 for none.
+
+    The second value is whether it was seen by what the bias of that row predicts.
+    """
+    mask = ring.size - 1
+    new, since, learned, window, bias_window = ring[newest & mask], -1, False, 0, 0
+    for index in range(newest - 1, oldest - 1, -1):
+        row = ring[index & mask]
+        age = new.at - row.at + AGE_SLACK
+        if bias_window < len(BIAS_WINDOWS) and age >= BIAS_WINDOWS[bias_window]:
+            bias_window += 1
+            if parted_from_prediction(new, row, tolerance):
+                since, learned = index, True
+        if age >= DRIFT_WINDOWS[window]:
+            window += 1
+            # What has parted by a short window began before it: a slow drift is seen late.
+            if parted(new, row, tolerance, AGREE_AGAIN if since >= 0 else 1.0):
+                since, learned = index, False
+            if window == len(DRIFT_WINDOWS):
+                break
+    return since, learned
 
 
 @compiled
