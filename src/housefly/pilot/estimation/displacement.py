@@ -9,12 +9,7 @@ from math import exp, sqrt
 from typing import Any, NamedTuple
 
 from housefly.numeric import compiled
-from housefly.pilot.estimation.flow_bias import (
-    FlowBias,
-    bias_predicted,
-    first_bias,
-    parted_from,
-)
+from housefly.pilot.estimation.flow_bias import FlowBias, bias_predicted, first_bias, parted_from
 from housefly.pilot.estimation.onboard_odometry import FLOW_BIAS_TIME, flow_bias_variance
 from housefly.pilot.estimation.track_row import known_bias
 
@@ -47,6 +42,12 @@ class OdometryTolerance(NamedTuple):
 
 
 @compiled
+def speed_change(new: Any, row: Any) -> float:
+    """Return how much the velocity differs between two rows [m/s]."""
+    return float(sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2))
+
+
+@compiled
 def displacement_bound(
     seconds: float, white: float, way: float, speed_change: float, tolerance: OdometryTolerance
 ) -> float:
@@ -69,7 +70,7 @@ def parted(new: Any, row: Any, tolerance: OdometryTolerance, share: float) -> bo
     """Return whether the two displacements since a row differ by this share of their bound."""
     dx = (new.px - new.ox) - (row.px - row.ox)
     dy = (new.py - new.oy) - (row.py - row.oy)
-    change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
+    change = speed_change(new, row)
     bound = displacement_bound(
         new.at - row.at, new.variance - row.variance, new.way - row.way, change, tolerance
     )
@@ -107,7 +108,7 @@ def next_bias(earlier: Any, before: Any, new: Any, tolerance: OdometryTolerance)
     Timing errors and the share of the way come in one piece with a change of velocity, which is
     spread over its rows.
     """
-    change = sqrt((new.vx - earlier.vx) ** 2 + (new.vy - earlier.vy) ** 2)
+    change = speed_change(new, earlier)
     share = (new.at - before.at) / (new.at - earlier.at)
     manoeuvre = MANOEUVRE_USUAL * share * max(change - MANOEUVRE_MIN, 0.0)
     return bias_predicted(
@@ -140,8 +141,20 @@ def parted_from_prediction(new: Any, row: Any, tolerance: OdometryTolerance) -> 
     """Return whether the displacements since a row differ by more than its bias predicts."""
     if abs(new.psi - row.psi) > BIAS_TURN_MAX:
         return False
-    noise, expected = tolerance.position_noise, predicted_bias(row, new)
-    change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
-    bound = SIGMAS * sqrt(expected.variance + noise * noise) + TIMING_ERROR * change
-    bound += tolerance.way_error * _unlearned_way(new, row)
-    return bool(parted_from(expected, new.px - new.ox, new.py - new.oy) > bound)
+    expected = predicted_bias(row, new)
+    change = speed_change(new, row)
+    bound = expected_bound(expected, _unlearned_way(new, row), tolerance) + TIMING_ERROR * change
+    return way_parted(expected, new) > bound
+
+
+@compiled
+def way_parted(expected: FlowBias, new: Any) -> float:
+    """Return how far tracked minus onboard place is from what was expected [m]."""
+    return float(parted_from(expected, new.px - new.ox, new.py - new.oy))
+
+
+@compiled
+def expected_bound(expected: FlowBias, way: float, tolerance: OdometryTolerance) -> float:
+    """Return how far from it that may be [m], with a way that may be misjudged [m]."""
+    noise = tolerance.position_noise
+    return SIGMAS * sqrt(expected.variance + noise * noise) + tolerance.way_error * way

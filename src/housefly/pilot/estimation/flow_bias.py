@@ -1,8 +1,8 @@
 """Kalman filter of the optical flow's bias while tracking is honest, compiled.
 
 The bias wanders slowly: what the flow was off by in the last seconds tells what it will be off by
-in the next ones, five times better than its spread over a whole flight. A drift of tracking that
-begins in between is no such thing.
+in the next ones, with two thirds of the error that its spread over a whole flight would leave, and
+around what it is now. A drift of tracking that begins in between is no such thing.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from math import atan2, sqrt
 from typing import Any
 
 from housefly.numeric import compiled
-from housefly.pilot.estimation.displacement import TIMING_ERROR
+from housefly.pilot.estimation.displacement import TIMING_ERROR, speed_change
 from housefly.pilot.estimation.onboard_odometry import flow_bias_variance
 
 DIRECTION_WAY_MIN = 0.12
@@ -30,8 +30,7 @@ def direction_error(new: Any, row: Any, noise: float) -> float:
     least = max(DIRECTION_WAY_MIN, DIRECTION_SIGMAS * sigma)
     if ox * ox + oy * oy < least * least or px * px + py * py < 0.25 * least * least:
         return -1.0
-    change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
-    slack = TIMING_ERROR * change / sqrt(ox * ox + oy * oy)
+    slack = TIMING_ERROR * speed_change(new, row) / sqrt(ox * ox + oy * oy)
     return max(0.0, abs(atan2(ox * py - oy * px, ox * px + oy * py)) - slack)
 
 

@@ -9,22 +9,23 @@ nothing, so that one that was always there is seen, too.
 
 from __future__ import annotations
 
-from math import nan, sqrt
+from math import nan
 from typing import Any, NamedTuple
 
 from housefly.numeric import compiled, wrapped
 from housefly.pilot.estimation.displacement import (
     AGREE_AGAIN,
     MANOEUVRE_ROWS,
-    SIGMAS,
     OdometryTolerance,
+    expected_bound,
     learned_velocity,
     next_bias,
     parted,
     parted_from_prediction,
     predicted_bias_since,
+    way_parted,
 )
-from housefly.pilot.estimation.flow_bias import bias_updated, first_bias, parted_from
+from housefly.pilot.estimation.flow_bias import bias_updated, first_bias
 from housefly.pilot.estimation.frame_error import direction_error, turn_error, turns_back
 from housefly.pilot.estimation.onboard_odometry import OdometryAt
 from housefly.pilot.estimation.track_row import ROW_PERIOD, TrackRing, keep_bias, known_bias
@@ -107,14 +108,14 @@ def windows_advanced(
     row.ox, row.oy, row.vx, row.vy = onboard.x, onboard.y, onboard.vx, onboard.vy
     row.way, row.variance = onboard.way, onboard.variance
     row.yaw = yaw if is_first else before.yaw + wrapped(yaw - before.yaw)
-    x, y, noise = row.px - row.ox, row.py - row.oy, tolerance.position_noise
-    row.mean_vx, row.mean_vy, bias = 0.0, 0.0, first_bias(x, y, noise)
+    off_x, off_y, noise = row.px - row.ox, row.py - row.oy, tolerance.position_noise
+    row.mean_vx, row.mean_vy, bias = 0.0, 0.0, first_bias(off_x, off_y, noise)
     if not is_first:
         row.mean_vx, row.mean_vy = learned_velocity(before, row)
         earlier = ring[max(w.first, w.taken - MANOEUVRE_ROWS) & mask]
         bias = next_bias(earlier, before, row, tolerance)
         if not w.anchored:
-            bias = bias_updated(bias, x, y, noise)
+            bias = bias_updated(bias, off_x, off_y, noise)
     keep_bias(row, bias)
     return _compared(w, ring, tolerance)
 
@@ -136,7 +137,7 @@ def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) ->
     is_full = new.at - ring[oldest & mask].at + AGE_SLACK >= DRIFT_WINDOWS[0]
     drift = 0.0 if is_full else nan
     if anchored:
-        drift = parted_from(known_bias(new), new.px - new.ox, new.py - new.oy)
+        drift = way_parted(known_bias(new), new)
     return TrackWindows(
         taken=w.taken + 1,
         first=w.first,
@@ -197,7 +198,6 @@ def _parting(
 @compiled
 def _back(w: TrackWindows, new: Any, tolerance: OdometryTolerance) -> bool:
     """Return whether the ways have come together again since the anchor."""
-    known, noise = known_bias(new), tolerance.position_noise
-    bound = SIGMAS * sqrt(known.variance + noise * noise)
-    bound += tolerance.way_error * (new.way - w.anchor_way)
-    return bool(parted_from(known, new.px - new.ox, new.py - new.oy) < AGREE_AGAIN * bound)
+    known = known_bias(new)
+    bound = expected_bound(known, new.way - w.anchor_way, tolerance)
+    return way_parted(known, new) < AGREE_AGAIN * bound
