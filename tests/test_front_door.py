@@ -228,6 +228,14 @@ def test_a_simulation_flies_what_fly_flies(tour: tuple[str, housefly.Flight]) ->
         assert simulation.step(simulation.inputs(*given)) == recorded
 
 
+def test_python_runs_the_package_as_the_command_line() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "housefly", "room", "paint"], capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert "housefly room: error: argument ACTION: invalid choice: 'paint'" in done.stderr
+
+
 @pytest.fixture
 def wired(loopback: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> housefly.LoadedSite:
     """Return a site on real wires that leaves nothing in the user's folders."""
