@@ -36,6 +36,22 @@ def test_the_first_signal_interrupts_and_no_later_one_does(first: int, later: in
             assert not signals.is_impatient
 
 
+@pytest.mark.parametrize("first", [signal.SIGTERM, signal.SIGHUP])
+def test_one_ctrl_c_after_another_signal_is_the_first_that_a_person_types(
+    first: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("housefly.app.end_signals._is_in_foreground", lambda: True)
+    with EndSignals() as signals:
+        with pytest.raises(KeyboardInterrupt):
+            os.kill(os.getpid(), first)
+        time.sleep(0.6)
+        os.kill(os.getpid(), signal.SIGINT)
+        assert not signals.is_impatient
+        time.sleep(0.6)
+        os.kill(os.getpid(), signal.SIGINT)
+        assert signals.is_impatient
+
+
 def test_what_is_sent_twice_at_once_is_one_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("housefly.app.end_signals._is_in_foreground", lambda: True)
     with EndSignals() as signals:

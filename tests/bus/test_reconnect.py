@@ -86,6 +86,18 @@ async def test_malformed_bytes_are_counted_and_every_problem_is_told(
     assert (client.malformed, client.problem) == (1, "nobody answers")
 
 
+async def test_a_defect_in_reading_is_told_and_does_not_end_the_data(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    client = Client([ZeroDivisionError("division by zero"), 1], SteppedClock())
+    _, data = await lived_through(client, monkeypatch)
+    assert data == [1]
+    assert "ZeroDivisionError" in capsys.readouterr().err
+    broken = Client([ZeroDivisionError("division by zero")], SteppedClock())
+    await lived_through(broken, monkeypatch)
+    assert broken.problem == "here: reading failed (ZeroDivisionError: division by zero)"
+
+
 async def test_a_client_is_connected_while_its_data_are_new(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from housefly.bus.codec import from_cdr
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.topics import ORDER_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
@@ -56,10 +57,19 @@ async def test_a_flood_of_vicon_frames_does_not_hold_the_loop(loopback: str) -> 
     await asyncio.gather(running, return_exceptions=True)
 
 
-def test_a_message_that_is_too_long_is_dropped_before_it_is_read(tmp_path: Path) -> None:
+def test_a_message_that_is_too_long_is_dropped_before_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     tmp_path.chmod(0o700)
     endpoint = endpoint_in(tmp_path)
     heard: list[Order] = []
+    read: list[int] = []
+
+    def noted(kind: type, payload: bytes) -> object:
+        read.append(len(payload))
+        return from_cdr(kind, payload)
+
+    monkeypatch.setattr("housefly.bus.zenoh_bus.from_cdr", noted)
     wide_open = replace(ORDER_TOPIC, fault=lambda _: "")
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
         bus.subscribe(ORDER_TOPIC, heard.append)
@@ -68,10 +78,12 @@ def test_a_message_that_is_too_long_is_dropped_before_it_is_read(tmp_path: Path)
             other.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
             time.sleep(0.05)
         heard.clear()
-        other.publish(wide_open, Order(OrderKind.GO, "x" * 300_000))
+        for length in (300_000, 30_000_000):
+            other.publish(wide_open, Order(OrderKind.GO, "x" * length))
         other.publish(wide_open, Order(OrderKind.GO, goal=(1e308, 1e308)))
         other.publish(ORDER_TOPIC, Order(OrderKind.LAND, sender="last"))
         while not any(order.sender == "last" for order in heard) and time.monotonic() < end:
             time.sleep(0.02)
     assert {order.kind for order in heard} <= {OrderKind.HOVER, OrderKind.LAND}
     assert heard[-1].sender == "last"
+    assert 0 < max(read) <= ORDER_TOPIC.max_size

@@ -24,7 +24,8 @@ class EndSignals:
 
     def __init__(self) -> None:
         self.is_impatient = False
-        self._asked_at: float | None = None
+        self._is_asked = False
+        self._ctrl_c_at: float | None = None
         self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Self:
@@ -46,11 +47,16 @@ class EndSignals:
             signal.signal(number, handler)
 
     def _on_signal(self, number: int, frame: FrameType | None) -> None:
-        now = time.monotonic()
-        if self._asked_at is None:
-            self._asked_at = now
+        if number == signal.SIGINT:
+            self._on_ctrl_c(time.monotonic())
+        if not self._is_asked:
+            self._is_asked = True
             raise KeyboardInterrupt
-        if number == signal.SIGINT and now - self._asked_at > _DOUBLED and _is_in_foreground():
+
+    def _on_ctrl_c(self, now: float) -> None:
+        if self._ctrl_c_at is None:
+            self._ctrl_c_at = now
+        elif now - self._ctrl_c_at > _DOUBLED and _is_in_foreground():
             self.is_impatient = True
 
 

@@ -9,6 +9,7 @@ from contextlib import asynccontextmanager
 from typing import ClassVar, Generic, NoReturn, TypeVar
 
 from housefly.clock import Clock, RealClock
+from housefly.config.process_log import log_traceback
 from housefly.errors import LinkError, MissingPartError, WireError
 
 DATA_AGE_MAX = 1.0
@@ -65,6 +66,10 @@ class ReconnectingClient(ABC, Generic[_Item]):
                 self._problem = self._protocol_problem(error)
             except (LinkError, MissingPartError) as error:
                 self._problem = str(error)
+            except Exception as error:
+                # Nobody waits for this task: a defect here would end all data in silence.
+                self._problem = f"{self._where}: reading failed ({type(error).__name__}: {error})"
+                log_traceback()
             stop_if_cancelled()
             await asyncio.sleep(self._pause)
             self._pause = min(2 * self._pause, _LONGEST_PAUSE)

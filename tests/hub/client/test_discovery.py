@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import stat
 from pathlib import Path
@@ -44,6 +45,8 @@ def test_no_run_and_another_run_are_told_with_what_to_do() -> None:
 
 def test_files_of_runs_that_are_gone_and_garbage_are_removed() -> None:
     (folder() / "1.json").write_text("not JSON")
-    (folder() / "2.json").write_text('{"site": "a", "address": "b", "key": "c", "pid": 999999999}')
+    for number, pid in enumerate((999999999, 2**40), 2):
+        entry = json.dumps({"site": "a", "address": "b", "key": "c", "pid": pid})
+        (folder() / f"{number}.json").write_text(entry)
     assert running() == ()
     assert list(folder().glob("*.json")) == []

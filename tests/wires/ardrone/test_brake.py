@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from math import hypot, isfinite, tan
+from math import hypot, inf, isfinite, nan, tan
 
 import pytest
 from hypothesis import given
@@ -62,6 +62,17 @@ def test_at_rest_or_without_a_fresh_report_it_leaves_the_drone_to_its_own_hover(
     slow = report(velocity=(0.5 * AT_REST_SPEED, 0.0))
     assert braking_setpoint(0.0, slow, (1.0, 1.0), TILT_MAX) is None
     assert braking_setpoint(0.5, report(velocity=(0.5, 0.0)), (0.0, 0.0), TILT_MAX) is None
+
+
+@pytest.mark.parametrize("odd", [nan, inf, -inf, 1e308])
+def test_numbers_that_are_none_leave_it_to_the_drone_and_are_forgotten(odd: float) -> None:
+    for newest in (report(velocity=(odd, 1.0)), report(theta=odd), report(phi=odd)):
+        leaning = braking_setpoint(0.0, newest, (0.0, 0.0), TILT_MAX)
+        assert leaning is None or abs(odd) == 1e308, "full tilt on a number that is none"
+    speed = AttitudeSpeed()
+    for step, theta in enumerate((0.03, odd, 0.03, 0.03)):
+        speed.update(report(step * STEP, theta=theta))
+    assert all(map(isfinite, speed.velocity))
 
 
 @pytest.mark.parametrize("flow_sees", [True, False])

@@ -53,9 +53,7 @@ def announced(place: RoomAddress) -> Iterator[None]:
 def running() -> tuple[RoomAddress, ...]:
     """Return the runs of this user, the newest first; removes files of runs that are gone."""
     found = []
-    for file in sorted(
-        folder().glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True
-    ):
+    for file in sorted(folder().glob("*.json"), key=_written_at, reverse=True):
         place = _read(file)
         if place is None or not is_alive(place.pid):
             file.unlink(missing_ok=True)
@@ -89,6 +87,14 @@ def folder() -> Path:
     return path
 
 
+def _written_at(file: Path) -> float:
+    """Return when a file was written; one whose run has just ended is the oldest."""
+    try:
+        return file.stat().st_mtime
+    except OSError:
+        return 0.0
+
+
 def _read(file: Path) -> RoomAddress | None:
     try:
         tree = json.loads(file.read_text(encoding="utf-8"))
@@ -108,7 +114,7 @@ def is_alive(pid: int) -> bool:
     """Return whether a process with this number exists."""
     try:
         os.kill(pid, 0)
-    except ProcessLookupError:
+    except (ProcessLookupError, OverflowError):
         return False
     except PermissionError:
         return True

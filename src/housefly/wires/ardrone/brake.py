@@ -6,7 +6,7 @@ a drone that reports no speed at all is braked by the speed that its attitude mu
 
 from __future__ import annotations
 
-from math import atan, cos, hypot, sin
+from math import atan, cos, hypot, isfinite, sin
 
 from housefly.geometry import GRAVITY, Vec2, wrap_angle
 from housefly.messages import DroneStatus, Setpoint, Telemetry
@@ -45,7 +45,8 @@ class AttitudeSpeed:
             self.velocity = (0.0, 0.0)
             return
         dt = report.received_at - last.received_at
-        if not 0.0 <= dt <= _GAP_MAX:
+        is_known = all(map(isfinite, (report.theta, report.phi, report.psi, last.psi)))
+        if not (is_known and 0.0 <= dt <= _GAP_MAX):
             self.velocity = (0.0, 0.0)
             return
         turned = wrap_angle(report.psi - last.psi)
@@ -70,6 +71,8 @@ def braking_setpoint(
         report: the newest.
         by_attitude: speed forward and left [m/s] where the report has none (``AttitudeSpeed``).
         tilt_max: largest tilt [rad].
+
+    A report with numbers that are none leaves it to the drone's own hover.
     """
     if now - report.received_at > _SPEED_AGE_MAX:
         return None
@@ -78,7 +81,8 @@ def braking_setpoint(
     forward, left = measured if any(measured) else by_attitude
     forward += BRAKE_LEAD * GRAVITY * sin(report.theta)
     left -= BRAKE_LEAD * GRAVITY * sin(report.phi)
-    if hypot(forward, left) < AT_REST_SPEED:
+    speed = hypot(forward, left)
+    if not isfinite(speed) or speed < AT_REST_SPEED:
         return None
     return Setpoint(theta=_tilt(-forward, tilt_max), phi=_tilt(left, tilt_max))
 
