@@ -37,3 +37,15 @@ def test_frames_that_somebody_compared_are_known_from_the_start(tmp_path: Path) 
     assert not OriginMemory(site).known
     write_frame_check(site, FrameCheckRecord("2026-11-25", tracking_digest(site.tracking)))
     assert OriginMemory(site).known
+
+
+def test_tracking_that_was_found_lying_is_not_known_to_the_next_pilot_either(
+    tmp_path: Path,
+) -> None:
+    site = load_site("bsen", twin__enabled=False, hub__store=str(tmp_path / "room.db")).site
+    write_frame_check(site, FrameCheckRecord("2026-11-25", tracking_digest(site.tracking)))
+    memory = OriginMemory(site, tmp_path)
+    memory.revoke()
+    assert not memory.known and not OriginMemory(site, tmp_path).known
+    memory.note()
+    assert memory.known and OriginMemory(site, tmp_path).known

@@ -285,6 +285,49 @@ def test_charge_for_no_more_than_the_way_home_turns_it_home_and_less_keeps_it_do
     assert flight.run(0.1).phase is Phase.IDLE
 
 
+def turned_home(flight: Any) -> Any:
+    """Return in mid-flight, when the charge turns the drone home."""
+    flight.battery = 0.3
+    cruising(flight)
+    flight.battery = 0.2
+    flight.until(lambda o: o.safety is SafetyMode.RETURN and o.phase is Phase.RETURNING, 2.0)
+    return flight
+
+
+def test_a_drone_turned_home_is_slowed_and_held_by_a_late_loop_and_flies_home_after_it(
+    fly: Fly,
+) -> None:
+    flight = turned_home(fly())
+    flight.late = 0.06
+    assert flight.run(3.0).safety is SafetyMode.RETURN and 0.1 < flight.speed < 0.35
+    flight.late = 0.3
+    outputs = flight.run(1.5)
+    assert (outputs.safety, outputs.command.action) == (SafetyMode.RETURN, Action.HOVER)
+    assert any("the drone holds itself" in words for words in outputs.warnings)
+    assert "coming home" in outputs.reason and flight.speed < 0.1
+    flight.late = 0.0
+    landed(flight, 60.0)
+    assert flight.home_error < 0.1 and flight.outputs.safety is SafetyMode.NOMINAL
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_drone_turned_home_comes_home_at_ten_hertz_though_three_frames_of_ten_are_lost(
+    fly: Fly, seed: int
+) -> None:
+    flight = turned_home(fly(seed=seed, tracking={"rate_hz": 10.0, "loss": 0.3}))
+    landed(flight, 60.0)
+    assert flight.told("tracking_old") and flight.home_error < 0.3
+
+
+def test_a_drone_turned_home_that_tracking_lost_for_good_lands_after_two_seconds(fly: Fly) -> None:
+    flight = turned_home(fly())
+    lost = flight.now
+    flight.tracking.gaps = ((lost, 1e9),)
+    flight.until(lambda o: o.safety is SafetyMode.LAND, 3.0)
+    assert 1.9 < flight.now - lost < 2.1 and flight.told("tracking_lost")
+    landed(flight)
+
+
 def test_a_gauge_that_stood_still_refuses_the_next_take_off_until_it_shows_another_number(
     fly: Fly,
 ) -> None:

@@ -252,7 +252,34 @@ def test_who_stands_on_the_pad_is_not_landed_on(fly: Fly) -> None:
     assert flight.status is not DroneStatus.LANDED or flight.home_error > HULL + BODY
 
 
-def test_who_comes_while_the_drone_sinks_makes_it_rise_again(fly: Fly) -> None:
+def lowest_of(flight: Any, seconds: float) -> float:
+    """Fly on for so long [s] and return the lowest height meanwhile [m]."""
+    lowest, until = float("inf"), flight.now + seconds
+    while flight.now < until:
+        flight.step()
+        lowest = min(lowest, flight.body.z)
+    return lowest
+
+
+@pytest.mark.parametrize(("kind", "away"), [(ObstacleKind.PERSON, 0.95), (ObstacleKind.THING, 0.6)])
+def test_who_comes_while_the_drone_sinks_makes_it_rise_again(
+    fly: Fly, kind: ObstacleKind, away: float
+) -> None:
+    """They step out from behind something, or put a chair there: that is not made way for."""
+    flight = homeward(fly)
+    comer = Person((9.0, 4.0), kind=kind)
+    flight.around = comer.seen
+    flight.until(lambda o: flight.body.z < 0.9, 40.0)
+    assert flight.status is DroneStatus.FLYING
+    comer.start = (2.0 + away, 1.25)
+    assert lowest_of(flight, 1.0) > 0.75
+    assert flight.told("landing_blocked")
+    flight.run(2.0)
+    assert flight.status is DroneStatus.FLYING and flight.body.z > 1.0
+    assert comer.closest > 0.0
+
+
+def test_who_walks_up_while_the_drone_sinks_is_made_way_for(fly: Fly) -> None:
     flight = homeward(fly)
     walker = Person((5.2, 1.25), (-1.0, 0.0), 1e9)
     flight.around = walker.seen
@@ -260,6 +287,7 @@ def test_who_comes_while_the_drone_sinks_makes_it_rise_again(fly: Fly) -> None:
     assert flight.status is DroneStatus.FLYING
     walker.leaves_at, walker.walks_for = flight.now, 2.6
     flight.run(5.0)
+    assert flight.told("making_way") and flight.status is DroneStatus.FLYING
     assert walker.closest > 0.3
 
 
@@ -276,23 +304,91 @@ def test_in_mode_paper_the_drone_lands_by_itself_with_nobody_near(fly: Fly) -> N
     assert flight.body.z > 0.9
 
 
-def put_stool_on_pad(flight: Any) -> None:
-    """Let the drone's own sensor see something 0.6 m high where the pad is."""
+def tell_height(flight: Any, height: Callable[[float], float]) -> None:
+    """Let the drone's own sensor tell what becomes of its true height [m]."""
     step = flight.pilot.step
 
-    def with_stool(now: float, inputs: Any) -> Any:
-        over = flight.home_error < 0.4
-        seen = max(0.0, flight.body.z - (0.6 if over else 0.0))
-        return step(now, replace(inputs, telemetry=replace(inputs.telemetry, height=seen)))
+    def told_otherwise(now: float, inputs: Any) -> Any:
+        heard = replace(inputs.telemetry, height=height(flight.body.z))
+        return step(now, replace(inputs, telemetry=heard))
 
-    flight.pilot.step = with_stool
+    flight.pilot.step = told_otherwise
+
+
+def put_on_pad(flight: Any, top: float = 0.6) -> None:
+    """Let the drone's own sensor see something as high as this [m] where the pad is."""
+    tell_height(flight, lambda z: max(0.0, z - (top if flight.home_error < 0.4 else 0.0)))
 
 
 def test_something_that_only_the_sonar_shows_is_not_landed_on(fly: Fly) -> None:
     flight = homeward(fly)
-    put_stool_on_pad(flight)
+    put_on_pad(flight)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)
     assert flight.told("landing_blocked") and flight.home_error > 0.5
+
+
+@pytest.mark.parametrize(
+    "near",
+    [
+        pytest.param(lambda now: 0.15, id="what it is"),
+        pytest.param(lambda now: 0.23, id="the least that it measures"),
+        pytest.param(lambda now: 0.0, id="nothing"),
+        pytest.param(lambda now: (0.03, 1.1, 0.19, 4.0)[round(now * 20) % 4], id="garbage"),
+    ],
+)
+def test_who_is_nearer_than_the_sonar_can_measure_is_not_landed_on(
+    fly: Fly, near: Callable[[float], float]
+) -> None:
+    """A child of 0.9 m below a drone at 1.1 m; what a real sonar tells of that is not known."""
+    flight = homeward(fly)
+    tell_height(flight, lambda z: near(flight.now) if flight.home_error < 0.4 else z)
+    above_child = float("inf")
+    while flight.status is not DroneStatus.LANDED and flight.now < 90.0:
+        flight.step()
+        if flight.home_error < 0.4:
+            above_child = min(above_child, flight.body.z - 0.9)
+    assert above_child > 0.1
+    assert flight.told("landing_blocked") and flight.home_error > 0.5
+
+
+def test_what_comes_below_the_sinking_drone_unseen_makes_it_rise_again(fly: Fly) -> None:
+    flight = homeward(fly)
+    flight.until(lambda o: flight.body.z < 0.9, 40.0)
+    put_on_pad(flight, 0.65)
+    assert lowest_of(flight, 2.0) > 0.8
+    assert flight.told("landing_blocked")
+    assert flight.status is DroneStatus.FLYING and flight.body.z > 1.0
+
+
+@pytest.mark.parametrize("stuck", [0.0, 0.02, 1.1])
+def test_a_sonar_that_has_been_stuck_since_the_floor_or_is_high_keeps_nobody_up(
+    fly: Fly, stuck: float
+) -> None:
+    flight = fly()
+    tell_height(flight, lambda z: stuck)
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, goal=(4.0, 1.25)))
+    flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
+    flight.step(flight.order(OrderKind.HOME))
+    flight.until(lambda o: flight.status is DroneStatus.LANDED, 40.0)
+    assert flight.home_error < 0.15
+    assert not flight.told("landing_blocked")
+
+
+def test_where_something_seems_to_stand_below_everywhere_the_charge_ends_the_flight(
+    fly: Fly,
+) -> None:
+    """Tracking that is half a metre too high looks the same."""
+    flight = fly()
+    flight.battery = 0.3
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, goal=(4.0, 1.25)))
+    flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
+    tell_height(flight, lambda z: max(0.0, z - 0.5))
+    flight.step(flight.order(OrderKind.HOME))
+    flight.until(lambda o: o.phase is Phase.LANDING, 200.0)
+    assert flight.told("landing_blocked") and flight.told("forced_down")
+    flight.until(lambda o: flight.status is DroneStatus.LANDED, 20.0)
 
 
 def test_where_no_way_leads_to_the_nearest_places_to_land_the_next_one_is_tried(
@@ -307,7 +403,7 @@ def test_where_no_way_leads_to_the_nearest_places_to_land_the_next_one_is_tried(
 
     monkeypatch.setattr(Commander, "land_at", first_ones_refused)
     flight = homeward(fly)
-    put_stool_on_pad(flight)
+    put_on_pad(flight)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)
     assert len(asked) == 3 and flight.home_error > 0.5
     assert dist(asked[0], asked[1]) > SPOT_APART and dist(asked[1], asked[2]) > SPOT_APART
@@ -380,6 +476,15 @@ def test_an_order_to_land_onto_somebody_waits_and_a_second_one_does_not(fly: Fly
     assert flight.step(by_task).command.action is not Action.LAND  # a task never insists
     flight.run(0.1)
     assert flight.step(flight.order(OrderKind.LAND)).command.action is Action.LAND
+
+
+def test_an_order_to_land_onto_what_only_the_sonar_shows_waits(fly: Fly) -> None:
+    flight = hovering(fly, (3.5, 2.5))
+    tell_height(flight, lambda z: 0.15)
+    flight.run(0.1)
+    assert flight.step(flight.order(OrderKind.LAND)).command.action is not Action.LAND
+    flight.run(1.0)
+    assert flight.told("landing_blocked") and flight.body.z > 1.0
 
 
 def test_a_way_that_closes_again_and_again_is_not_told_every_tick(fly: Fly) -> None:

@@ -30,6 +30,10 @@ _PLY = (
     b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
     b"property float z\nend_header\n0 0 0\n4 0 0\n4 3 2\n"
 )
+_DXF = (
+    b"0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nwalls\n10\n0\n20\n0\n11\n6\n21\n0\n"
+    b"0\nLINE\n8\nwalls\n10\n6\n20\n0\n11\n6\n21\n4\n0\nENDSEC\n0\nEOF\n"
+)
 
 
 @cache
@@ -86,7 +90,7 @@ def _seeds() -> Iterable[bytes]:
     yield _post("/draft/erase", rectangle=[0, 0, 1, 1])
     for path in ("/draft/pad", "/draft/places", "/tracking/heard", "/drone/heard", "/site"):
         yield _post(path)
-    for name, content in (("plan.svg", _SVG), ("scan.ply", _PLY)):
+    for name, content in (("plan.svg", _SVG), ("scan.ply", _PLY), ("plan.dxf", _DXF)):
         put = f"PUT /files/{name}\n\n".encode() + content
         yield put + b"\x1e" + _post("/draft/import", file=name, unit=1.0, up="z")
     yield _post("/draft/import", file="..", layers=["a"])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import inf
+from math import inf, nan
 
 from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT
 
@@ -48,7 +48,8 @@ def told(**changes: object) -> Change:
 
 def seen(**changes: object) -> Change:
     """Tracking against the drone's own report."""
-    return now(consistency=TrackingConsistency(**changes))  # type: ignore[arg-type]
+    known = replace(FINE.consistency, **changes)  # type: ignore[arg-type]
+    return now(consistency=known)
 
 
 def at(z: float, **changes: object) -> Change:
@@ -164,6 +165,8 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
         seen(latency_error=LATENCY_SLOW),
         0.0,
     ),
+    "tracking_drifted": (seen(drift=DRIFT_WARN + 0.01), seen(drift=DRIFT_WARN), 0.0),
+    "tracking_unchecked": (seen(drift=nan), seen(drift=DRIFT_WARN), 0.0),
     "tracking_drifting": (seen(drift=DRIFT_WARN + 0.01), seen(drift=DRIFT_WARN), 0.0),
     "tracking_gap": (
         now(status=DroneStatus.TAKING_OFF, pose_age=0.26),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Phase, Reference, Setpoint, Telemetry
+from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.rules import SAFETY_RULES
 
@@ -27,5 +28,6 @@ FINE = GateInputs(
     flight_height=1.1,
     flown=Setpoint(),
     telemetry=REPORT,
+    consistency=TrackingConsistency(drift=0.0),
     home_time=20.0,
 )

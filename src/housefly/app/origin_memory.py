@@ -12,6 +12,7 @@ from housefly.config.site import Site
 from housefly.messages.preflight import FrameCheckState
 
 ORIGIN_FILE = "origin-confirmed"
+_REVOKED = "tracking was found lying"
 
 
 class OriginMemory:
@@ -23,26 +24,38 @@ class OriginMemory:
 
     Attributes:
         known: somebody has compared the frames, or a pilot of this run has seen the drone on its
-            pad.
+            pad; and tracking was not found lying since.
     """
 
     def __init__(self, site: Site, folder: Path | None = None) -> None:
         self._digest = tracking_digest(site.tracking)
         self._file = folder / ORIGIN_FILE if folder else None
-        self.known = frames_known(site).state is FrameCheckState.RIGHT or self._was_noted()
+        noted = self._noted()
+        is_right = frames_known(site).state is FrameCheckState.RIGHT and noted != _REVOKED
+        self.known = is_right or noted == self._digest
 
     def note(self) -> None:
         """Remember that they agree; a file that cannot be written is noted the next time."""
-        if self.known or self._file is None:
-            return
-        try:
-            self._file.write_text(self._digest, encoding="utf-8")
-        except OSError:
-            return
-        self.known = True
+        if not self.known and self._written(self._digest):
+            self.known = True
 
-    def _was_noted(self) -> bool:
-        try:
-            return self._file is not None and self._file.read_text("utf-8") == self._digest
-        except (OSError, ValueError):
+    def revoke(self) -> None:
+        """Forget it: tracking was found lying in flight."""
+        if self.known:
+            self.known = False
+            self._written(_REVOKED)
+
+    def _written(self, text: str) -> bool:
+        if self._file is None:
             return False
+        try:
+            self._file.write_text(text, encoding="utf-8")
+        except OSError:
+            return False
+        return True
+
+    def _noted(self) -> str:
+        try:
+            return "" if self._file is None else self._file.read_text("utf-8")
+        except (OSError, ValueError):
+            return ""

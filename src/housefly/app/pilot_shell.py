@@ -309,7 +309,9 @@ class PilotShell:
         """Bring the pre-flight list up to date; a failure there stops no other report."""
         try:
             self._queries.update_preflight((*self.pilot.preflight(), *self._disks.checks()))
-            if self.pilot.origin_confirmed:
+            if self.pilot.origin_revoked:
+                self._origin.revoke()
+            elif self.pilot.origin_confirmed:
                 self._origin.note()
         except Exception:
             self._queries.update_preflight(())

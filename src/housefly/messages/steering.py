@@ -131,9 +131,9 @@ class Command:
 class SafetyMode(Enum):
     """What the last gate decided; the worst wins, in this order.
 
-    WARN and SLOW fly on; HOLD hovers until what is wrong is over; RETURN flies home; STOPPED hovers
-    until a person resumes; LAND is the drone's own landing, DESCEND a level descent where that is
-    not to be had.
+    WARN and SLOW fly on; HOLD hovers until what is wrong is over; RETURN flies home, as slowly as
+    SLOW and no sooner than HOLD allows; STOPPED hovers until a person resumes; LAND is the drone's
+    own landing, DESCEND a level descent where that is not to be had.
     """
 
     NOMINAL = "nominal"

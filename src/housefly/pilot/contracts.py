@@ -108,6 +108,11 @@ class Missions(Protocol):
         """Whether tracking has shown the drone on its pad, or was found to agree with the map."""
         ...
 
+    @property
+    def origin_revoked(self) -> bool:
+        """Whether tracking was found lying, and has not shown the drone on its pad since."""
+        ...
+
     def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
         """Return what the pre-flight checks find now."""
         ...

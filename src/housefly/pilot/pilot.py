@@ -52,6 +52,7 @@ from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
 from housefly.pilot.safety.limits import is_flown_in
+from housefly.pilot.safety.tracking_rules import is_disproved
 from housefly.pilot.step import (
     INITIAL_REPORT,
     INITIAL_STEP,
@@ -137,6 +138,11 @@ class Pilot:
         """Whether tracking has shown the drone on its pad, or was found to agree with the map."""
         return self._missions.origin_confirmed
 
+    @property
+    def origin_revoked(self) -> bool:
+        """Whether tracking was found lying, and has not shown the drone on its pad since."""
+        return self._missions.origin_revoked
+
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
         found = self._estimator.estimate(self._now) if self._estimator else None
@@ -188,7 +194,7 @@ class Pilot:
         estimator.monitor.feel(inputs.telemetry, self._status, estimator.climb_rate)
         events = list(estimator.update(inputs.sightings, now, grounded))
         accepted, phase = estimator.accepted, self._missions.state.phase
-        is_idle = grounded and phase is Phase.IDLE and not estimator.monitor.refusing
+        is_idle = grounded and phase is Phase.IDLE and not estimator.monitor.is_doubtful
         if inputs.orders and is_idle and accepted is not None:
             estimator = self._new_estimator(now)
             estimator.monitor.feel(inputs.telemetry, self._status, 0.0)
@@ -247,6 +253,9 @@ class Pilot:
             reference=self._trajectory_reference(),
             telemetry=telemetry,
             consistency=self.consistency,
+            tracking_disproved=(
+                self._status in AIRBORNE_STATUSES and is_disproved(self.consistency)
+            ),
             origin_known=inputs.origin_known,
             silence=PeopleSilence(now - inputs.people_seen_at, self._settings.people_silence),
         )

@@ -53,6 +53,7 @@ BROKEN = {
     "gauge": known(gauge_stuck=True),
     "tracking": known(estimate=None),
     "tracked_height": known(consistency=TrackingConsistency(height_error=-0.6)),
+    "tracked_place": known(consistency=TrackingConsistency(drift=0.2)),
     "stop": replace(READY, stopped=True),
     "take_off_column": replace(READY, take_off_fault="a chair stands 0.3 m away"),
     "settings": told(notes=("the tilt limit is 0.3 rad",)),

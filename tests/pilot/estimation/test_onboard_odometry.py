@@ -13,6 +13,7 @@ from housefly.pilot.estimation.onboard_odometry import (
     NO_ODOMETRY,
     ONBOARD_MOTION,
     REPORT_GAP_MAX,
+    SPEED_LOST,
     UNTOLD_AFTER,
     MotionRing,
     OdometryState,
@@ -83,10 +84,12 @@ def test_a_gap_of_the_reports_is_a_hole() -> None:
     motion = ring()
     state = begun(motion, 0.0)
     for tick in range(1, 51):
-        state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick, forward=0.5))
+        state = odometry_advanced(
+            state, motion, LEVEL._replace(at=0.01 * tick, forward=0.5 + 1e-6 * tick)
+        )
     assert state.since <= 0.01
     after = 0.5 + REPORT_GAP_MAX + 0.01
-    state = odometry_advanced(state, motion, LEVEL._replace(at=after, forward=0.5))
+    state = odometry_advanced(state, motion, LEVEL._replace(at=after, forward=0.5 + 1e-6 * tick))
     assert state.since == after
 
 
@@ -96,7 +99,7 @@ def test_reports_that_were_never_read_are_a_hole_though_the_next_one_came_at_onc
     state = begun(motion, 0.0)
     for tick in range(1, 51):
         at = 0.01 * tick
-        report = LEVEL._replace(at=at, forward=0.5, drone_time=7.0 + at)
+        report = LEVEL._replace(at=at, forward=0.5 + 1e-6 * tick, drone_time=7.0 + at)
         state = odometry_advanced(state, motion, report)
     assert state.since <= 0.01
     late = LEVEL._replace(at=0.75, forward=0.5, drone_time=7.52)
@@ -158,6 +161,33 @@ def test_a_velocity_of_exactly_zero_in_flight_is_none() -> None:
     for tick in range(1, 101):
         state = odometry_advanced(state, motion, grounded._replace(at=0.01 * tick))
     assert state.since <= 0.01
+
+
+def test_a_velocity_that_stands_still_to_the_last_bit_is_none() -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 101):
+        state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick, forward=0.004))
+    assert state.since > 1.0 - UNTOLD_AFTER
+    for tick in range(101, 201):
+        # Flow comes less often than reports.
+        report = LEVEL._replace(at=0.01 * tick, forward=0.004 + 1e-4 * (tick // 10))
+        state = odometry_advanced(state, motion, report)
+    assert state.since <= 1.1
+
+
+@pytest.mark.parametrize("speed", [0.5, 0.05])
+def test_a_drone_that_flies_and_tells_zero_at_once_does_not_tell_its_velocity(speed: float) -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 51):
+        report = LEVEL._replace(at=0.01 * tick, forward=speed + 1e-5 * tick)
+        state = odometry_advanced(state, motion, report)
+    for tick in range(51, 54):
+        state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick))
+        assert (state.since == 0.01 * tick) == (speed > SPEED_LOST)
+    state = odometry_advanced(state, motion, LEVEL._replace(at=0.54, left=speed))
+    assert state.since <= 0.53
 
 
 def test_an_old_report_changes_nothing() -> None:

@@ -51,6 +51,14 @@ def test_a_world_that_lost_time_is_believed_after_a_second() -> None:
     assert clock.written_at(1.05, 11.35 + OFFSET_WINDOW - 1.0) == pytest.approx(11.35)
 
 
+def test_a_clock_that_stands_is_none_after_a_second() -> None:
+    clock = ReportClock()
+    dated = [clock.written_at(5.0, 10.0 + n * TICK) for n in range(300)]
+    assert dated[50] == 10.0, "a world may stand still"
+    assert dated[299] == 10.0 + 299 * TICK
+    assert clock.written_at(5.01, 13.0) == pytest.approx(13.0)
+
+
 def speed(t: float) -> float:
     """Return how fast a drone flies that goes to and fro every 4 s [m/s]."""
     return 0.6 * sin(0.5 * pi * max(t, 0.0))

@@ -15,6 +15,7 @@ from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     TrackWindows,
     windows_advanced,
+    windows_cleared,
     windows_restarted,
 )
 
@@ -97,8 +98,17 @@ def test_what_was_seen_while_the_link_stood_still_is_held_against_nothing() -> N
 
 
 def test_emptied_windows_know_nothing() -> None:
-    emptied = windows_restarted(turned(1.0))
+    emptied = windows_cleared(turned(1.0))
     assert isnan(emptied.drift) and isnan(emptied.frame_error) and not emptied.mirrored
+
+
+def test_at_a_hole_of_the_odometry_what_has_parted_is_kept() -> None:
+    parted = turned(1.0)
+    assert parted.drift > 0.1
+    kept = windows_restarted(windows_restarted(parted))
+    assert kept.drift == parted.drift
+    assert isnan(kept.frame_error) and not kept.anchored
+    assert isnan(windows_restarted(EMPTY_WINDOWS).drift)
 
 
 @pytest.mark.parametrize("speed", [0.0, 0.5])

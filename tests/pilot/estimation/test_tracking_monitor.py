@@ -14,6 +14,7 @@ from lying_tracking import (
     gap,
     mirrored,
     misdefined,
+    moved,
     shifted,
     stepping,
     unstamped,
@@ -21,7 +22,7 @@ from lying_tracking import (
 
 import housefly
 from housefly.app.loaded_site import LoadedSite
-from housefly.messages import DroneStatus, Order, OrderKind, Phase, Telemetry
+from housefly.messages import DroneStatus, Order, OrderKind, Phase, Sighting, Telemetry
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
 
 CRUISING = 12.0
@@ -213,3 +214,61 @@ def test_flow_that_errs_ends_in_a_landing_that_blames_neither(site: LoadedSite) 
     assert_harmless(flight)
     words = next(text for _, code, text in flight.told if code == "tracking_drift")
     assert "own way" in words
+
+
+def test_an_order_does_not_make_a_drift_on_the_pad_forgotten(site: LoadedSite) -> None:
+    flight = LiedFlight(housefly.Simulation(site), lambda s: moved(s, 0.0, on_pad(s.captured_at)))
+    flight.run(12.0)
+    flight.step(Order(OrderKind.SERVICE, place="entrance", look_s=1.0))
+    flight.run(2.0)
+    assert flight.status is DroneStatus.LANDED
+    refused = next(text for _, code, text in flight.told if code == "order_refused")
+    assert "tracking moves the drone although it stands: moved by 0.40 m" in refused
+
+
+def on_pad(t: float) -> float:
+    """Return a lie that grows to 0.4 m within 10 s [m]."""
+    return min(0.4, 0.05 * max(0.0, t - 2.0))
+
+
+def test_after_a_landing_for_a_drift_the_drone_has_to_be_seen_on_its_pad(site: LoadedSite) -> None:
+    lie = drifting(0.0, 0.02, CRUISING)
+    flight = LiedFlight(housefly.Simulation(site), lie, CRUISING)
+    flight.service()
+    stays = flight.lied
+    flight.lie = lambda s: moved(s, 0.0, stays)
+    flight.run(3.0)
+    flight.step(Order(OrderKind.SERVICE, place="entrance", look_s=1.0))
+    flight.run(2.0)
+    assert flight.status is DroneStatus.LANDED
+    refused = next(text for _, code, text in flight.told if code == "order_refused")
+    assert "tracking has not seen the drone on its pad" in refused
+    # Carried to its pad, it is tracked as far beside it as the lie goes.
+    (x, y), z = site.room.home, flight.sim.world.truth().pose.position[2]
+    flight.sim.world.put_drone((x, y, z), site.room.home_yaw)
+    flight.run(3.0)
+    assert not flight.sim.pilot.origin_confirmed and flight.sim.pilot.origin_revoked
+    flight.lie = None
+    flight.sim.world.put_drone((x + 0.05, y, z), site.room.home_yaw)
+    flight.run(3.0)
+    assert flight.sim.pilot.origin_confirmed and not flight.sim.pilot.origin_revoked
+
+
+@pytest.mark.parametrize(
+    ("seconds", "height"), [(0.0, 0.7), (0.5, 0.8), (1.2, 0.5), (0.5, -0.5)], ids=str
+)
+def test_a_wrong_height_after_a_gap_is_not_believed(
+    site: LoadedSite, seconds: float, height: float
+) -> None:
+    def lie(s: Sighting) -> Sighting | None:
+        if s.captured_at < 9.0:
+            return s
+        return None if s.captured_at < 9.0 + seconds else moved(s, 0.0, 0.0, height)
+
+    flight = LiedFlight(housefly.Simulation(site), lie, 9.0)
+    flight.run(0.5)
+    flight.step(Order(OrderKind.SERVICE, place="sofa", look_s=1.0))
+    flight.run(25.0)
+    assert flight.contacts == 0
+    assert flight.status is DroneStatus.LANDED
+    assert "poses_refused" in flight.codes

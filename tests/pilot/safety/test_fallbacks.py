@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import nan
 
 import pytest
 from hypothesis import given
@@ -48,8 +49,9 @@ def test_what_takes_the_place_of_an_answer_is_never_milder(
     "changes",
     [
         {"has_way_home": False},
-        {"pose_age": 0.26},
-        {"consistency": TrackingConsistency(refused_for=0.1)},
+        {"pose_age": 2.01},
+        {"pose_age": nan},
+        {"consistency": TrackingConsistency(refused_for=2.01)},
         {"consistency": TrackingConsistency(mirrored=True)},
     ],
 )
@@ -60,11 +62,27 @@ def test_without_a_way_home_or_a_place_to_believe_it_lands_instead(
     assert mode(M.RETURN, **changes) is M.LAND
 
 
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"pose_age": 0.26},
+        {"pose_age": 2.0},
+        {"consistency": TrackingConsistency(refused_for=0.1)},
+        {"consistency": TrackingConsistency(refused_for=2.0)},
+    ],
+)
+def test_a_place_in_doubt_for_a_moment_is_no_reason_to_land_on_the_way_home(
+    changes: dict[str, object],
+) -> None:
+    assert mode(M.RETURN, **changes) is M.RETURN
+
+
 def test_a_drone_that_does_not_know_its_height_sinks_by_our_setpoint() -> None:
     assert mode(M.LAND) is M.LAND
     assert mode(M.LAND, telemetry=DEAF) is M.DESCEND
     assert mode(M.LAND, consistency=TrackingConsistency(height_error=-0.31)) is M.DESCEND
     assert mode(M.RETURN, has_way_home=False, telemetry=DEAF) is M.DESCEND
+    assert mode(M.RETURN, consistency=TrackingConsistency(height_error=-0.31)) is M.DESCEND
 
 
 def test_something_below_is_no_reason_to_sink_onto_it() -> None:

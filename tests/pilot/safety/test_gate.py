@@ -135,7 +135,26 @@ def test_numbers_leave_the_gate_exactly_when_the_command_is_to_fly(
         numbers, verdict = gate.judged(Command(Action.FLY, setpoint), each)
         assert numbers.flown == (verdict.command.action is Action.FLY)
         is_steered = verdict.mode is SafetyMode.LAND and numbers.flown
-        assert is_steered or numbers.mode == MODE_SEVERITY[verdict.mode]
+        waits = verdict.mode is SafetyMode.RETURN and holds(verdict)
+        told = SafetyMode.HOLD if waits else verdict.mode
+        assert is_steered or numbers.mode == MODE_SEVERITY[told]
+
+
+def holds(verdict: GateVerdict) -> bool:
+    """Return whether a rule that holds the drone is broken."""
+    return any(rule.mode is SafetyMode.HOLD for rule in verdict.broken)
+
+
+@given(setpoints, st.lists(inputs, min_size=1, max_size=6))
+def test_a_drone_that_a_rule_holds_is_not_flown_though_it_is_called_home(
+    setpoint: Setpoint, series: list[GateInputs]
+) -> None:
+    gate = GateBench(LIMITS, FENCE)
+    for n, each in enumerate(series):
+        homeward = replace(each, now=1.5 * n, home_time=1e4)
+        verdict = gate.judge(Command(Action.FLY, setpoint), homeward)
+        if holds(verdict) and verdict.mode not in (SafetyMode.LAND, SafetyMode.DESCEND):
+            assert verdict.command.action is not Action.FLY
 
 
 @given(inputs)

@@ -13,7 +13,7 @@ from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, Prefligh
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.charge import charge_refusal
-from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
+from housefly.pilot.behavior.height_gap import SonarMonitor
 from housefly.pilot.behavior.mission import (
     STAY,
     Mission,
@@ -40,6 +40,7 @@ class Commander:
 
     Attributes:
         origin: whether tracking and map agree on where the pad is.
+        sonar: whether something stands below that only the drone's own sensor shows.
     """
 
     def __init__(
@@ -50,6 +51,7 @@ class Commander:
         self._navigator = navigator
         home = navigator.home()
         self.origin = OriginMonitor(home.goal or (0.0, 0.0), home.yaw or 0.0)
+        self.sonar = SonarMonitor()
         self._state = MissionState()
         self._task = TrackingTask()
         self._handlers: dict[Response, Callable[[Order, VehicleStatus], Refused | None]] = {
@@ -112,6 +114,7 @@ class Commander:
                 off_pad=self.origin.distance(vehicle),
                 turned=self.origin.turn(vehicle),
                 origin_confirmed=self.origin.confirmed,
+                origin_distance_max=self.origin.distance_max,
                 stopped=self._state.stopped,
                 take_off_fault=fault,
                 sees_people=navigator.sees_people,
@@ -344,7 +347,7 @@ class Commander:
             people.landing_fault(vehicle.place, vehicle.now)
             or people.ground_fault(vehicle.place)
             or (rest is not None and people.ground_fault(rest))
-            or height_gap(vehicle) > HEIGHT_GAP_MAX
+            or self.sonar.found
         )
 
     def _stop(self, order: Order, vehicle: VehicleStatus) -> None:

@@ -2,22 +2,59 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from math import inf, isfinite
 
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 
 HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
-HEIGHT_MIN = 0.2
-"""A lower height is not measured, but told for want of an echo [m]."""
+RANGE_MIN = 0.2
+"""The sonar measures nothing nearer than this: a lower height says that something is near [m]."""
+GAP_TIME = 0.3
+"""Something stands below for sure when the heights disagree for this long [s]."""
+AGREEMENT_TIME = 0.2
+"""... and nothing any more when they agree for so long: echoes from near come and go [s]."""
+FLOOR_READING = 0.05
+"""A sonar that never told more than this in the air tells what it did on the floor [m]."""
 
 
-def height_gap(vehicle: VehicleStatus) -> float:
-    """Return how high above the floor the ground below the drone is [m]; 0 where unknown."""
-    report, estimate = vehicle.telemetry, vehicle.estimate
-    if report is None or estimate is None or vehicle.status is not DroneStatus.FLYING:
-        return 0.0
-    if vehicle.telemetry_age > REPORT_AGE_MAX or not isfinite(report.height):
-        return 0.0
-    return estimate.position[2] - report.height if report.height >= HEIGHT_MIN else 0.0
+class SonarMonitor:
+    """Holds the height by the drone's own sonar against the tracked one, in the air."""
+
+    def __init__(self) -> None:
+        self._has_worked = False
+        self._since = self._until = inf
+        self._found = 0.0
+
+    @property
+    def found(self) -> float:
+        """How high above the floor something seems to stand below [m]; 0 while nothing does."""
+        return self._found
+
+    def is_sure(self, now: float) -> bool:
+        """Return whether it has seemed so for long enough, now [s]."""
+        return now - self._since >= GAP_TIME
+
+    def step(self, vehicle: VehicleStatus) -> None:
+        """Take in what the drone says and where tracking sees it."""
+        gap = self._gap(vehicle)
+        if gap > HEIGHT_GAP_MAX:
+            self._found = gap
+            self._since = min(self._since, vehicle.now)
+            self._until = vehicle.now + AGREEMENT_TIME
+        elif vehicle.now >= self._until:
+            self._found, self._since, self._until = 0.0, inf, inf
+
+    def _gap(self, vehicle: VehicleStatus) -> float:
+        """Return how high the ground below the drone is [m], at least; 0 where unknown."""
+        report, estimate = vehicle.telemetry, vehicle.estimate
+        if report is None or estimate is None or vehicle.status is not DroneStatus.FLYING:
+            self._has_worked = False
+            return 0.0
+        if vehicle.telemetry_age > REPORT_AGE_MAX or not isfinite(report.height):
+            return 0.0
+        self._has_worked |= report.height > FLOOR_READING
+        if not self._has_worked:
+            return 0.0
+        return estimate.position[2] - max(report.height, RANGE_MIN)

@@ -20,7 +20,6 @@ from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.commander import Commander
-from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
 from housefly.pilot.behavior.navigator import Navigator
@@ -29,8 +28,6 @@ GUIDED_DISTANCE = 4.0
 """In mode paper the pilot sinks itself with somebody nearer than this [m]: the drone's own landing
 takes 3 s.
 """
-GAP_TIME = 0.3
-"""Something stands below when the heights disagree for this long [s]."""
 ON_GOAL = 0.3
 """A landing so near to its goal sinks above the goal, any other one where the drone is [m]."""
 SPOT_PERIOD = 3.0
@@ -64,7 +61,6 @@ class LandingMonitor:
         self._lowest, self._lead = limits.landing_height, limits.landing_lead
         self._commander, self._people = commander, navigator.people
         self._guided = navigator.sees_people or not paper
-        self._gap_since = inf
         self._ask_at = -inf
         self._unreachable: set[Vec2] = set()
         self._fault = self._told = ""
@@ -78,7 +74,6 @@ class LandingMonitor:
             for signal in found
             if signal in _CHOSEN and SIGNALS[signal][phase] is Phase.LANDING
         ]
-        self._measure(vehicle)
         if phase in (Phase.LANDING, Phase.TAKING_OFF, Phase.IDLE):
             self._sinking, self._fault = None, ""
             return found
@@ -90,6 +85,9 @@ class LandingMonitor:
         self._fault = self._column_fault(vehicle)
         if self._fault:
             self._rise()
+            return others
+        if self._commander.sonar.found:
+            self._pause(vehicle)
             return others
         if self._sinking is None and not self._is_guided(vehicle):
             return found
@@ -113,20 +111,14 @@ class LandingMonitor:
             events.extend(self._elsewhere(vehicle))
         return events
 
-    def _measure(self, vehicle: VehicleStatus) -> None:
-        is_gap = height_gap(vehicle) > HEIGHT_GAP_MAX
-        self._gap_since = min(self._gap_since, vehicle.now) if is_gap else inf
-
-    def _has_gap(self, vehicle: VehicleStatus) -> bool:
-        return vehicle.now - self._gap_since >= GAP_TIME
-
     def _column_fault(self, vehicle: VehicleStatus) -> str:
         if vehicle.place is None:
             return ""
         fault = self._people.landing_fault(vehicle.place, vehicle.now)
         fault = fault or self._people.ground_fault(vehicle.place)
-        if not fault and self._has_gap(vehicle):
-            return f"something {height_gap(vehicle):.1f} m high seems to stand below"
+        sonar = self._commander.sonar
+        if not fault and sonar.is_sure(vehicle.now):
+            return f"something {sonar.found:.1f} m high seems to stand below"
         return fault
 
     def _is_guided(self, vehicle: VehicleStatus) -> bool:
@@ -140,6 +132,12 @@ class LandingMonitor:
         if self._sinking is not None:
             self._commander.descend_to(None)
             self._sinking = None
+
+    def _pause(self, vehicle: VehicleStatus) -> None:
+        """Sink no further until it is known whether something stands below."""
+        if self._sinking is not None and vehicle.estimate is not None:
+            self._commander.descend_to(vehicle.estimate.position[2])
+            self._sinking = self._commander.task
 
     def _sink(self, vehicle: VehicleStatus) -> bool:
         """Sink a little further; return whether there is still a way to go."""
@@ -160,7 +158,7 @@ class LandingMonitor:
         place = vehicle.place
         if place is None:
             return []
-        least = SPOT_DISTANCE if self._has_gap(vehicle) else 0.0
+        least = SPOT_DISTANCE if self._commander.sonar.is_sure(vehicle.now) else 0.0
         spot = self._people.landing_spot(place, vehicle.now, least, self._unreachable)
         if spot is None:
             self._unreachable.clear()

@@ -211,6 +211,7 @@ class VehicleStatus:
         maneuvering: a maneuver flies the drone.
         held: the safety gate leaves the drone to its own hover.
         reference: where the trajectory that is flown has come to; None where none is.
+        tracking_disproved: in flight the drone's own motion shows that tracking is wrong.
         origin_known: tracking and map were found to agree before this pilot began.
         silence: of the sensors that look for people.
         gauge_stuck: the charge stood still in the flight before, and has not changed since.
@@ -229,6 +230,7 @@ class VehicleStatus:
     maneuvering: bool = False
     held: bool = False
     reference: TrajectoryReference | None = None
+    tracking_disproved: bool = False
     origin_known: bool = False
     silence: PeopleSilence = NO_SILENCE
     gauge_stuck: bool = False

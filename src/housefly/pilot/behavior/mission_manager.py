@@ -65,6 +65,11 @@ class MissionManager:
         return self._commander.origin.confirmed
 
     @property
+    def origin_revoked(self) -> bool:
+        """Whether tracking was found lying, and has not shown the drone on its pad since."""
+        return self._commander.origin.revoked
+
+    @property
     def is_yielding(self) -> bool:
         """Whether the drone makes way for somebody."""
         return self._separation.is_yielding
@@ -90,6 +95,7 @@ class MissionManager:
         """
         events: list[Event] = []
         self._commander.origin.step(vehicle)
+        self._commander.sonar.step(vehicle)
         for order in orders:
             answer = self._commander.obey(order, vehicle)
             events.extend(self._nudges.heard(order, answer, vehicle.now))

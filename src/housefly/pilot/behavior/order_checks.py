@@ -17,6 +17,8 @@ ORDER_LIFETIME = 0.5
 """Orders that move the drone or release a latch expire after this [s]: nothing old is done late."""
 HEIGHT_ERROR_MAX = 0.3
 """Tracking may see a drone that stands this far from the floor [m]."""
+MOVED_ON_GROUND_MAX = 0.15
+"""Tracking may move a drone that stands by this [m]."""
 TAKE_OFF_RESERVE = 0.05
 """No take-off below the battery floor plus this share."""
 EXPIRING_ORDERS = frozenset(

@@ -18,7 +18,7 @@ from housefly.messages.preflight import (
 )
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
-from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, TAKE_OFF_RESERVE
+from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, MOVED_ON_GROUND_MAX, TAKE_OFF_RESERVE
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX, PAD_HEADING_MAX
 
 TILT_ON_PAD_MAX = radians(12.0)
@@ -34,6 +34,7 @@ class PreflightInputs:
         limits: of the site.
         off_pad, turned: how far tracking has it from its pad [m], and turned against it [rad].
         origin_confirmed: tracking has shown it on its pad, or somebody compared the frames.
+        origin_distance_max: from its place on the pad, to be confirmed [m].
         stopped: STOP is latched.
         take_off_fault: who or what stands above or beside it, in words, or "".
         sees_people: a sensor of the room sees people here.
@@ -45,6 +46,7 @@ class PreflightInputs:
     off_pad: float = 0.0
     turned: float = 0.0
     origin_confirmed: bool = True
+    origin_distance_max: float = PAD_DISTANCE_MAX
     stopped: bool = False
     take_off_fault: str = ""
     sees_people: bool = True
@@ -61,6 +63,12 @@ class PreflightInputs:
         """What is not as it should be with the drone's settings and sensors."""
         told = self.vehicle.telemetry
         return "; ".join(told.notes) if told else ""
+
+    @property
+    def moved(self) -> float:
+        """How far tracking has moved it since it came to rest [m]; 0 when unknown."""
+        drift = self.vehicle.consistency.drift
+        return drift if isfinite(drift) else 0.0
 
     @property
     def on_pad(self) -> str:
@@ -215,13 +223,24 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         "set the tracking system's origin on the floor, and define the drone's body anew",
     ),
     PreflightRule(
+        "tracked_place",
+        "tracking leaves it where it stands",
+        "tracking moves the drone although it stands",
+        lambda i: not i.vehicle.consistency.drift > MOVED_ON_GROUND_MAX,
+        lambda i: f"moved by {i.moved:.2f} m",
+        lambda _: f"at most {MOVED_ON_GROUND_MAX:g} m",
+        "tracking that drifts on the ground drifts in the air",
+        "look whether another body is tracked under its name; lift it and put it down to show where"
+        " it is",
+    ),
+    PreflightRule(
         "origin",
         "tracking has seen it on its pad",
         "tracking has not seen the drone on its pad",
         lambda i: i.origin_confirmed,
         lambda i: i.on_pad,
-        lambda _: (
-            f"once within {PAD_DISTANCE_MAX:g} m and {degrees(PAD_HEADING_MAX):.0f} deg of it"
+        lambda i: (
+            f"once within {i.origin_distance_max:g} m and {degrees(PAD_HEADING_MAX):.0f} deg of it"
         ),
         "where tracking and map disagree, walls are not where they seem",
         "put it on its pad, its nose along it; if it stands so: `housefly preflight --frames`",

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import atan2, sqrt
 from typing import Any
 
-from housefly.numeric import compiled
+from housefly.numeric import compiled, wrapped
 from housefly.pilot.estimation.displacement import TIMING_ERROR, speed_change
 from housefly.pilot.estimation.onboard_odometry import flow_bias_variance
 
@@ -37,7 +37,7 @@ def direction_error(new: Any, row: Any, noise: float) -> float:
 @compiled
 def turn_error(new: Any, row: Any) -> float:
     """Return how far the two turns differ [rad], -1 when that is nothing to speak of."""
-    error = abs((new.yaw - row.yaw) - (new.psi - row.psi))
+    error = abs(wrapped((new.yaw - row.yaw) - (new.psi - row.psi)))
     return error if error > TURN_MIN else -1.0
 
 

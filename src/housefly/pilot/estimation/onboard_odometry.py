@@ -30,7 +30,9 @@ STALL_MIN, STALL_PERIODS = 0.03, 2.0
 PERIOD_SHARE = 0.05
 """Weight of a new time between two reports in the usual one."""
 UNTOLD_AFTER = 0.3
-"""A velocity of exactly zero for this long in flight is no velocity at all [s]."""
+"""A velocity that is the same to the last bit for this long in flight is no velocity at all [s]."""
+SPEED_LOST = 0.1
+"""... and one of exactly zero at once, where the drone flew faster than this before [m/s]."""
 HEADING_TIME = 5.0
 """Time constant by which the onboard heading is tied to the tracked one [s]."""
 
@@ -92,7 +94,9 @@ class OdometryState(NamedTuple):
         heading: tracked heading minus onboard heading [rad]; nan before the first sighting.
         heading_at: when that was brought up to date [s].
         since: the odometry has no hole since then [s]; inf while it is not told.
-        zero_since: the velocity is exactly zero since then [s]; inf when it is not.
+        forward, left: velocity of the newest report [m/s].
+        unchanged_since: the velocity is the same to the last bit since then [s]; inf when it is
+            not.
         period: usual time between two reports [s].
     """
 
@@ -100,7 +104,9 @@ class OdometryState(NamedTuple):
     heading: float
     heading_at: float
     since: float
-    zero_since: float
+    forward: float
+    left: float
+    unchanged_since: float
     period: float
 
 
@@ -124,7 +130,14 @@ class OdometryAt(NamedTuple):
 
 
 NO_ODOMETRY = OdometryState(
-    reports=0, heading=nan, heading_at=0.0, since=inf, zero_since=inf, period=0.0
+    reports=0,
+    heading=nan,
+    heading_at=0.0,
+    since=inf,
+    forward=nan,
+    left=nan,
+    unchanged_since=inf,
+    period=0.0,
 )
 
 
@@ -143,9 +156,8 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     dt = report.at - before.at if s.reports > 0 else inf
     if dt <= 0.0:
         return s
-    is_zero = report.airborne and report.forward == 0.0 and report.left == 0.0
-    zero_since = min(s.zero_since, report.at) if is_zero else inf
-    silent = report.at - zero_since > UNTOLD_AFTER
+    unchanged_since = _unchanged_since(s, report)
+    silent = report.at - unchanged_since > UNTOLD_AFTER
     since = s.since
     flown = dt if s.reports == 0 else _drone_seconds(before.drone_time, report.drone_time, dt)
     is_hole = max(dt, flown) > REPORT_GAP_MAX
@@ -171,9 +183,27 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         heading=s.heading,
         heading_at=s.heading_at,
         since=since,
-        zero_since=zero_since,
+        forward=report.forward,
+        left=report.left,
+        unchanged_since=unchanged_since,
         period=s.period + PERIOD_SHARE * (min(dt, REPORT_GAP_MAX) - s.period),
     )
+
+
+@compiled
+def _unchanged_since(s: OdometryState, report: OnboardReport) -> float:
+    """Return since when the velocity is the same to the last bit [s]; inf when it changed.
+
+    A flow camera that sees nothing reports zeros, one that hangs what it saw last.
+    """
+    if not report.airborne:
+        return inf
+    if report.forward == s.forward and report.left == s.left:
+        return min(s.unchanged_since, report.at)
+    is_zero = report.forward == 0.0 and report.left == 0.0
+    if is_zero and s.forward * s.forward + s.left * s.left > SPEED_LOST * SPEED_LOST:
+        return report.at - 2.0 * UNTOLD_AFTER
+    return report.at if is_zero else inf
 
 
 @compiled
@@ -274,6 +304,8 @@ def odometry_headed(s: OdometryState, ring: MotionRing, at: float, yaw: float) -
         heading=heading,
         heading_at=at,
         since=s.since,
-        zero_since=s.zero_since,
+        forward=s.forward,
+        left=s.left,
+        unchanged_since=s.unchanged_since,
         period=s.period,
     )

@@ -7,7 +7,7 @@ from math import dist, sqrt
 import numpy as np
 
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
-from housefly.geometry import Vec2, Vec3
+from housefly.geometry import Vec3
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.numeric import CompiledBox, boxed, unboxed
@@ -134,10 +134,10 @@ class PoseEstimator:
         self._accept(sighting)
         return ()
 
-    def _predicted(self, at: float) -> Vec2:
+    def _predicted(self, at: float) -> Vec3:
         """Return where the filter expects the drone [m]."""
         here = pose_estimate(self.state, self.history, self._params, at)
-        return here.x, here.y
+        return here.x, here.y, here.z
 
     def _take(self, sighting: Sighting, now: float, vouched: bool) -> bool:
         """Let the filter judge a sighting; after a gap the odometry vouches for it."""

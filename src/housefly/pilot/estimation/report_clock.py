@@ -12,6 +12,8 @@ from housefly.clock import ClockOffset
 
 OFFSET_WINDOW = 1.0
 """The quickest report of so long before tells the offset of the drone's clock [s], as for poses."""
+STANDS_AFTER = 1.0
+"""A clock that has not moved for this long while reports come tells nothing [s]."""
 
 
 class ReportClock:
@@ -20,6 +22,7 @@ class ReportClock:
     def __init__(self) -> None:
         self._offset = ClockOffset(OFFSET_WINDOW)
         self._drone_time = -inf
+        self._moved_at = -inf
 
     def written_at(self, drone_time: float | None, received_at: float) -> float:
         """Return when a report was written [s], no later than it was received.
@@ -32,5 +35,8 @@ class ReportClock:
             return received_at
         if drone_time < self._drone_time:  # it wrapped, or the drone started anew
             self._offset.reset()
-        self._drone_time = drone_time
+        if drone_time != self._drone_time:
+            self._drone_time, self._moved_at = drone_time, received_at
+        elif received_at - self._moved_at > STANDS_AFTER:
+            return received_at
         return drone_time + self._offset.least(received_at - drone_time, received_at)

@@ -36,6 +36,10 @@ BIAS_WINDOWS = (1.0, 1.5, 2.0, 2.5, 3.5, 5.0)
 """Windows over which a displacement is compared with what the bias before it predicts [s]."""
 FRAME_WINDOWS = (0.5, 1.0, 2.0, 4.0)
 """Windows over which directions and turns are compared [s]."""
+DOUBT_MIN = 1.0
+"""Ways that disagree for no longer than this were at the edge of their bound [s]."""
+YAW_GAP_MAX = 0.5
+"""Over a longer gap of poses the drone may turn by more than half a turn [s]."""
 AGE_SLACK = 1e-6
 """A row that is younger than a window by this fills it, too [s]."""
 
@@ -47,8 +51,10 @@ class TrackWindows(NamedTuple):
         taken: how many rows were taken in.
         first: number of the first row that counts.
         anchored: tracked and onboard way disagree.
+        anchored_at: since when [s].
         anchor_way: way where both agreed last [m]; the bias predicts from there on.
-        drift: how far the two have parted since [m]; nan before a window is full.
+        kept: what parted before and never came back [m]; the windows know nothing of it.
+        drift: how far the two have parted in all [m]; nan before a window is full.
         frame_error: angle between the two directions or turns [rad]; nan before the first way.
         mirrored: turns go the other way round.
     """
@@ -56,7 +62,9 @@ class TrackWindows(NamedTuple):
     taken: int
     first: int
     anchored: bool
+    anchored_at: float
     anchor_way: float
+    kept: float
     drift: float
     frame_error: float
     mirrored: bool
@@ -66,7 +74,9 @@ EMPTY_WINDOWS = TrackWindows(
     taken=0,
     first=0,
     anchored=False,
+    anchored_at=0.0,
     anchor_way=0.0,
+    kept=0.0,
     drift=nan,
     frame_error=nan,
     mirrored=False,
@@ -75,12 +85,31 @@ EMPTY_WINDOWS = TrackWindows(
 
 @compiled
 def windows_restarted(w: TrackWindows) -> TrackWindows:
-    """Return the windows emptied; what was found stays until a window is full again."""
+    """Return the windows emptied in flight, at a hole of the odometry; what parted is kept."""
+    kept = w.drift if w.drift > w.kept else w.kept
     return TrackWindows(
         taken=w.taken,
         first=w.taken,
         anchored=False,
+        anchored_at=0.0,
         anchor_way=0.0,
+        kept=kept,
+        drift=kept if kept > 0.0 else nan,
+        frame_error=nan,
+        mirrored=False,
+    )
+
+
+@compiled
+def windows_cleared(w: TrackWindows) -> TrackWindows:
+    """Return the windows emptied, with nothing kept: another flight."""
+    return TrackWindows(
+        taken=w.taken,
+        first=w.taken,
+        anchored=False,
+        anchored_at=0.0,
+        anchor_way=0.0,
+        kept=0.0,
         drift=nan,
         frame_error=nan,
         mirrored=False,
@@ -107,7 +136,7 @@ def windows_advanced(
     row.at, row.px, row.py, row.psi = at, x, y, onboard.psi
     row.ox, row.oy, row.vx, row.vy = onboard.x, onboard.y, onboard.vx, onboard.vy
     row.way, row.variance = onboard.way, onboard.variance
-    row.yaw = yaw if is_first else before.yaw + wrapped(yaw - before.yaw)
+    row.yaw = yaw if is_first else _unwrapped(before, at, yaw, onboard.psi)
     off_x, off_y, noise = row.px - row.ox, row.py - row.oy, tolerance.position_noise
     row.mean_vx, row.mean_vy, bias = 0.0, 0.0, first_bias(off_x, off_y, noise)
     if not is_first:
@@ -121,28 +150,41 @@ def windows_advanced(
 
 
 @compiled
+def _unwrapped(before: Any, at: float, yaw: float, psi: float) -> float:
+    """Return a tracked heading without jumps [rad]; over a gap of poses turns are the drone's."""
+    turned = psi - before.psi if at - before.at > YAW_GAP_MAX else 0.0
+    return float(before.yaw + turned + wrapped(yaw - before.yaw - turned))
+
+
+@compiled
 def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) -> TrackWindows:
     """Return the windows with the newest row held against those before it."""
     mask = ring.size - 1
     new, oldest = ring[w.taken & mask], max(w.first, w.taken + 1 - ring.size)
     error, mirrored = _frame_compared(ring, w.taken, oldest, tolerance)
     since, learned = _parting(ring, w.taken, oldest, tolerance)
-    anchored, anchor_way = w.anchored, w.anchor_way
+    anchored, anchored_at, anchor_way = w.anchored, w.anchored_at, w.anchor_way
+    first, kept = w.first, w.kept
     if anchored and since < 0 and _back(w, new, tolerance):
         anchored = False
+        if new.at - anchored_at > DOUBT_MIN:
+            # Nothing older is compared with what comes now: what did not come back is kept.
+            first, kept = w.taken, kept + way_parted(known_bias(new), new)
     if since >= 0 and not anchored:
         row = ring[since & mask]
-        anchored, anchor_way = True, row.way
+        anchored, anchored_at, anchor_way = True, new.at, row.way
         keep_bias(new, predicted_bias_since(row, new, learned, tolerance.position_noise))
     is_full = new.at - ring[oldest & mask].at + AGE_SLACK >= DRIFT_WINDOWS[0]
-    drift = 0.0 if is_full else nan
+    drift = kept if is_full or kept > 0.0 else nan
     if anchored:
-        drift = way_parted(known_bias(new), new)
+        drift = kept + way_parted(known_bias(new), new)
     return TrackWindows(
         taken=w.taken + 1,
-        first=w.first,
+        first=first,
         anchored=anchored,
+        anchored_at=anchored_at,
         anchor_way=anchor_way,
+        kept=kept,
         drift=drift,
         frame_error=error if error >= 0.0 else w.frame_error,
         mirrored=mirrored,

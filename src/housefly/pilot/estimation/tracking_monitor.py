@@ -34,6 +34,7 @@ from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     windows_advanced,
+    windows_cleared,
     windows_restarted,
 )
 
@@ -41,6 +42,8 @@ GAP_MIN = 0.3
 """After a gap of this long a pose must agree with the odometry, or with the prediction [s]."""
 JUMP_FLOOR = 0.08
 """A pose nearer than this to where the odometry says is never refused [m]."""
+CLIMB_JUMP = 0.25
+"""After a gap a height further than this from what is expected is refused [m]."""
 JUMP_CEILING = 0.25
 """... and one further than this always, however long the gap: a stopping distance [m]."""
 TURN_JUMP = 0.35
@@ -69,6 +72,7 @@ class TrackingMonitor:
         self._bank = lag_bank()
         self._latency = NO_LATENCY
         self._carry = CarryDetector()
+        self._status = DroneStatus.UNKNOWN
         self._airborne = False
         self._attitude_told = False
         self._height_told = False
@@ -88,6 +92,7 @@ class TrackingMonitor:
         self._received_at = telemetry.received_at
         at = self._report_clock.written_at(telemetry.drone_time, telemetry.received_at)
         self._reported_at = max(at, self._reported_at)
+        self._status = status
         airborne = status in AIRBORNE_STATUSES
         if airborne != self._airborne:
             self._leave_or_reach_ground(airborne)
@@ -112,7 +117,7 @@ class TrackingMonitor:
 
     def _leave_or_reach_ground(self, airborne: bool) -> None:
         self._airborne = airborne
-        self._windows = windows_restarted(self._windows)
+        self._windows = windows_cleared(self._windows)
         self._latency, self._rest = NO_LATENCY, None
         self._start = self._last[0].pose.position if self._last and airborne else None
 
@@ -122,13 +127,13 @@ class TrackingMonitor:
         since = self._last[0].captured_at if self._last else -inf
         return self._carry.stirred_since(since)
 
-    def agrees(self, sighting: Sighting, predicted: Vec2 | None) -> bool:
+    def agrees(self, sighting: Sighting, predicted: Vec3 | None) -> bool:
         """Return whether a sighting can be the drone, by its own motion.
 
         Args:
             sighting: of the drone.
-            predicted: where the filter expects it [m]; what a gap is judged by when the odometry
-                has a hole.
+            predicted: where the filter expects it after a gap [m]; its height is what a gap is
+                judged by, its place only when the odometry has a hole.
         """
         if self._last is None:
             return True
@@ -136,9 +141,11 @@ class TrackingMonitor:
         seconds = sighting.captured_at - last.captured_at
         if seconds <= 0.0:
             return True
+        now = odometry_at(self._odometry, self._motion, sighting.captured_at)
+        if predicted is not None and not self._is_at_height(last, then, sighting, now, predicted):
+            return False
         if not self._is_covered(last.captured_at, sighting.captured_at):
             return seconds < GAP_MIN or predicted is None or _near(sighting, predicted)
-        now = odometry_at(self._odometry, self._motion, sighting.captured_at)
         return self._is_on_track(last, then, sighting, now, seconds)
 
     def _is_on_track(
@@ -154,6 +161,19 @@ class TrackingMonitor:
         turn = wrapped(new.pose.yaw - last.pose.yaw - (now.psi - then.psi))
         return off <= min(JUMP_FLOOR + bound, JUMP_CEILING) and abs(turn) <= TURN_JUMP
 
+    def _is_at_height(
+        self, last: Sighting, then: OdometryAt, new: Sighting, now: OdometryAt, predicted: Vec3
+    ) -> bool:
+        """Return whether a height is where the filter expects it.
+
+        A drone that takes off or lands by itself climbs as its sonar says; in flight the floor
+        below may step while the drone flies level.
+        """
+        z0, z1 = last.pose.position[2], new.pose.position[2]
+        is_by_itself = self._status is not DroneStatus.FLYING and self._height_told
+        by_sonar = z0 + now.height - then.height if is_by_itself else predicted[2]
+        return min(abs(z1 - predicted[2]), abs(z1 - by_sonar)) <= CLIMB_JUMP
+
     def _is_covered(self, since: float, until: float) -> bool:
         """Return whether the odometry has no hole between two times [s]."""
         is_fresh = until <= self._reported_at + REPORT_GAP_MAX
@@ -168,6 +188,11 @@ class TrackingMonitor:
         """Whether the newest sighting was refused."""
         return self._refused_since is not None
 
+    @property
+    def is_doubtful(self) -> bool:
+        """Whether something is known against tracking while the drone stands."""
+        return self.refusing or self._moved_at_rest() > 0.0
+
     def refuse(self, now: float) -> None:
         """A sighting was refused because it does not agree."""
         self._refused_since = now if self._refused_since is None else self._refused_since
@@ -180,11 +205,12 @@ class TrackingMonitor:
         self._compare_heights(at, pose.position, onboard.height)
         if self._attitude_told:
             self._odometry = odometry_headed(self._odometry, self._motion, at, pose.yaw)
+        since = self._last[0].captured_at if self._last else at
         self._last = sighting, onboard
         if not self._airborne:
             self._rest_at(pose.position)
             return
-        if not self._is_covered(at, at):
+        if not self._is_covered(since, at):
             self._windows = windows_restarted(self._windows)
             self._latency = NO_LATENCY
             return
@@ -247,6 +273,6 @@ class TrackingMonitor:
         return hypot(x - self._start[0], y - self._start[1]) < START_RADIUS
 
 
-def _near(sighting: Sighting, place: Vec2) -> bool:
+def _near(sighting: Sighting, place: Vec3) -> bool:
     x, y, _ = sighting.pose.position
     return hypot(x - place[0], y - place[1]) <= JUMP_CEILING

@@ -1,8 +1,8 @@
 """What becomes of an answer that needs more knowledge than there is: return, land, descend.
 
-RETURN needs a way home and a place that is fresh and consistent, else it is LAND; LAND needs a
-drone that knows its own height, else it is DESCEND, a level descent by our own setpoint, until the
-drone is on the floor or must be.
+RETURN needs a way home and a place that is not lost, else it is LAND: what is in doubt for a moment
+only holds the drone, by a rule of its own. LAND needs a drone that knows its own height, else it is
+DESCEND, a level descent by our own setpoint, until the drone is on the floor or must be.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from housefly.pilot.safety.drone_rules import descent_time, lies_on_floor
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import control_error
 from housefly.pilot.safety.rule import RuleContext
-from housefly.pilot.safety.tracking_rules import seems_low
+from housefly.pilot.safety.tracking_rules import REFUSED_LAND, seems_low
 
 STEERED_MAX = 8.0
 """A landing that the pilot steers has to be near the floor after this [s]."""
@@ -24,14 +24,19 @@ STEERED_ERROR_MAX = 0.8
 
 def knows_place(c: RuleContext) -> bool:
     """Return whether there is a fresh place to believe."""
-    known = c.now.consistency
-    is_believed = known.refused_for == 0.0 and not (seems_low(c) or known.mirrored)
-    return is_believed and not too_old(c.now.pose_age, c.limits.pose_age_level)
+    is_fresh = not too_old(c.now.pose_age, c.limits.pose_age_level)
+    return is_fresh and c.now.consistency.refused_for == 0.0 and _is_believed(c)
 
 
 def knows_way_home(c: RuleContext) -> bool:
-    """Return whether the drone can be flown home: a way, and a place to believe."""
-    return c.now.has_way_home and knows_place(c)
+    """Return whether the drone can be flown home, now or once what holds it is over."""
+    is_unseen = too_old(c.now.pose_age, c.limits.pose_age_land)
+    is_lost = is_unseen or too_old(c.now.consistency.refused_for, REFUSED_LAND)
+    return c.now.has_way_home and not is_lost and _is_believed(c)
+
+
+def _is_believed(c: RuleContext) -> bool:
+    return not (seems_low(c) or c.now.consistency.mirrored)
 
 
 def can_steer_landing(c: RuleContext) -> bool:

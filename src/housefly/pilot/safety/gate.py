@@ -105,9 +105,15 @@ class GateAssessment:
         return self.mode is SafetyMode.LAND and any(rule.steered for rule in self.broken[:1])
 
     @property
+    def motion(self) -> SafetyMode:
+        """What the drone may do now: one that is called home waits for whatever holds it."""
+        is_held = any(rule.mode is SafetyMode.HOLD for rule in self.broken)
+        return SafetyMode.HOLD if is_held and self.mode is SafetyMode.RETURN else self.mode
+
+    @property
     def severity(self) -> int:
         """What the compiled gate is told: a landing that is steered is flown."""
-        return MODE_SEVERITY[SafetyMode.RETURN if self.steered else self.mode]
+        return MODE_SEVERITY[SafetyMode.RETURN if self.steered else self.motion]
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,13 +254,15 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
         assessment: what the rules found in this step.
     """
     mode, code, reason = assessment.mode, assessment.code, assessment.reason
+    motion = assessment.motion
     is_finite = gated.mode == assessment.severity
     if assessment.steered and action is Action.FLY and is_finite and gated.flown:
         return GateVerdict(_flown(gated), mode, code, reason, assessment.broken)
     if not (is_finite or assessment.steered):
-        mode, code = SafetyMode.HOLD, "not_finite"
+        mode = motion = SafetyMode.HOLD
+        code = "not_finite"
         reason = "the command was not a number: the drone holds itself"
-    allowed = _allowed(action, mode, assessment)
+    allowed = _allowed(action, motion, assessment)
     broken = assessment.broken
     if allowed is not Action.FLY:
         return GateVerdict(Command(allowed), mode, code, reason, broken)

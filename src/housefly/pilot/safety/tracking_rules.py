@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from math import degrees, isfinite, radians
+from math import degrees, isfinite, isnan, radians
 
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
+from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
 
@@ -15,6 +16,10 @@ REFUSED_HOLD, REFUSED_LAND = 0.3, 2.0
 """Poses are refused for so long because onboard motion disagrees: hold, land [s]."""
 DRIFT_WARN, DRIFT_LAND = 0.05, 0.15
 """The tracked way leaves the drone's own by this: warn, land [m]."""
+DRIFT_LASTS = 5.0
+"""... and lands, too, when it has not come back within this [s]."""
+UNCHECKED_AFTER = 3.0
+"""Tracking may be held against nothing for this long [s]: windows have to fill."""
 FRAME_ERROR_MAX = radians(25.0)
 """The tracked body may be turned against the drone by this [rad]."""
 LATENCY_SLOW, LATENCY_HOLD = 0.12, 0.22
@@ -29,6 +34,16 @@ def seems_low(c: RuleContext) -> bool:
     The other way round something may stand below the drone, which only its own sensor sees.
     """
     return c.now.consistency.height_error < -HEIGHT_DISAGREES
+
+
+def is_disproved(known: TrackingConsistency) -> bool:
+    """Return whether the drone's own motion shows that tracking or its frame is wrong."""
+    return (
+        known.drift > DRIFT_LAND
+        or abs(known.frame_error) > FRAME_ERROR_MAX
+        or known.mirrored
+        or known.refused_for > REFUSED_LAND
+    )
 
 
 def is_misplaced_on_ground(c: RuleContext) -> bool:
@@ -99,6 +114,16 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="the tracked way has left the drone's own",
         broken=lambda c: c.now.consistency.drift > DRIFT_LAND,
         words=lambda c: f"{_drift_words(c)} (limit {DRIFT_LAND} m): landing",
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="tracking_drifted",
+        mode=M.LAND,
+        counts=N.AIRBORNE,
+        condition="the tracked way has begun to leave the drone's own, and does not come back",
+        broken=lambda c: c.now.consistency.drift > DRIFT_WARN,
+        words=lambda c: f"{_drift_words(c)} (limit {DRIFT_WARN} m): landing",
+        after=DRIFT_LASTS,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
@@ -194,6 +219,15 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="the tracked way begins to leave the drone's own",
         broken=lambda c: c.now.consistency.drift > DRIFT_WARN,
         words=lambda c: f"{_drift_words(c)} (limit {DRIFT_WARN} m)",
+    ),
+    SafetyRule(
+        code="tracking_unchecked",
+        mode=M.WARN,
+        counts=N.FLYING,
+        condition="the drone does not tell its own motion: tracking is held against nothing",
+        broken=lambda c: isnan(c.now.consistency.drift),
+        words=lambda _: "the drone does not tell how it moves: tracking is not checked",
+        after=UNCHECKED_AFTER,
     ),
     SafetyRule(
         code="tracking_height_off",

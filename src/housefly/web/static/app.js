@@ -1,1 +1,1 @@
-import"./chunk-chunk-XA4URJ4Y.js";
+import"./chunk-chunk-GL7F7VKU.js";

@@ -199,6 +199,8 @@ export const DE_TOLD: Templates = {
   "tracking has not shown the drone yet": "die Ortung zeigte die Drohne noch nicht",
   "poses disagree with the drone for {n} s":
     "die Ortung passt seit {n} s nicht zur Bewegung der Drohne",
+  "the drone does not tell how it moves: tracking is not checked":
+    "die Drohne meldet ihre Bewegung nicht: Die Ortung ist ungeprüft",
   "tracking has left the drone's own way by {d} m":
     "die Ortung weicht {d} m vom eigenen Weg der Drohne ab",
   "the tracked body is turned by {n} degrees against the drone":
@@ -301,6 +303,15 @@ export const DE_TOLD: Templates = {
     "it is only slow, housefly gains says which limits.pose_age_level it needs"]:
     "die Ortung ansehen: Läuft sie, sendet sie den Körper unter diesem Namen? Ist sie nur " +
       "langsam, nennt housefly gains das nötige limits.pose_age_level",
+  "tracking leaves it where it stands": "die Ortung lässt sie, wo sie steht",
+  "tracking moves the drone although it stands":
+    "die Ortung bewegt die Drohne, obwohl sie steht",
+  "moved by {d} m": "um {d} m bewegt",
+  "at most {d} m": "höchstens {d} m",
+  "tracking that drifts on the ground drifts in the air":
+    "eine Ortung, die am Boden wandert, wandert auch in der Luft",
+  "look whether another body is tracked under its name; lift it and put it down to show where it is":
+    "prüfen, ob ein anderer Körper unter ihrem Namen geortet wird; anheben und absetzen zeigt, wo sie ist",
   "tracking has it where it stands": "die Ortung zeigt sie, wo sie steht",
   "tracking has the drone at another height": "die Ortung zeigt die Drohne in anderer Höhe",
   "{d} m": "{d} m",

@@ -180,6 +180,8 @@ export const JA_TOLD: Templates = {
   "tracking lost for {n} s": "位置計測が{n}秒間途切れています",
   "tracking has not shown the drone yet": "位置計測にドローンがまだ映っていません",
   "poses disagree with the drone for {n} s": "計測した位置がドローンの動きと{n}秒間合いません",
+  "the drone does not tell how it moves: tracking is not checked":
+    "ドローンが動きを報告しないため、計測を確かめられません",
   "tracking has left the drone's own way by {d} m": "計測した経路がドローンの動きから {d} m ずれています",
   "the tracked body is turned by {n} degrees against the drone": "計測した向きがドローンと{n}度ずれています",
   "tracking is the mirror image of how the drone moves": "位置計測がドローンの動きと左右逆です",
@@ -271,6 +273,13 @@ export const JA_TOLD: Templates = {
     "it is only slow, housefly gains says which limits.pose_age_level it needs"]:
     "位置計測の装置を見てください。動いていますか。この名前で送信していますか。遅いだけなら、必要な limits.pose_age_level を housefly gains " +
       "が示します",
+  "tracking leaves it where it stands": "止まっている間、位置は動いていません",
+  "tracking moves the drone although it stands": "止まっているのに、計測では動いています",
+  "moved by {d} m": "{d} m 移動",
+  "at most {d} m": "{d} m 以下",
+  "tracking that drifts on the ground drifts in the air": "床でずれる計測は、飛行中もずれます",
+  "look whether another body is tracked under its name; lift it and put it down to show where it is":
+    "別の物が同じ名前で計測されていないか確認し、一度持ち上げて置き、位置を示してください",
   "tracking has it where it stands": "計測した高さは正しいです",
   "tracking has the drone at another height": "計測した高さが違います",
   "{d} m": "{d} m",
