@@ -48,6 +48,8 @@ JUMP_CEILING = 0.25
 """... and one further than this always, however long the gap: a stopping distance [m]."""
 TURN_JUMP = 0.35
 """A heading further than this from where the gyros say is refused [rad]."""
+FLOOR_STEP = 0.25
+"""Heights further apart than this mean that something is below: they tell no delay [m]."""
 START_RADIUS = 0.4
 """So near to where it took off, the floor below is the floor it stood on [m]."""
 HEIGHT_TIME = 0.3
@@ -218,7 +220,8 @@ class TrackingMonitor:
         self._windows = windows_advanced(
             self._windows, self._rows, at, x, y, pose.yaw, onboard, self._tolerance
         )
-        height = z if self._is_over_known_floor() else nan
+        is_floor = self._is_over_known_floor() and abs(z - onboard.height) < FLOOR_STEP
+        height = z if is_floor else nan
         self._latency = latency_advanced(
             self._latency, self._bank, self._odometry, self._motion, at, x, y, height, pose.yaw
         )

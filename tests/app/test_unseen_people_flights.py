@@ -1,0 +1,78 @@
+"""Whom nothing but the drone's own sonar shows is not landed on, scored on the truth."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from housefly.app.loaded_site import load_site
+from housefly.app.lockstep import fly_lockstep
+from housefly.geometry import distance
+from housefly.messages import Order, OrderKind, PilotStep
+from housefly.record.truth import TrueFlight, read_truth
+
+SERVICE = Order(OrderKind.SERVICE, place="table", look_s=1.0)
+CHILD = 0.9
+"""Height of the child of row F44 [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class CrowdedPad:
+    """How a service ended whose pad a child stands on.
+
+    Attributes:
+        outcome: of the service, in words.
+        told: codes of all events.
+        truth: its true course.
+        pad: where the child stands [m].
+    """
+
+    outcome: str
+    told: frozenset[str]
+    truth: TrueFlight
+    pad: tuple[float, float]
+
+
+@pytest.fixture(scope="module", params=[1, 3])
+def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> CrowdedPad:
+    """A service without scanners, to whose pad a child comes meanwhile."""
+    file: Path = tmp_path_factory.mktemp("child") / "truth.jsonl"
+    loaded = load_site(
+        "bsen",
+        hub__enabled=False,
+        twin__video=False,
+        twin__seed=1 + request.param,
+        faults=[{"fault": "F44/child@8s"}],
+    )
+    told: set[str] = set()
+
+    def hear(step: PilotStep) -> None:
+        told.update(event.code for event in step.outputs.events)
+
+    outcome = fly_lockstep(loaded, SERVICE, hear, truth_file=file)
+    truth = read_truth(file)
+    assert truth is not None
+    return CrowdedPad(outcome, frozenset(told), truth, loaded.room.home)
+
+
+@pytest.mark.slow
+def test_a_child_on_the_pad_that_only_the_sonar_shows_is_not_touched(flown: CrowdedPad) -> None:
+    assert flown.truth.contacts == ()
+    assert np.nanmin(flown.truth.person) > 0.1
+    assert "landing_blocked" in flown.told
+
+
+@pytest.mark.slow
+def test_the_drone_lands_beside_a_child_that_only_the_sonar_shows(flown: CrowdedPad) -> None:
+    x, y, z = flown.truth.position[-1].tolist()
+    assert "grounded" in flown.told
+    assert z < CHILD / 2
+    assert distance((x, y), flown.pad) > 0.5
+
+
+@pytest.mark.slow
+def test_a_child_below_is_not_taken_for_late_poses(flown: CrowdedPad) -> None:
+    assert flown.told.isdisjoint({"tracking_late", "tracking_slow"})
