@@ -413,3 +413,9 @@ def test_each_trouble_of_a_step_is_told_once() -> None:
     assert notices.update(both, 1.2) == ()
     strange = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "not_finite", "no number", two)
     assert [event.code for event in notices.update(strange, 1.3)] == ["not_finite"]
+
+
+def test_a_pilot_whose_every_step_is_late_lands_the_drone() -> None:
+    gate = Gate(LIMITS, FENCE)
+    modes = [gate.assess(replace(FINE, now=0.4 * n, late=0.39)).mode for n in range(16)]
+    assert SafetyMode.HOLD in modes and modes[-1] is SafetyMode.LAND

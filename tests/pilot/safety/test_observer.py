@@ -174,3 +174,11 @@ def test_what_is_off_counts_from_the_moment_at_which_the_drone_has_recovered() -
         blown = replace(flies, now=n / 8.0, velocity=(0.2, 0.0, 0.0))
         errors.append(observer.observe(blown, held=False, landing=False).velocity_error)
     assert errors[7] == 0.0 and errors[8] > 0.0
+
+
+def test_a_pilot_whose_every_step_is_late_is_held_as_long_as_the_clock_says() -> None:
+    observer = FlightObserver(LimitsConfig())
+    for n in range(11):
+        late = replace(FINE, now=0.4 * n, late=0.39)
+        seen = observer.observe(late, held=True, landing=False)
+    assert seen.held_for == pytest.approx(4.0)

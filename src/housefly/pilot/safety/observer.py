@@ -127,7 +127,8 @@ class FlightObserver:
             landing: the gate is landing the drone.
         """
         now = inputs.now
-        dt = min(max(now - self._now, 0.0), STEP_MAX)
+        elapsed = max(now - self._now, 0.0)
+        dt = min(elapsed, STEP_MAX)
         self._now = now
         self._stand(inputs)
         self._tilt(inputs, dt)
@@ -146,7 +147,10 @@ class FlightObserver:
             tilt_wrong_for=_added_up(self._tilted, now, dt if is_tilted else 0.0),
             velocity_change=self._velocity_change(inputs, steady),
             velocity_error=self._velocity_error(inputs, steady, dt),
-            held_for=_added_up(self._held, now, dt if held and inputs.airborne else 0.0),
+            # Not cut off: a pilot whose every step is late would be held for ever.
+            held_for=_added_up(
+                self._held, now, min(elapsed, HOLD_SPAN) if held and inputs.airborne else 0.0
+            ),
             late_steps=self._late_steps(inputs),
             landing_for=self._landing.update(wants_down, now),
             energy=self._energy.observe(inputs),
