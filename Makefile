@@ -62,9 +62,11 @@ branches: setup-dev
 		tests/pilot/safety
 	$(BIN)/coverage report
 
-# All of it is flown and written, whatever is found; what was found decides at the end.
+# All of it is flown and written, whatever is found; what was found decides at the end. A folder
+# that another source flew is refused, and an old page is not copied for a new one.
 safety: setup-dev
 	@$(BIN)/housefly safety --wires 1 --at-once 2 --out safety-case; flown=$$?; \
+	[ $$flown -le 1 ] || exit $$flown; \
 	cp safety-case/safety-case.html docs/safety-case.html && $(REALTIME) -m safety && \
 	$(MAKE) branches && exit $$flown
 

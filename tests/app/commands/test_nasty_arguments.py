@@ -115,6 +115,7 @@ FILES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("out/site.json", ("identify", "--from=out")),
     ("out/flights.jsonl", ("safety", "--seeds=0", "--out=out")),
     ("out/wired_flights.jsonl", ("safety", "--seeds=0", "--out=out")),
+    ("out/flown_by.json", ("safety", "--seeds=0", "--out=out")),
     ("lab/draft.json", ("new", "lab", "--yes", "--no-test")),
     ("x.svg", ("new", "lab", "--yes", "--no-test", "--room=../x.svg")),
 )

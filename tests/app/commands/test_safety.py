@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from housefly.app.safety_case import campaign, flown_by
+from housefly.app.safety_case.campaign import RESULTS_FILE, WIRED_RESULTS_FILE
+from housefly.app.safety_case.fault_phase import FaultPhase
 from housefly.app.safety_case.faulty_flight import variant_of
+from housefly.app.safety_case.flown_by import FLOWN_BY_FILE
 from housefly.app.safety_case.page import PAGE_FILE
+from housefly.app.safety_case.trial import TrialKey, TrialResult
+from housefly.app.safety_case.wired_flight import WiredKey, WiredResult
 from housefly.cli import main
 from housefly.errors import ConfigError
 
@@ -69,3 +76,94 @@ def test_a_folder_that_cannot_be_written_is_told_before_anything_is_flown(
     (tmp_path / "file").write_text("")
     assert main(["safety", "--quick", "--out", str(tmp_path / "file" / "case")]) == 2
     assert "cannot be written to" in capsys.readouterr().err
+
+
+OLD, NEW = "0123456789ab", "fedcba987654"
+AGAIN = ("safety", "--rows", "F13", "--seeds", "2", "--workers", "1")
+
+
+@pytest.fixture
+def fly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., int]:
+    """Run the command as some source: every flight lands at once, and is written to flown.txt."""
+    flown = tmp_path / "flown.txt"
+
+    def landed(key: TrialKey) -> TrialResult:
+        flown.write_text(f"{key}\n")
+        return TrialResult(key, FaultPhase.CRUISE, (), "stands", 0.2, 6.0, 0.1, 0.4, None, 0.5)
+
+    def landed_wired(key: WiredKey, folder: Path, seat: int) -> WiredResult:
+        flown.write_text(f"{key}\n")
+        return WiredResult(key, 3.0, (), "landed")
+
+    def run(source: str, *words: str) -> int:
+        monkeypatch.setattr(flown_by, "source_digest", lambda: source)
+        flown.write_text("")
+        return main([*(words or AGAIN), "--out", str(tmp_path / "case")])
+
+    monkeypatch.setattr(campaign, "fly_trial", landed)
+    monkeypatch.setattr(campaign, "fly_wired", landed_wired)
+    monkeypatch.setattr("housefly.app.compiling.compile_once", lambda *_: None)
+    return run
+
+
+@pytest.mark.parametrize(
+    "again",
+    [
+        AGAIN,
+        ("safety", "--rows", "F13", "--seeds", "3", "--workers", "1"),
+        ("safety", "--rows", "F13", "--seeds", "0", "--wires", "1"),
+    ],
+)
+def test_what_another_source_flew_is_refused_before_anything_is_flown_or_written(
+    again: tuple[str, ...],
+    fly: Callable[..., int],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    fly(OLD)
+    before = {path: path.read_bytes() for path in (tmp_path / "case").iterdir()}
+    capsys.readouterr()
+    assert fly(NEW, *again) == 2
+    told = capsys.readouterr().err
+    assert OLD in told and NEW in told and "--seeds 0" in told
+    assert not (tmp_path / "flown.txt").read_text()
+    assert {path: path.read_bytes() for path in (tmp_path / "case").iterdir()} == before
+
+
+def test_what_the_same_source_flew_is_gone_on_with(fly: Callable[..., int], tmp_path: Path) -> None:
+    fly(OLD)
+    began = (tmp_path / "case" / FLOWN_BY_FILE).read_bytes()
+    assert fly(OLD) in (0, 1) and not (tmp_path / "flown.txt").read_text()
+    assert fly(OLD, *AGAIN, "--wires", "1") in (0, 1) and (tmp_path / "flown.txt").read_text()
+    assert (tmp_path / "case" / FLOWN_BY_FILE).read_bytes() == began
+
+
+@pytest.mark.parametrize("file", [RESULTS_FILE, WIRED_RESULTS_FILE])
+def test_results_of_nobody_knows_which_source_are_refused(
+    file: str, fly: Callable[..., int], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fly(OLD, *AGAIN, "--wires", "1")
+    for other in {FLOWN_BY_FILE, RESULTS_FILE, WIRED_RESULTS_FILE} - {file}:
+        (tmp_path / "case" / other).unlink()
+    assert fly(OLD) == 2
+    assert "not known" in capsys.readouterr().err
+    assert not (tmp_path / "flown.txt").read_text()
+
+
+def test_the_page_alone_is_made_of_what_is_there_and_says_which_source_flew_it_and_since_when(
+    fly: Callable[..., int], tmp_path: Path
+) -> None:
+    fly(OLD, *AGAIN, "--wires", "1")
+    fly(NEW, "safety", "--seeds", "0")
+    page = (tmp_path / "case" / PAGE_FILE).read_text()
+    since = flown_by.read_flown_by(tmp_path / "case")
+    assert since is not None
+    assert f"<dt>flown by</dt><dd>source {OLD} since {since.since}; now it is {NEW}</dd>" in page
+    assert "<dt>made by</dt><dd>housefly safety --seeds 2 --wires 1</dd>" in page
+    assert not (tmp_path / "flown.txt").read_text()
+
+
+def test_a_page_of_no_flights_names_no_source(fly: Callable[..., int], tmp_path: Path) -> None:
+    assert fly(NEW, "safety", "--seeds", "0") == 0
+    assert "flown by" not in (tmp_path / "case" / PAGE_FILE).read_text()
+    assert not (tmp_path / "case" / FLOWN_BY_FILE).exists()

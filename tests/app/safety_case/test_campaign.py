@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -86,6 +87,29 @@ def test_a_damaged_line_is_told_with_its_number(file: str, damaged: bytes, tmp_p
     with pytest.raises(RecordingError, match="line 1"):
         (flown_results if file == RESULTS_FILE else wired_results)(tmp_path)
     assert (tmp_path / file).read_bytes() == damaged
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("told_after", "a"),
+        ("violations", [1]),
+        ("violations", ["\ud800"]),
+        ("key", {"row": [], "seed": 1}),
+    ],
+    ids=["text", "number", "surrogate", "list"],
+)
+@pytest.mark.parametrize("file", [RESULTS_FILE, WIRED_RESULTS_FILE])
+def test_a_value_of_another_kind_is_told_with_its_line(
+    file: str, name: str, value: object, tmp_path: Path
+) -> None:
+    good = landed(KEYS[0]) if file == RESULTS_FILE else WIRED[0]
+    plain = good.to_json()
+    own = "began_at" if name == "told_after" and name not in plain else name
+    lines = [json.dumps(plain), json.dumps({**plain, own: value})]
+    (tmp_path / file).write_text("\n".join([*lines, ""]))
+    with pytest.raises(RecordingError, match=r"line 2: \S+ is .*; remove it to go on$"):
+        (flown_results if file == RESULTS_FILE else wired_results)(tmp_path)
 
 
 def test_a_plan_holds_every_row_its_control_and_every_pair_once() -> None:

@@ -203,3 +203,17 @@ def test_a_scene_that_cannot_be_read_is_told_where_it_was_looked_for(tmp_path: P
 def test_two_of_one_name_are_refused() -> None:
     with pytest.raises(ConfigError, match="two of the same name among cup, cup"):
         scene(things=[CUP, CUP])
+
+
+@pytest.mark.parametrize("seconds", [1e-300, 1e-9, 0.9])
+def test_a_round_that_is_over_at_once_is_refused(seconds: float) -> None:
+    tree = {
+        "name": "a",
+        "loop": True,
+        "pause": 0.0,
+        "people": [{"name": "kim", "start": [1, 2], "steps": [{"do": "wait", "seconds": seconds}]}],
+    }
+    with pytest.raises(ConfigError, match=r"one round takes .* s; allowed: 1 s or longer"):
+        scene_from_tree(tree)
+    assert scene_from_tree({**tree, "loop": False}).length == seconds
+    assert scene_from_tree({**tree, "pause": 1.0}).length == seconds + 1.0

@@ -6,7 +6,8 @@ import os
 import platform
 import time
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,13 +28,16 @@ times with different seeds, and judge each flight on the truth: contacts, fence,
 and whether
 it ends. The same flights without guards show that the faults do harm. What was flown is kept: \
 Ctrl-C and the
-same command go on. The result is one page, safety-case.html."""
+same command go on, as long as it is the same source of Housefly; a folder of another one is \
+refused. The
+result is one page, safety-case.html."""
 _EPILOG = """\
 examples:
   housefly safety                              all of it (about two hours on two cores)
   housefly safety --quick                      a few flights of each row
   housefly safety --wires 1                    and one of each in real processes, over real wires
   housefly safety --seeds 0 --wires 10         ten of each in real processes only
+  housefly safety --seeds 0                    only the page, of what was flown before
   housefly safety --rows F13 F05 --seeds 40    two rows only
   housefly safety --again F13/2cm --seed 7     one flight again, with what was told"""
 _MAX_WORKERS = 256
@@ -93,7 +97,10 @@ def _run(options: Namespace) -> int:
     row = None if options.again is None else _row_again(options.again)
     if row is None and (problem := why_unwritable(Path(options.out))):
         raise ConfigError("--out", f"{options.out} cannot be written to: {problem}")
-    compile_once(CompiledPart.CHAIN, console.print)
+    if row is None and (options.seeds or options.wires):
+        _claim(options)
+    if row is not None or options.seeds or options.wires:
+        compile_once(CompiledPart.CHAIN, console.print)
     if row is not None:
         return _fly_again(row, options)
     try:
@@ -102,6 +109,15 @@ def _run(options: Namespace) -> int:
         words = f"what was flown is kept in {options.out}: run the same again to go on"
         console.print(words, markup=False, soft_wrap=True)
         raise
+
+
+def _claim(options: Namespace) -> None:
+    """Refuse to go on with the flights of another source."""
+    from housefly.app.safety_case.campaign import flown_results, wired_results
+    from housefly.app.safety_case.flown_by import claim_folder
+
+    out = Path(options.out)
+    claim_folder(out, has_flights=bool(flown_results(out) or wired_results(out)))
 
 
 def _plan(options: Namespace) -> SafetyPlan:
@@ -143,11 +159,14 @@ def _fly_all(options: Namespace) -> int:
     wired_wanted = wired_keys(options.wires, tuple(options.rows))
     wired_there = {result.key for result in wired_results(out)}
     done = sum(key in wired_there for key in wired_wanted)
+    if wired_wanted:
+        _claim(options)  # each is flown by the files as they are now, maybe hours later
     with SafetyProgress("in real time", len(wired_wanted), done) as progress:
         wired = fly_wired_plan(
             wired_wanted, out, options.at_once, lambda r: progress.advance(_unsafe_words(r))
         )
-    made = _made(options, results, len(wired), time.monotonic() - began)
+    wired = wired or ([] if options.seeds else wired_results(out))
+    made = _made(options, results, wired, time.monotonic() - began)
     page = write_safety_case(out, results, wired, made)
     guarded = [result for result in results if result.key.guarded]
     bad = sum(r.unsafe for r in guarded) + sum(r.unsafe for r in wired)
@@ -201,23 +220,36 @@ def _fly_again(row: str, options: Namespace) -> int:
 
 
 def _made(
-    options: Namespace, results: Sequence[TrialResult], wired: int, seconds: float
+    options: Namespace,
+    results: Sequence[TrialResult],
+    wired: Sequence[WiredResult],
+    seconds: float,
 ) -> dict[str, str]:
     from importlib import metadata
 
+    from housefly.app.safety_case.flown_by import flown_by_words
+
     rows = f" --rows {' '.join(options.rows)}" if options.rows else ""
-    seeds = options.seeds or 1 + max((r.key.seed for r in results if r.key.row), default=-1)
+    seeds = options.seeds or _of_each(r.key.row for r in results if r.key.guarded)
     how = " --quick" if options.quick else f" --seeds {seeds}"
-    flights = len(results) + wired
-    how += f" --wires {options.wires}" if options.wires else ""
+    wires = options.wires or _of_each(r.key.row for r in wired)
+    how += f" --wires {wires}" if wires else ""
+    flights, flown_by = len(results) + len(wired), flown_by_words(Path(options.out))
     took = f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores"
     return {
         "made by": f"housefly safety{how}{rows}",
         "on": time.strftime("%Y-%m-%d %H:%M"),
+        **({"flown by": flown_by} if flights else {}),
         "flights": f"{flights:,}".replace(",", " "),
         **({"time of this run": took} if options.seeds or options.wires else {}),
         "versions": f"Housefly {metadata.version('housefly')}, Python {platform.python_version()}",
     }
+
+
+def _of_each(rows: Iterable[str]) -> int:
+    """Return how many flights there are of a row, without pairs and those of no fault."""
+    single = (row.partition("/")[0] for row in rows if row and "+" not in row)
+    return max(Counter(single).values(), default=0)
 
 
 SAFETY_COMMAND = Subcommand(

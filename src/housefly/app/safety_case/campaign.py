@@ -11,6 +11,8 @@ from pathlib import Path
 from queue import SimpleQueue
 from typing import Any, Protocol, TypeVar
 
+from pydantic import ValidationError
+
 from housefly.app.safety_case.alike_flights import alike, fly_alike
 from housefly.app.safety_case.faulty_flight import fly_trial
 from housefly.app.safety_case.trial import TrialKey, TrialResult, result_from_json
@@ -20,6 +22,8 @@ from housefly.app.safety_case.wired_flight import (
     fly_wired,
     wired_result_from_json,
 )
+from housefly.config.text import shortened
+from housefly.config.validation import dotted, explain
 from housefly.errors import RecordingError
 
 RESULTS_FILE = "flights.jsonl"
@@ -113,7 +117,7 @@ def _kept(
     return [results[key] for key in keys]
 
 
-def _read(path: Path, parse: Callable[[dict[str, Any]], R]) -> list[R]:
+def _read(path: Path, parse: Callable[[str], R]) -> list[R]:
     """Return the results of a file; a line cut short at the end is left out.
 
     Raises:
@@ -125,12 +129,22 @@ def _read(path: Path, parse: Callable[[dict[str, Any]], R]) -> list[R]:
     results = []
     for number, line in enumerate(lines, 1):
         try:
-            results.append(parse(json.loads(line.decode("ascii"))))
-        except (ValueError, KeyError, TypeError, RecursionError) as error:
+            text = line.decode("ascii")
+            json.loads(text)  # tells a line that was cut short from one that was never ours
+            results.append(parse(text))
+        except (ValueError, RecursionError) as error:
             if number == len(lines) and isinstance(error, json.JSONDecodeError):
                 break
-            raise RecordingError(f"{path}, line {number}: {error}; remove it to go on") from error
+            words = f"{path}, line {number}: {_problem(error)}; remove it to go on"
+            raise RecordingError(words) from error
     return results
+
+
+def _problem(error: Exception) -> str:
+    if not isinstance(error, ValidationError):
+        return str(error)
+    first = error.errors()[0]
+    return f"{dotted(first['loc']) or 'it'} {shortened(explain(first), 120)}"
 
 
 def _rewrite(path: Path, results: Iterable[FlownResult]) -> None:

@@ -12,44 +12,52 @@ import psutil
 
 from housefly.record.truth import TRUTH_FILE, read_truth
 
-_STOPPED_FOR = 3.0
-"""How long a stopped process stands still [s]."""
-
 
 @dataclass(frozen=True, slots=True)
 class ProcessFault:
-    """A signal that a part of the running system gets.
+    """A signal that parts of the running system get.
 
     Attributes:
-        module: the part.
-        signal: SIGKILL, or SIGSTOP for a few seconds.
+        modules: the parts.
+        number: SIGKILL, or SIGSTOP for a while.
+        stopped_for: how long a stopped process stands still [s].
     """
 
-    module: str
-    signal: signal.Signals
+    modules: tuple[str, ...]
+    number: signal.Signals
+    stopped_for: float = 3.0
 
     def strike(self, launcher: int) -> None:
-        """Send the signal to the part that a launcher started; nothing when there is none."""
+        """Send the signal to the parts that a launcher started, as far as they are there."""
         with suppress(psutil.NoSuchProcess):
-            for part in psutil.Process(launcher).children(recursive=True):
-                if self.module in part.cmdline():
-                    self._strike(part)
-                    return
+            parts = [
+                part
+                for part in psutil.Process(launcher).children(recursive=True)
+                if not set(self.modules).isdisjoint(part.cmdline())
+            ]
+            _send(self.number, parts)
+            if self.number is signal.SIGSTOP:
+                time.sleep(self.stopped_for)
+                _send(signal.SIGCONT, parts)
 
-    def _strike(self, part: psutil.Process) -> None:
-        part.send_signal(self.signal)
-        if self.signal is signal.SIGSTOP:
-            time.sleep(_STOPPED_FOR)
-            part.send_signal(signal.SIGCONT)
+
+def _send(number: signal.Signals, parts: list[psutil.Process]) -> None:
+    for part in parts:
+        with suppress(psutil.NoSuchProcess):
+            part.send_signal(number)
 
 
+_PILOT, _DRIVER = "housefly.app.pilot_main", "housefly.app.driver_main"
+_HUB = "housefly.hub.process"
 PROCESS_FAULTS = {
-    "F24/killed": ProcessFault("housefly.app.pilot_main", signal.SIGKILL),
-    "F24/stopped": ProcessFault("housefly.app.pilot_main", signal.SIGSTOP),
-    "F25/driver_killed": ProcessFault("housefly.app.driver_main", signal.SIGKILL),
-    "F25/driver_stopped": ProcessFault("housefly.app.driver_main", signal.SIGSTOP),
-    "F30/hub_killed": ProcessFault("housefly.hub.process", signal.SIGKILL),
-    "F30/hub_stopped": ProcessFault("housefly.hub.process", signal.SIGSTOP),
+    "F24/killed": ProcessFault((_PILOT,), signal.SIGKILL),
+    "F24/stopped": ProcessFault((_PILOT,), signal.SIGSTOP),
+    "F25/driver_killed": ProcessFault((_DRIVER,), signal.SIGKILL),
+    "F25/driver_stopped": ProcessFault((_DRIVER,), signal.SIGSTOP),
+    "F30/hub_killed": ProcessFault((_HUB,), signal.SIGKILL),
+    "F30/hub_stopped": ProcessFault((_HUB,), signal.SIGSTOP),
+    "F32/stalled_0.3s": ProcessFault((_PILOT, _DRIVER), signal.SIGSTOP, 0.3),
+    "F32/stalled_1s": ProcessFault((_PILOT, _DRIVER), signal.SIGSTOP, 1.0),
 }
 """What happens to processes only; the rest of the matrix is made inside the simulated room."""
 

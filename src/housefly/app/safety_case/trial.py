@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from pydantic import TypeAdapter
+
 from housefly.app.safety_case.fault_phase import FaultPhase
 
 
@@ -64,13 +66,9 @@ class TrialResult:
         return {**asdict(self), "phase": self.phase.value}
 
 
-def result_from_json(plain: dict[str, Any]) -> TrialResult:
-    """Return the result that ``to_json`` gave; raises KeyError or ValueError for anything else."""
-    return TrialResult(
-        **{
-            **plain,
-            "key": TrialKey(**plain["key"]),
-            "phase": FaultPhase(plain["phase"]),
-            "violations": tuple(plain["violations"]),
-        }
-    )
+_RESULT: TypeAdapter[TrialResult] = TypeAdapter(TrialResult)
+
+
+def result_from_json(text: str) -> TrialResult:
+    """Return the result of what ``to_json`` gave; raises ValidationError for anything else."""
+    return _RESULT.validate_json(text)

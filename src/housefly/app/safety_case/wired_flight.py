@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import TypeAdapter
 
 from housefly.app.lively import lively_changes
 from housefly.app.loaded_site import load_site, read_site
@@ -76,10 +77,12 @@ class WiredResult:
         return asdict(self)
 
 
-def wired_result_from_json(plain: dict[str, Any]) -> WiredResult:
-    """Return the result that ``to_json`` gave; raises KeyError or TypeError for anything else."""
-    violations = tuple(plain["violations"])
-    return WiredResult(**{**plain, "key": WiredKey(**plain["key"]), "violations": violations})
+_RESULT: TypeAdapter[WiredResult] = TypeAdapter(WiredResult)
+
+
+def wired_result_from_json(text: str) -> WiredResult:
+    """Return the result of what ``to_json`` gave; raises ValidationError for anything else."""
+    return _RESULT.validate_json(text)
 
 
 def wired_keys(flights: int, rows: tuple[str, ...] = ()) -> list[WiredKey]:

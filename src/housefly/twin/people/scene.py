@@ -23,6 +23,8 @@ from housefly.twin.people.timeline import Timeline
 _SHIPPED_SUFFIX = "_scene.toml"
 _ARM, _HAND = 0.35, 1.0
 """Where a carried thing is: this far in front [m], at this height [m]."""
+_ROUND_MIN = 1.0
+"""Shortest round of a scene that begins anew [s]: of shorter ones a day has endlessly many."""
 
 
 class Scene:
@@ -32,7 +34,7 @@ class Scene:
         script: people, things, devices.
 
     Raises:
-        ConfigError: somebody does the impossible.
+        ConfigError: somebody does the impossible, or a round is over at once.
 
     Attributes:
         script: the same.
@@ -52,6 +54,9 @@ class Scene:
         )
         self._history = SceneHistory(script, acts)
         self.length = max((line.end for line in self._lines), default=0.0) + script.pause
+        if script.loop and 0.0 < self.length < _ROUND_MIN:
+            words = f"one round takes {self.length:g} s; allowed: {_ROUND_MIN:g} s or longer"
+            raise ConfigError("pause", words, "scene")
 
     def at(self, time: float) -> SceneState:
         """Return the state at a time [s since the scene began]."""
