@@ -18,7 +18,11 @@ from housefly.messages.preflight import (
 )
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
-from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, MOVED_ON_GROUND_MAX, TAKE_OFF_RESERVE
+from housefly.pilot.behavior.order_checks import (
+    HEIGHT_ERROR_MAX,
+    MOVED_ON_GROUND_MAX,
+    TAKE_OFF_RESERVE,
+)
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX, PAD_HEADING_MAX
 
 TILT_ON_PAD_MAX = radians(12.0)
@@ -230,8 +234,7 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         lambda i: f"moved by {i.moved:.2f} m",
         lambda _: f"at most {MOVED_ON_GROUND_MAX:g} m",
         "tracking that drifts on the ground drifts in the air",
-        "look whether another body is tracked under its name; lift it and put it down to show where"
-        " it is",
+        "see whether another body has its name; lift it once to show where it is",
     ),
     PreflightRule(
         "origin",

@@ -1,1 +1,1 @@
-import"./chunk-chunk-GL7F7VKU.js";
+import"./chunk-chunk-ALJOPHPR.js";

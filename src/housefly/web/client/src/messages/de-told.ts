@@ -310,8 +310,8 @@ export const DE_TOLD: Templates = {
   "at most {d} m": "höchstens {d} m",
   "tracking that drifts on the ground drifts in the air":
     "eine Ortung, die am Boden wandert, wandert auch in der Luft",
-  "look whether another body is tracked under its name; lift it and put it down to show where it is":
-    "prüfen, ob ein anderer Körper unter ihrem Namen geortet wird; anheben und absetzen zeigt, wo sie ist",
+  "see whether another body has its name; lift it once to show where it is":
+    "prüfen, ob ein anderer Körper ihren Namen hat; einmal anheben zeigt, wo sie ist",
   "tracking has it where it stands": "die Ortung zeigt sie, wo sie steht",
   "tracking has the drone at another height": "die Ortung zeigt die Drohne in anderer Höhe",
   "{d} m": "{d} m",

@@ -278,8 +278,8 @@ export const JA_TOLD: Templates = {
   "moved by {d} m": "{d} m 移動",
   "at most {d} m": "{d} m 以下",
   "tracking that drifts on the ground drifts in the air": "床でずれる計測は、飛行中もずれます",
-  "look whether another body is tracked under its name; lift it and put it down to show where it is":
-    "別の物が同じ名前で計測されていないか確認し、一度持ち上げて置き、位置を示してください",
+  "see whether another body has its name; lift it once to show where it is":
+    "別の物が同じ名前でないか確認し、一度持ち上げて位置を示してください",
   "tracking has it where it stands": "計測した高さは正しいです",
   "tracking has the drone at another height": "計測した高さが違います",
   "{d} m": "{d} m",
