@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import product
-from math import hypot, isnan, radians
+from math import dist, hypot, isnan, radians
 
 import pytest
 from lying_tracking import (
@@ -272,3 +272,25 @@ def test_a_wrong_height_after_a_gap_is_not_believed(
     assert flight.contacts == 0
     assert flight.status is DroneStatus.LANDED
     assert "poses_refused" in flight.codes
+
+
+def test_a_drone_exchanged_with_another_body_lands_and_is_not_believed_to_be_there(
+    site: LoadedSite,
+) -> None:
+    other = (4.0, 2.0, 0.8)
+
+    def exchanged(s: Sighting) -> Sighting:
+        if s.captured_at < CRUISING:
+            return s
+        wobble = 0.001 * (s.captured_at % 1.0)
+        return replace(s, pose=replace(s.pose, position=(other[0] + wobble, *other[1:])))
+
+    flight = LiedFlight(housefly.Simulation(site), exchanged, CRUISING)
+    flight.service()
+    flight.run(3.0)
+    assert_harmless(flight)
+    assert flight.outputs is not None and flight.outputs.estimate is not None
+    assert dist(flight.outputs.estimate.position[:2], other[:2]) > 1.0
+    flight.step(Order(OrderKind.SERVICE, place="entrance", look_s=1.0))
+    flight.run(2.0)
+    assert flight.status is DroneStatus.LANDED and "order_refused" in flight.codes

@@ -15,6 +15,7 @@ from housefly.geometry import Vec2, Vec3
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Sighting, Telemetry
 from housefly.numeric import wrapped
 from housefly.pilot.estimation.carrying import CarryDetector
+from housefly.pilot.estimation.climb_odometry import ClimbOdometry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
@@ -74,7 +75,7 @@ class TrackingMonitor:
         self._bank = lag_bank()
         self._latency = NO_LATENCY
         self._carry = CarryDetector()
-        self._status = DroneStatus.UNKNOWN
+        self._climb, self._climbed_then = ClimbOdometry(), 0.0
         self._airborne = False
         self._attitude_told = False
         self._height_told = False
@@ -94,7 +95,7 @@ class TrackingMonitor:
         self._received_at = telemetry.received_at
         at = self._report_clock.written_at(telemetry.drone_time, telemetry.received_at)
         self._reported_at = max(at, self._reported_at)
-        self._status = status
+        self._climb = self._climb.updated(at, telemetry.height)
         airborne = status in AIRBORNE_STATUSES
         if airborne != self._airborne:
             self._leave_or_reach_ground(airborne)
@@ -144,7 +145,7 @@ class TrackingMonitor:
         if seconds <= 0.0:
             return True
         now = odometry_at(self._odometry, self._motion, sighting.captured_at)
-        if predicted is not None and not self._is_at_height(last, then, sighting, now, predicted):
+        if predicted is not None and not self._is_at_height(last, sighting, predicted):
             return False
         if not self._is_covered(last.captured_at, sighting.captured_at):
             return seconds < GAP_MIN or predicted is None or _near(sighting, predicted)
@@ -163,18 +164,15 @@ class TrackingMonitor:
         turn = wrapped(new.pose.yaw - last.pose.yaw - (now.psi - then.psi))
         return off <= min(JUMP_FLOOR + bound, JUMP_CEILING) and abs(turn) <= TURN_JUMP
 
-    def _is_at_height(
-        self, last: Sighting, then: OdometryAt, new: Sighting, now: OdometryAt, predicted: Vec3
-    ) -> bool:
-        """Return whether a height is where the filter expects it.
+    def _is_at_height(self, last: Sighting, new: Sighting, predicted: Vec3) -> bool:
+        """Return whether a height is what the drone has climbed since, by its sonar.
 
-        A drone that takes off or lands by itself climbs as its sonar says; in flight the floor
-        below may step while the drone flies level.
+        A drone that holds itself follows the floor below, which no filter expects.
         """
-        z0, z1 = last.pose.position[2], new.pose.position[2]
-        is_by_itself = self._status is not DroneStatus.FLYING and self._height_told
-        by_sonar = z0 + now.height - then.height if is_by_itself else predicted[2]
-        return min(abs(z1 - predicted[2]), abs(z1 - by_sonar)) <= CLIMB_JUMP
+        expected = predicted[2]
+        if self._height_told and self._is_covered(last.captured_at, new.captured_at):
+            expected = last.pose.position[2] + self._climb.climbed - self._climbed_then
+        return abs(new.pose.position[2] - expected) <= CLIMB_JUMP
 
     def _is_covered(self, since: float, until: float) -> bool:
         """Return whether the odometry has no hole between two times [s]."""
@@ -208,7 +206,7 @@ class TrackingMonitor:
         if self._attitude_told:
             self._odometry = odometry_headed(self._odometry, self._motion, at, pose.yaw)
         since = self._last[0].captured_at if self._last else at
-        self._last = sighting, onboard
+        self._last, self._climbed_then = (sighting, onboard), self._climb.climbed
         if not self._airborne:
             self._rest_at(pose.position)
             return

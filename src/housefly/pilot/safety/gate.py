@@ -111,6 +111,14 @@ class GateAssessment:
         return SafetyMode.HOLD if is_held and self.mode is SafetyMode.RETURN else self.mode
 
     @property
+    def words(self) -> str:
+        """Why, for people; a return that waits says for what, too."""
+        if self.motion is self.mode:
+            return self.reason
+        holding = next(rule.words for rule in self.broken if rule.mode is SafetyMode.HOLD)
+        return f"{self.reason}; {holding}"
+
+    @property
     def severity(self) -> int:
         """What the compiled gate is told: a landing that is steered is flown."""
         return MODE_SEVERITY[SafetyMode.RETURN if self.steered else self.motion]
@@ -123,7 +131,8 @@ class GateVerdict:
     Attributes:
         command: for the driver.
         mode: the worst that was found.
-        code, reason: of the deciding rule, "" when nothing is wrong.
+        code, reason: of the deciding rule, "" when nothing is wrong; a return that waits says for
+            what, too.
         broken: every broken rule, worst first.
     """
 
@@ -253,7 +262,7 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
         gated: the numbers that left the compiled gate.
         assessment: what the rules found in this step.
     """
-    mode, code, reason = assessment.mode, assessment.code, assessment.reason
+    mode, code, reason = assessment.mode, assessment.code, assessment.words
     motion = assessment.motion
     is_finite = gated.mode == assessment.severity
     if assessment.steered and action is Action.FLY and is_finite and gated.flown:
