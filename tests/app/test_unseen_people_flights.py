@@ -76,3 +76,10 @@ def test_the_drone_lands_beside_a_child_that_only_the_sonar_shows(flown: Crowded
 @pytest.mark.slow
 def test_a_child_below_is_not_taken_for_late_poses(flown: CrowdedPad) -> None:
     assert flown.told.isdisjoint({"tracking_late", "tracking_slow"})
+
+
+@pytest.mark.slow
+def test_the_drone_does_not_wait_above_a_childs_head(flown: CrowdedPad) -> None:
+    away = np.hypot(*(flown.truth.position[:, :2] - np.array(flown.pad)).T)
+    above = (away < 0.3) & (flown.truth.position[:, 2] > CHILD) & (flown.truth.time > 18.0)
+    assert 0.5 < above.sum() * np.diff(flown.truth.time).mean() < 4.5
