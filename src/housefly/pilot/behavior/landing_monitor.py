@@ -30,8 +30,8 @@ takes 3 s.
 """
 ON_GOAL = 0.3
 """A landing so near to its goal sinks above the goal, any other one where the drone is [m]."""
-OVERHEAD = 0.5
-"""Above what is nearer below than this the drone does not wait for it to go away [m]."""
+OVERHEAD, OVERHEAD_PERIOD = 0.5, 1.0
+"""Above what is nearer below than this [m] the drone rises for so long [s], and leaves."""
 SPOT_PERIOD = 3.0
 """How often another place to land is looked for [s] ..."""
 SPOT_RETRY = 0.5
@@ -106,21 +106,22 @@ class LandingMonitor:
             text = f"not landing: {fault}"
             events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
             self._told = fault
-            self._ask_at = vehicle.now + (0.0 if self._leaves_at_once(vehicle) else SPOT_PERIOD)
+            self._ask_at = vehicle.now + self._patience(vehicle)
             self._unreachable.clear()
         if vehicle.now >= self._ask_at:
             self._ask_at = vehicle.now + SPOT_PERIOD
             events.extend(self._elsewhere(vehicle))
         return events
 
-    def _leaves_at_once(self, vehicle: VehicleStatus) -> bool:
-        """Return whether it is no use to wait, or nothing to wait for above somebody's head."""
+    def _patience(self, vehicle: VehicleStatus) -> float:
+        """Return how long to wait for what is below to go away [s]."""
         if vehicle.place is None or vehicle.estimate is None:
-            return False
+            return SPOT_PERIOD
+        if self._people.ground_fault(vehicle.place):
+            return 0.0
         sonar = self._commander.sonar
         gap = vehicle.estimate.position[2] - sonar.found
-        is_near = sonar.is_sure(vehicle.now) and gap < OVERHEAD
-        return is_near or bool(self._people.ground_fault(vehicle.place))
+        return OVERHEAD_PERIOD if sonar.is_sure(vehicle.now) and gap < OVERHEAD else SPOT_PERIOD
 
     def _column_fault(self, vehicle: VehicleStatus) -> str:
         if vehicle.place is None:
