@@ -27,6 +27,7 @@ from housefly.messages import (
     OrderKind,
     Outputs,
     Pose,
+    SafetyMode,
     Sighting,
     Telemetry,
 )
@@ -161,7 +162,10 @@ def _sighting(site: Site, row: Any) -> Sighting:
 def _write(row: Any, outputs: Outputs) -> None:
     setpoint, estimate, reference = outputs.command.setpoint, outputs.estimate, outputs.reference
     row["flying"] = outputs.command.action is Action.FLY
-    row["behavior"], row["safety"] = STATES.index(outputs.behavior), MODE_SEVERITY[outputs.safety]
+    # The drone of the batch tells no velocity: what is only warned of is nothing to compare.
+    is_warned = outputs.safety is SafetyMode.WARN
+    safety = SafetyMode.NOMINAL if is_warned else outputs.safety
+    row["behavior"], row["safety"] = STATES.index(outputs.behavior), MODE_SEVERITY[safety]
     for name, value in zip(
         SIGNALS, (setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate), strict=True
     ):

@@ -74,7 +74,8 @@ def braking_setpoint(
 
     A report with numbers that are none leaves it to the drone's own hover.
     """
-    if now - report.received_at > _SPEED_AGE_MAX:
+    is_known = all(map(isfinite, (report.theta, report.phi)))
+    if not is_known or now - report.received_at > _SPEED_AGE_MAX:
         return None
     measured = report.velocity[:2]
     # a flow camera that sees nothing reports zeros to the last bit
