@@ -237,7 +237,7 @@ class Pilot:
     def _vehicle_status(
         self, now: float, estimate: Estimate | None, inputs: Inputs
     ) -> VehicleStatus:
-        telemetry = self._telemetry
+        telemetry, known = self._telemetry, self.consistency
         return VehicleStatus(
             now=now,
             status=self._status,
@@ -252,10 +252,8 @@ class Pilot:
             held=not is_flown_in(self._stepped.gate),
             reference=self._trajectory_reference(),
             telemetry=telemetry,
-            consistency=self.consistency,
-            tracking_disproved=(
-                self._status in AIRBORNE_STATUSES and is_disproved(self.consistency)
-            ),
+            consistency=known,
+            tracking_disproved=self._status in AIRBORNE_STATUSES and is_disproved(known),
             origin_known=inputs.origin_known,
             silence=PeopleSilence(now - inputs.people_seen_at, self._settings.people_silence),
         )

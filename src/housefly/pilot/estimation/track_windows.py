@@ -86,7 +86,17 @@ EMPTY_WINDOWS = TrackWindows(
 @compiled
 def windows_restarted(w: TrackWindows) -> TrackWindows:
     """Return the windows emptied in flight, at a hole of the odometry; what parted is kept."""
-    kept = w.drift if w.drift > w.kept else w.kept
+    return _emptied(w, w.drift if w.drift > w.kept else w.kept)
+
+
+@compiled
+def windows_cleared(w: TrackWindows) -> TrackWindows:
+    """Return the windows emptied, with nothing kept: another flight."""
+    return _emptied(w, 0.0)
+
+
+@compiled
+def _emptied(w: TrackWindows, kept: float) -> TrackWindows:
     return TrackWindows(
         taken=w.taken,
         first=w.taken,
@@ -95,22 +105,6 @@ def windows_restarted(w: TrackWindows) -> TrackWindows:
         anchor_way=0.0,
         kept=kept,
         drift=kept if kept > 0.0 else nan,
-        frame_error=nan,
-        mirrored=False,
-    )
-
-
-@compiled
-def windows_cleared(w: TrackWindows) -> TrackWindows:
-    """Return the windows emptied, with nothing kept: another flight."""
-    return TrackWindows(
-        taken=w.taken,
-        first=w.taken,
-        anchored=False,
-        anchored_at=0.0,
-        anchor_way=0.0,
-        kept=0.0,
-        drift=nan,
         frame_error=nan,
         mirrored=False,
     )
