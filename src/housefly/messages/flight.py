@@ -9,7 +9,7 @@ from math import inf
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Estimate, Sighting, Telemetry
-from housefly.messages.steering import Behavior, Command, Path, Reference, SafetyMode
+from housefly.messages.steering import Behavior, Clearing, Command, Path, Reference, SafetyMode
 
 TASK_SENDER = "task "
 """How the sender of a task's order begins; no person's does."""
@@ -132,6 +132,7 @@ class Outputs:
         reason: why safety or the pilot holds back, in words ("" when nothing does).
         events: what happened in this step.
         warnings: everything that is wrong now, in words, worst first.
+        clears: what ends what the safety gate does; while safety is nominal it does nothing.
     """
 
     command: Command
@@ -146,6 +147,7 @@ class Outputs:
     reason: str = ""
     events: tuple[Event, ...] = ()
     warnings: tuple[str, ...] = ()
+    clears: Clearing = Clearing.ITSELF
 
 
 @dataclass(frozen=True, slots=True)

@@ -145,3 +145,13 @@ class SafetyMode(Enum):
     LAND = "land"
     DESCEND = "descend"
     CUT = "cut"
+
+
+class Clearing(Enum):
+    """What ends the answer of the last gate to a broken rule."""
+
+    ITSELF = "by itself"
+    GROUND = "once it stands"
+    ORDER = "a fresh order on the ground"
+    RESUME = "Resume"
+    RESET = "a reset"

@@ -445,6 +445,7 @@ class Pilot:
             reason=verdict.reason or task.waiting,
             events=events,
             warnings=self._warnings(verdict, task.waiting),
+            clears=verdict.clears,
         )
 
     @staticmethod

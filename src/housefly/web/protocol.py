@@ -17,6 +17,7 @@ from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import (
     Action,
     Behavior,
+    Clearing,
     DroneStatus,
     LinkStatus,
     OrderKind,
@@ -218,6 +219,7 @@ class StateMessage:
             sensors.
         height: the drone's own height sensor [m].
         wanted: reference position [m].
+        clears: what ends what the safety gate does, where it does anything.
         path: number of the path in use; the path itself comes as PathMessage.
         stopping_distance: that a drone this fast needs to come to rest, reaction included [m].
         height_std: one-sigma uncertainty of the height [m].
@@ -242,6 +244,7 @@ class StateMessage:
     behavior: Behavior
     phase: Phase
     safety: SafetyMode
+    clears: Clearing
     action: Action
     goal_name: str
     reason: str

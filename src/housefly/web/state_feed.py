@@ -281,6 +281,7 @@ def _state(
         behavior=out.behavior,
         phase=out.phase,
         safety=out.safety,
+        clears=out.clears,
         action=out.command.action,
         goal_name=out.goal_name,
         reason=out.reason,

@@ -278,7 +278,7 @@ def test_words_say_what_is_left_and_what_struck() -> None:
     assert RULES["flight_time"].words(over).startswith("0 s of flight left")
     struck = replace(REPORT, acceleration=(BLOW_ACCELERATION + GRAVITY, 0.0, 0.0))
     words = RULES["contact"].words(context(telemetry=struck, velocity_change=0.6))
-    assert words.startswith("struck something: 0.6 m/s faster or slower at once")
+    assert words.startswith("struck something, or tracking jumped: 0.6 m/s faster")
     low = landing(position=(5.0, 2.0, 0.04), velocity=(0.3, 0.0, 0.0))
     assert "only 0.04 m above the floor" in RULES["landing_drift"].words(low)
     sunk = landing(position=(5.0, 2.0, -0.04), velocity=(0.3, 0.0, 0.0))

@@ -32,6 +32,7 @@ from gate_words import rules_table
 from housefly.config.limits import LimitsConfig
 from housefly.messages import (
     Action,
+    Clearing,
     DroneStatus,
     Phase,
     Reference,
@@ -45,7 +46,7 @@ from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.motion_rules import vertical_speed
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObservations
-from housefly.pilot.safety.rule import Clearing, RuleContext
+from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 from housefly.pilot.safety.tracking_rules import (
     DRIFT_LAND,

@@ -53,12 +53,14 @@ class FlightCourse:
         seed: of everything random.
         rate_hz: of the tracking system.
         has_intruders: whether people and things may get in the way.
+        scanned: whether the room has its scanners.
         guarded: with its guards, else the negative control.
     """
 
     seed: int
     rate_hz: float
     has_intruders: bool
+    scanned: bool
     guarded: bool
 
 
@@ -74,7 +76,9 @@ def course_of(key: TrialKey) -> FlightCourse:
     """Return the course of a flight."""
     phases = phases_of(key.row)
     rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
-    return FlightCourse(key.seed, rate, needs_intruders(key.row), key.guarded)
+    return FlightCourse(
+        key.seed, rate, needs_intruders(key.row), needs_scanners(key.row), key.guarded
+    )
 
 
 def onset_of(key: TrialKey) -> FaultOnset:
@@ -128,6 +132,12 @@ def needs_intruders(row: str) -> bool:
     return any(fault.component in intruders for fault in faults_of_key(TrialKey(row, 0)))
 
 
+def needs_scanners(row: str) -> bool:
+    """Return whether a row is flown in a room with scanners, which see what gets in the way."""
+    unscanned = any(variant_of(name).unscanned for name in row.split("+") if name)
+    return needs_intruders(row) and not unscanned
+
+
 def _cannot_hover(row: str) -> bool:
     return any(variant_of(name).cannot_hover for name in row.split("+") if name)
 
@@ -136,7 +146,7 @@ class FaultyFlight:
     """One service, into which faults come."""
 
     def __init__(self, course: FlightCourse) -> None:
-        base = _base(course.has_intruders)
+        base = _base(course.scanned)
         site = changed(base.site, twin__seed=1 + course.seed, twin__mocap_rate_hz=course.rate_hz)
         self._guarded = course.guarded
         self._simulation = Simulation(

@@ -19,7 +19,7 @@ from housefly.app.loaded_site import load_site, read_site
 from housefly.app.safety_case.faulty_flight import (
     SAFETY_PLACE,
     SAFETY_SITE,
-    needs_intruders,
+    needs_scanners,
     variant_of,
 )
 from housefly.app.safety_case.plan import shared_out
@@ -124,7 +124,7 @@ def fly_wired(key: WiredKey, folder: Path, seat: int = 0) -> WiredResult:
     from_start = struck is None and variant_of(key.row).from_start
     begin = 0.0 if from_start else float(rng.uniform(*span))
     folder.mkdir(parents=True, exist_ok=True)
-    site = write_own_site(folder, seat, scanned=not struck and needs_intruders(key.row))
+    site = write_own_site(folder, seat, scanned=not struck and needs_scanners(key.row))
     command = [
         *(sys.executable, "-m", "housefly.cli", "fly", SAFETY_PLACE, "--site", str(site)),
         *("--headless", "--look", str(_LOOK_TIME), "--seed", str(1 + key.seed)),

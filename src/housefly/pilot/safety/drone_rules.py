@@ -5,12 +5,12 @@ from __future__ import annotations
 from math import hypot
 
 from housefly.messages.sensing import DroneStatus
-from housefly.messages.steering import SafetyMode
+from housefly.messages.steering import Clearing, SafetyMode
 from housefly.pilot.behavior.drone_faults import LANDING_FAULTS
 from housefly.pilot.safety.energy import CLIFF_SPAN, GAUGE_STILL_TIME
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
 from housefly.pilot.safety.observer import HOLD_SPAN, LATE_SPAN
-from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
 
 M, N = SafetyMode, Counting
 

@@ -13,7 +13,7 @@ from math import inf
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
-from housefly.messages.steering import Action, Command, SafetyMode, Setpoint
+from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
 from housefly.pilot.safety.fallbacks import can_steer_landing, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
@@ -69,12 +69,14 @@ class BrokenRule:
         mode: what is done about it, knowledge permitting.
         words: for people.
         steered: the pilot steers the landing.
+        clears: what ends the answer.
     """
 
     code: str
     mode: SafetyMode
     words: str
     steered: bool = False
+    clears: Clearing = Clearing.ITSELF
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,6 +143,12 @@ class GateVerdict:
     code: str = ""
     reason: str = ""
     broken: tuple[BrokenRule, ...] = ()
+
+    @property
+    def clears(self) -> Clearing:
+        """What ends what is done."""
+        deciding = (rule.clears for rule in self.broken if rule.code == self.code)
+        return next(deciding, Clearing.ITSELF)
 
 
 class Gate:
@@ -234,7 +242,11 @@ class Gate:
         remembered = self._since.keys() | self._until.keys()
         found = [
             BrokenRule(
-                rule.code, possible_mode(rule.mode, context), rule.words(context), rule.steered
+                rule.code,
+                possible_mode(rule.mode, context),
+                rule.words(context),
+                rule.steered,
+                rule.clears,
             )
             for rule, kind in self._rules
             if ((is_wrong := counted[kind] and rule.broken(context)) or rule.code in remembered)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import degrees, hypot, isfinite
 
 from housefly.geometry import GRAVITY
-from housefly.messages.steering import SafetyMode
+from housefly.messages.steering import Clearing, SafetyMode
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import (
@@ -14,7 +14,7 @@ from housefly.pilot.safety.observer import (
     control_error,
     velocity_error,
 )
-from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
 
 M, N = SafetyMode, Counting
 
@@ -104,10 +104,14 @@ def _stands_above(c: RuleContext) -> float:
 
 
 def _contact_words(c: RuleContext) -> str:
-    what = f"{c.seen.velocity_change:.1f} m/s faster or slower at once (limit {BLOW_SPEED:g} m/s)"
     if blow(c) > BLOW_ACCELERATION:
-        what = f"a blow of {blow(c):.0f} m/s^2 (limit {BLOW_ACCELERATION:g} m/s^2)"
-    return f"struck something: {what}, landing"
+        size, limit = f"{blow(c):.0f} m/s^2", f"{BLOW_ACCELERATION:g} m/s^2"
+        return f"struck something: a blow of {size} (limit {limit}), landing"
+    change, limit = f"{c.seen.velocity_change:.1f} m/s", f"{BLOW_SPEED:g} m/s"
+    return (
+        f"struck something, or tracking jumped: {change} faster or slower at once"
+        f" (limit {limit}), landing"
+    )
 
 
 def _height_words(c: RuleContext) -> str:

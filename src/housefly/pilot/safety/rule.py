@@ -8,7 +8,7 @@ from enum import Enum
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.sensing import DroneStatus
-from housefly.messages.steering import SafetyMode
+from housefly.messages.steering import Clearing, SafetyMode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.observer import FlightObservations
 
@@ -22,16 +22,6 @@ class Counting(Enum):
     CRUISE = "flying, not landing"
     LANDING = "told to land"
     GROUND = "on the ground"
-
-
-class Clearing(Enum):
-    """What ends the answer to a broken rule."""
-
-    ITSELF = "by itself"
-    GROUND = "once it stands"
-    ORDER = "a fresh order on the ground"
-    RESUME = "Resume"
-    RESET = "a reset"
 
 
 @dataclass(frozen=True, slots=True)

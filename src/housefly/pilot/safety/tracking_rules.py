@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import degrees, isfinite, isnan, radians
 
 from housefly.messages.sensing import DroneStatus
-from housefly.messages.steering import SafetyMode
+from housefly.messages.steering import Clearing, SafetyMode
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.limits import too_old
-from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
 
 M, N = SafetyMode, Counting
 

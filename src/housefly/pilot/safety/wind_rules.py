@@ -10,10 +10,10 @@ from math import dist, hypot, inf, sqrt
 
 from housefly.geometry import GRAVITY
 from housefly.messages.sensing import DroneStatus
-from housefly.messages.steering import SafetyMode
+from housefly.messages.steering import Clearing, SafetyMode
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import VELOCITY_ERROR_SPAN
-from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
 
 M, N = SafetyMode, Counting
 

@@ -28,6 +28,7 @@ class FaultVariant:
         cannot_hover: nothing keeps the drone in the air any more, so that it falls is not judged;
             that its motors stop, and what it strikes, is.
         is_extreme: stronger than the drone is made for, so that campaigns leave it out.
+        unscanned: it is flown in a room without scanners, where only the sonar shows who is below.
     """
 
     name: str
@@ -36,6 +37,7 @@ class FaultVariant:
     wires_only: bool = False
     cannot_hover: bool = False
     is_extreme: bool = False
+    unscanned: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,11 +100,20 @@ def _mocap(
     return Fault(_C.MOCAP, kind, aspect, start, lasting, size)
 
 
-def _gap_then_offset(gap: float, offset: float) -> FaultVariant:
+def _gap_then_offset(gap: float, offset: float, aspect: str = "position") -> FaultVariant:
     """Return the loss of tracking for a while, after which it has the drone elsewhere."""
+    towards = "_up" if aspect == "z" else ""
     return FaultVariant(
-        f"gap{gap:g}s_{offset:g}m",
-        (_mocap("", _K.OFF, lasting=gap), _mocap("position", size=offset, start=gap)),
+        f"gap{gap:g}s_{offset:g}m{towards}",
+        (_mocap("", _K.OFF, lasting=gap), _mocap(aspect, size=offset, start=gap)),
+    )
+
+
+def _jumps(size: float, apart: float, count: int) -> FaultVariant:
+    """Return jumps that are each too small to be refused and add up, all in one direction."""
+    return FaultVariant(
+        f"jumps_{100 * size:g}cm",
+        tuple(_mocap("position", size=size, start=apart * n) for n in range(count)),
     )
 
 
@@ -117,6 +128,7 @@ def _one(
     wires_only: bool = False,
     cannot_hover: bool = False,
     is_extreme: bool = False,
+    unscanned: bool = False,
 ) -> FaultVariant:
     fault = Fault(component, kind, aspect, 0.0, lasting, size)
     return FaultVariant(
@@ -125,6 +137,7 @@ def _one(
         wires_only=wires_only,
         cannot_hover=cannot_hover,
         is_extreme=is_extreme,
+        unscanned=unscanned,
     )
 
 
@@ -167,6 +180,9 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
                     (0.3, 0.3), (0.8, 0.4), (1.2, 0.5), (1.5, 0.6), (1.9, 0.8), (1.9, 1.0),
                 )
             ),
+            FaultVariant("0.7m_up", (_mocap("z", size=0.7),)),
+            FaultVariant("0.7m_down", (_mocap("z", size=-0.7),)),
+            _gap_then_offset(0.8, 0.7, "z"),
         ), True,
     ),
     FaultRow(
@@ -230,6 +246,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             FaultVariant("2cm", (_mocap("drift", size=0.02),)),
             FaultVariant("5cm", (_mocap("drift", size=0.05),)),
             FaultVariant("steps", (_mocap("steps", size=0.14),)),
+            _jumps(0.05, 8.0, 5),
         ), True,
     ),
     FaultRow(
@@ -470,6 +487,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         (
             _one(_C.OBSTACLES, _K.WRONG, "pad", name="stool"),
             _one(_C.PEOPLE, _K.WRONG, "pad", name="child"),
+            _one(_C.PEOPLE, _K.WRONG, "pad", name="unscanned_child", unscanned=True),
         ), True,
     ),
     FaultRow(

@@ -1,1 +1,1 @@
-import"./chunk-chunk-ALJOPHPR.js";
+import"./chunk-chunk-RLB4HYAH.js";

@@ -217,8 +217,8 @@ export const DE_TOLD: Templates = {
     "die Drohne steht, doch die Ortung zeigt sie um {d} m bewegt (Grenze {m} m): sie bleibt " +
       "unten",
   "poses are {n} s older than they say": "die Ortung ist {n} s älter als angegeben",
-  "struck something: {d} m/s faster or slower at once (limit {m} m/s), landing":
-    "etwas getroffen: plötzlich {d} m/s schneller oder langsamer (Grenze {m} m/s), sie landet",
+  "struck something, or tracking jumped: {d} m/s faster or slower at once (limit {m} m/s), landing":
+    "angestoßen, oder die Ortung sprang: plötzlich {d} m/s anders (Grenze {m} m/s), sie landet",
   "struck something: a blow of {d} m/s^2 (limit {m} m/s^2), landing":
     "etwas getroffen: Stoß von {d} m/s² (Grenze {m} m/s²), sie landet",
   "{d} m above its height of {m} m": "{d} m über ihrer Höhe von {m} m",

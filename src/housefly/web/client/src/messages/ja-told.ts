@@ -192,8 +192,8 @@ export const JA_TOLD: Templates = {
   "the drone stands, and tracking shows it moved by {d} m (limit {m} m): it stays down":
     "ドローンは床にいますが、位置計測では {d} m 動いています（限度 {m} m）。飛びません",
   "poses are {n} s older than they say": "位置データが表示より{n}秒古いです",
-  "struck something: {d} m/s faster or slower at once (limit {m} m/s), landing":
-    "何かに当たりました：速度が急に {d} m/s 変化（限度 {m} m/s）。着陸します",
+  "struck something, or tracking jumped: {d} m/s faster or slower at once (limit {m} m/s), landing":
+    "何かに当たったか、位置計測が飛びました：速度が急に {d} m/s 変化（限度 {m} m/s）。着陸します",
   "struck something: a blow of {d} m/s^2 (limit {m} m/s^2), landing":
     "何かに当たりました：衝撃 {d} m/s²（限度 {m} m/s²）。着陸します",
   "{d} m above its height of {m} m": "予定の高さ {m} m より {d} m 高い",

@@ -97,6 +97,7 @@ export function Readings() {
       </Reading>
       <Reading name={t("State")} age={age} problem={s !== null && s.safety !== "nominal"}>
         {s ? t("{state} · safety {mode}", { state: s.behavior, mode: s.safety }) : "–"}
+        {s && s.safety !== "nominal" && <small> → {t(s.clears)}</small>}
       </Reading>
     </dl>
   );

@@ -9,6 +9,7 @@ import { Told } from "../messages/told";
 import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
 import { reply } from "./tasks-client";
+import type { RehearsalReport } from "../wire/task-messages";
 import { proposal, rehearsed, why, withAdvice } from "./words";
 import { t, translated } from "../messages/language";
 
@@ -71,11 +72,6 @@ function Card({ one: { task, question } }: { one: Asked }) {
       <p class="quiet">
         {caused ? sentence(why(task)) : `${translated(task.title)} · ${why(task)}`}
       </p>
-      {task.rehearsal && question.id === CONFIRMATION && (
-        <p class="rehearsal" data-may={task.rehearsal.may_fly}>
-          <Told words={rehearsed(task.rehearsal)} />
-        </p>
-      )}
       <div class="choices">
         {question.choices.map((choice, k) => (
           <Choice
@@ -92,6 +88,7 @@ function Card({ one: { task, question } }: { one: Asked }) {
           />
         ))}
       </div>
+      {question.id === CONFIRMATION && <Rehearsal report={task.rehearsal} />}
       {left !== null && (
         <p class="quiet">
           {t("Without an answer it counts as “{choice}” in {time}.", {
@@ -104,6 +101,15 @@ function Card({ one: { task, question } }: { one: Asked }) {
         <p role="alert">△ {sentence(translated(trouble.value.words))}</p>
       )}
     </article>
+  );
+}
+
+/** Below the answers: it comes late, and a button that is pressed must not move. */
+function Rehearsal({ report }: { report: RehearsalReport | null }) {
+  return (
+    <p class="rehearsal" data-may={report?.may_fly}>
+      {report === null ? t("Rehearsing …") : <Told words={rehearsed(report)} />}
+    </p>
   );
 }
 

@@ -174,6 +174,13 @@ export type SafetyMode =
   | "descend"
   | "cut";
 
+export type Clearing =
+  | "by itself"
+  | "once it stands"
+  | "a fresh order on the ground"
+  | "Resume"
+  | "a reset";
+
 export type Action =
   | "idle"
   | "take off"
@@ -210,6 +217,7 @@ export interface StateMessage {
   behavior: Behavior;
   phase: Phase;
   safety: SafetyMode;
+  clears: Clearing;
   action: Action;
   goal_name: string;
   reason: string;
