@@ -59,8 +59,10 @@ QUICK_FILTER = 600.0
 """A filter of a larger ``acceleration_noise / position_noise`` bears tracking of 1 mm [1/s^2]."""
 STRAY_MAX, SWING_MAX, SPEED_MAX = 1.0, 0.5, 0.4
 """Farthest from the way [m]; largest swing [m] and speed [m/s] while it holds its place."""
-FLIGHT_MAX, HELD, LANDING_MAX = 2200, 500, 9000
-"""How long it may fly, how long it is to hold, how long it may take to land [ticks]."""
+FLIGHT_MAX, HELD, JUDGED, LANDING_MAX = 2600, 900, 300, 9000
+"""How long it may fly, how long it is to hold and is judged at the end of that (mode paper arrives
+with speed: it overshoots by half a metre and comes back), how long it may take to land [ticks].
+"""
 
 
 def from_segment(here: Vec2, a: Vec2, b: Vec2) -> float:
@@ -149,8 +151,8 @@ def try_out(
         if len(held) >= HELD:
             break
     end = outputs.phase.value
-    if len(held) >= 300:
-        swing = float(np.ptp(np.array(held[-300:]), axis=0).max())
+    if len(held) >= HELD:
+        swing = float(np.ptp(np.array(held[-JUDGED:]), axis=0).max())
         speed = hypot(flight.body.vx, flight.body.vy)
         assert swing < SWING_MAX and speed < SPEED_MAX, f"swings {swing:.2f} m at {speed:.2f} m/s"
         end = f"held {dist(held[-1], GOAL):.2f} m from its goal"

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from housefly.errors import ConfigError
-from housefly.twin.faults.catalogue import FAULT_CATALOGUE, NOT_COVERED, FaultRow, row_of
+from housefly.twin.faults.catalogue import FAULT_CATALOGUE, NOT_COVERED, row_of
+from housefly.twin.faults.fault_row import FaultRow
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.faults.vocabulary import Injection
 

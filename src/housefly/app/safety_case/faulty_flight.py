@@ -16,8 +16,9 @@ from housefly.app.safety_case.oracle import Oracle
 from housefly.app.safety_case.trial import TrialKey, TrialResult
 from housefly.config.site import changed
 from housefly.messages import Inputs, Order, OrderKind, PilotStep
-from housefly.twin.faults.catalogue import FaultVariant, row_of
+from housefly.twin.faults.catalogue import row_of
 from housefly.twin.faults.fault import Fault
+from housefly.twin.faults.fault_row import FaultVariant
 from housefly.twin.faults.vocabulary import FaultComponent
 
 SAFETY_SITE = "bsen"

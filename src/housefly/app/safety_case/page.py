@@ -13,7 +13,8 @@ from housefly.app.safety_case.strip_plot import strip_plot
 from housefly.app.safety_case.trial import TrialResult
 from housefly.app.safety_case.wired_flight import WiredResult
 from housefly.record.report_style import REPORT_CSS
-from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
+from housefly.twin.faults.catalogue import FAULT_CATALOGUE
+from housefly.twin.faults.fault_row import FaultRow
 
 PAGE_FILE = "safety-case.html"
 _UNSAFE_LISTED = 60

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from housefly.app.safety_case.trial import TrialKey
-from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
+from housefly.twin.faults.catalogue import FAULT_CATALOGUE
+from housefly.twin.faults.fault_row import FaultRow
 
 FAULT_FREE = ""
 """The row without a fault: every word in it is a false alarm."""

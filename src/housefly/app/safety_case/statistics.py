@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from scipy import stats
 
 from housefly.app.safety_case.trial import TrialResult
-from housefly.twin.faults.catalogue import FaultRow
+from housefly.twin.faults.fault_row import FaultRow
 
 _CONFIDENCE = 0.95
 

@@ -26,7 +26,8 @@ from housefly.app.safety_case.plan import shared_out
 from housefly.app.safety_case.process_faults import PROCESS_FAULTS, wait_for_take_off
 from housefly.app.safety_case.wired_oracle import wired_violations
 from housefly.record.truth import TRUTH_FILE, TrueFlight, read_truth
-from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
+from housefly.twin.faults.catalogue import FAULT_CATALOGUE
+from housefly.twin.faults.fault_row import FaultRow
 from housefly.twin.faults.vocabulary import Injection
 
 _TIMEOUT = 240.0
