@@ -189,7 +189,11 @@ def draw(fly: Fly, number: int) -> dict[str, int]:
     )
     @given(MODES, COMBINATIONS, RATES, TRACKING)
     def one(mode: str, keys: dict[str, Any], rate_hz: float, tracking: dict[str, float]) -> None:
-        end = try_out(fly, mode, keys, rate_hz, tracking).split(" 0.")[0]
+        try:
+            end = try_out(fly, mode, keys, rate_hz, tracking).split(" 0.")[0]
+        except AssertionError as error:
+            error.add_note(f"mode {mode} at {rate_hz} Hz with {keys}, tracking {tracking}")
+            raise
         ends[end] = ends.get(end, 0) + 1
 
     one()

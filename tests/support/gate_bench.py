@@ -8,13 +8,20 @@ from housefly.pilot.control.steering import ControlOutput
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateVerdict, released
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import CommandLimits, GatedCommand, gated
+from housefly.pilot.safety.rule import SafetyRule
+from housefly.pilot.safety.rules import SAFETY_RULES
 
 
 class GateBench:
     """One gate that judges whole commands."""
 
-    def __init__(self, limits: LimitsConfig, fence: Geofence) -> None:
-        self._gate = Gate(limits, fence)
+    def __init__(
+        self,
+        limits: LimitsConfig,
+        fence: Geofence,
+        rules: tuple[SafetyRule, ...] = SAFETY_RULES,
+    ) -> None:
+        self._gate = Gate(limits, fence, rules)
         self._limits = CommandLimits(
             limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max
         )

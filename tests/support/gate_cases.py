@@ -26,6 +26,8 @@ FLOOR = (5.0, 2.0, 0.05)
 STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR)
 TICK = 0.05
 SETTLED = 8.0
+SUDDEN: dict[str, tuple[str, ...]] = {"too_fast": ("contact",)}
+"""Rules that the case of a rule breaks for a moment, because its numbers come and go at once."""
 Change = Callable[[GateInputs, float], GateInputs]
 """What becomes of the inputs so long [s] after everything was fine."""
 
@@ -203,6 +205,11 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "drifting": (
         now(velocity=(0.0, 0.31, 0.0)),
         moving(0.3, reference=Reference(HERE, (0.01, 0.0, 0.0), 0.0)),
+        0.0,
+    ),
+    "too_fast": (
+        now(velocity=(0.0, 1.71, 0.0), reference=None),
+        now(velocity=(1.69, 0.0, 3.0), reference=None),
         0.0,
     ),
     "height_off": (at(1.36), at(1.34), 0.0),

@@ -13,6 +13,8 @@ from housefly.pilot.behavior.height_gap import (
     GAP_TIME,
     HEIGHT_GAP_MAX,
     RANGE_MIN,
+    STUCK_STEP,
+    STUCK_WAY,
     SonarMonitor,
 )
 from housefly.pilot.behavior.mission import VehicleStatus
@@ -33,11 +35,16 @@ def feel(monitor: SonarMonitor) -> Feel:
     now = [0.0]
 
     def heard(
-        *told: float, z: float = 1.1, status: DroneStatus = FLYING, age: float = 0.0
+        *told: float,
+        z: float = 1.1,
+        status: DroneStatus = FLYING,
+        age: float = 0.0,
+        speed: float = 0.0,
     ) -> float:
         for height in told:
             now[0] += PERIOD
-            estimate = Estimate(now[0], (0.0, 0.0, z), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
+            place = (speed * now[0], 0.0, z)
+            estimate = Estimate(now[0], place, (0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
             report = Telemetry(now[0], status, 0.9, height=height)
             monitor.step(VehicleStatus(now[0], status, 0.9, age, estimate, False, telemetry=report))
         return monitor.found if monitor.is_sure(now[0]) else 0.0
@@ -65,6 +72,27 @@ def test_it_seems_so_at_once_and_is_sure_a_little_later(feel: Feel, monitor: Son
     feel(1.1)
     assert feel(0.15) == 0.0 and monitor.found > 0.0
     assert feel(*[0.15] * LONG) > 0.0
+
+
+WAY = round((STUCK_WAY + 2 * STUCK_STEP) / (0.5 * PERIOD))
+"""Reports on a way that is long enough, at 0.5 m/s."""
+
+
+def test_a_sonar_that_tells_the_same_on_a_long_way_is_stuck_and_shows_nothing(feel: Feel) -> None:
+    feel(1.1)
+    assert feel(*[0.0] * LONG, speed=0.5) > 0.0
+    assert feel(*[0.0] * WAY, speed=0.5) == 0.0
+    assert feel(*[0.5, 0.51] * LONG, speed=0.5) > 0.0, "it works again"
+
+
+def test_over_something_on_which_it_hovers_a_sonar_is_not_stuck(feel: Feel) -> None:
+    feel(1.1)
+    assert feel(*[0.15] * WAY) > 0.0
+
+
+def test_over_something_long_a_sonar_that_works_is_believed(feel: Feel) -> None:
+    feel(1.1)
+    assert feel(*[0.5, 0.502] * WAY, speed=0.5) > 0.0
 
 
 def test_one_echo_that_is_too_short_is_not_believed_for_long(

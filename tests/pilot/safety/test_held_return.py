@@ -7,12 +7,13 @@ from dataclasses import dataclass, field, replace
 
 import pytest
 from gate_bench import GateBench
-from gate_cases import BROKEN, SETTLED, STOOD, TICK, Change, drained, now, pulsed, seen
+from gate_cases import BROKEN, SETTLED, STOOD, SUDDEN, TICK, Change, drained, now, pulsed, seen
 from gate_flight import FENCE, FINE, LIMITS, RULES
 
 from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
 from housefly.pilot.safety.gate import GateVerdict
 from housefly.pilot.safety.rule import Counting
+from housefly.pilot.safety.rules import SAFETY_RULES
 
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
 CALLED_HOME = {"home_time": 440.0}
@@ -26,12 +27,16 @@ HOLDING = sorted(
 
 @dataclass
 class HomewardFlight:
-    """A flight that is called home; every step asks to fly."""
+    """A flight that is called home and meets the case of a rule; every step asks to fly."""
 
-    bench: GateBench = field(default_factory=lambda: GateBench(LIMITS, FENCE))
+    code: str = ""
     clock: float = 0.0
+    bench: GateBench = field(init=False)
 
     def __post_init__(self) -> None:
+        others = SUDDEN.get(self.code, ())
+        rules = tuple(rule for rule in SAFETY_RULES if rule.code not in others)
+        self.bench = GateBench(LIMITS, FENCE, rules)
         self.bench.judge(FLY, replace(STOOD, now=-TICK))
         self.go_on(SETTLED, called_home=False)
         assert self.go_on(1.5)[-1].mode is SafetyMode.RETURN
@@ -62,7 +67,7 @@ def tells(code: str) -> Callable[[GateVerdict], bool]:
 
 @pytest.mark.parametrize("code", HOLDING)
 def test_a_return_waits_for_whatever_holds_the_drone_and_goes_on_after_it(code: str) -> None:
-    flight = HomewardFlight()
+    flight = HomewardFlight(code)
     held = flight.go_on(2.0, BROKEN[code][0], until=tells(code))[-1]
     assert tells(code)(held) and tells("flight_time")(held)
     assert (held.mode, held.command) == (SafetyMode.RETURN, Command(Action.HOVER))
@@ -91,7 +96,7 @@ def test_a_return_that_has_lost_its_place_is_a_landing(change: Change) -> None:
 
 @pytest.mark.parametrize("code", HOLDING)
 def test_a_return_that_is_held_for_too_long_is_a_landing(code: str) -> None:
-    verdicts = HomewardFlight().go_on(6.0, BROKEN[code][0])
+    verdicts = HomewardFlight(code).go_on(6.0, BROKEN[code][0])
     assert verdicts[-1].mode is SafetyMode.LAND
 
 

@@ -12,6 +12,7 @@ from gate_cases import (
     FLOOR,
     SETTLED,
     STOOD,
+    SUDDEN,
     TICK,
     UNCHANGED,
     Change,
@@ -342,7 +343,8 @@ def broken_in_flight(code: str) -> RuleEnding:
     rules = tuple(
         replace(each, broken=noted) if each.code == code else each
         for each in SAFETY_RULES
-        if each.code == code or each.code != "battery_cliff"  # the charge of a case falls at once
+        # The charge of a case falls at once.
+        if each.code == code or each.code not in ("battery_cliff", *SUDDEN.get(code, ()))
     )
     flight = RuleEnding(code, Gate(limits, FENCE, rules))
     flight.gate.assess(replace(STOOD, now=flight.clock))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from math import inf, isfinite
+from math import dist, inf, isfinite, nan
 
+from housefly.geometry import Vec3
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 
@@ -17,6 +18,10 @@ AGREEMENT_TIME = 0.2
 """... and nothing any more when they agree for so long: echoes from near come and go [s]."""
 FLOOR_READING = 0.05
 """A sonar that never told more than this in the air tells what it did on the floor [m]."""
+STUCK_WAY, STUCK_STEP = 2.0, 0.25
+"""A sonar that tells the same to the last bit while the drone flies this far, in steps as long as
+this, is stuck and shows nothing [m]: what stands below begins, ends, or is not that flat.
+"""
 
 
 class SonarMonitor:
@@ -26,6 +31,8 @@ class SonarMonitor:
         self._has_worked = False
         self._since = self._until = inf
         self._found = 0.0
+        self._told = nan
+        self._way, self._passed = 0.0, (0.0, 0.0, 0.0)
 
     @property
     def found(self) -> float:
@@ -55,6 +62,14 @@ class SonarMonitor:
         if vehicle.telemetry_age > REPORT_AGE_MAX or not isfinite(report.height):
             return 0.0
         self._has_worked |= report.height > FLOOR_READING
-        if not self._has_worked:
+        if not self._has_worked or self._is_stuck(report.height, estimate.position):
             return 0.0
         return estimate.position[2] - max(report.height, RANGE_MIN)
+
+    def _is_stuck(self, told: float, position: Vec3) -> bool:
+        """Return whether the sonar has told the same [m] for the whole of a long way."""
+        if told != self._told:
+            self._told, self._way, self._passed = told, 0.0, position
+        elif (step := dist(position, self._passed)) >= STUCK_STEP:
+            self._way, self._passed = self._way + step, position
+        return self._way >= STUCK_WAY

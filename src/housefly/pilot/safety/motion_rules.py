@@ -28,6 +28,8 @@ CLIMB_TIME = 6.0
 """After a take-off, and when another height is wanted, it has this long to reach it [s]."""
 VERTICAL_SPEED_SLACK = 0.4
 """A drone may climb or sink this much faster than ``limits.vertical_speed_max`` [m/s]."""
+SPEED_SLACK, FASTEST_MANEUVER = 0.5, 1.2
+"""A drone may fly this much faster than its cruise speed, and than it makes way at most [m/s]."""
 TILT_HOLD_TIME = 1.5
 """A drone that leans otherwise than told holds itself for this long [s]: a link that lagged has
 then passed on what was said to it ...
@@ -69,6 +71,16 @@ def blow(c: RuleContext) -> float:
 def vertical_speed(c: RuleContext) -> float:
     """Return how fast the drone climbs by tracking [m/s]; 0 where unknown."""
     return c.now.velocity[2] if c.now.velocity else 0.0
+
+
+def level_speed(c: RuleContext) -> float:
+    """Return how fast the drone flies in the plane, by tracking [m/s]; 0 where unknown."""
+    return hypot(*c.now.velocity[:2]) if c.now.velocity else 0.0
+
+
+def speed_bound(c: RuleContext) -> float:
+    """Return the speed in the plane that no flight of this site needs [m/s]."""
+    return max(c.limits.speed, FASTEST_MANEUVER) + SPEED_SLACK
 
 
 def _is_stuck(c: RuleContext) -> bool:
@@ -285,6 +297,19 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             " the drone holds itself"
         ),
         after=0.5,
+        lasts=1.0,
+    ),
+    SafetyRule(
+        code="too_fast",
+        mode=M.HOLD,
+        counts=N.CRUISE,
+        condition="faster than it cruises and makes way, plus slack",
+        broken=lambda c: level_speed(c) > speed_bound(c),
+        words=lambda c: (
+            f"flies at {level_speed(c):.1f} m/s (limit {speed_bound(c):.1f} m/s):"
+            " the drone holds itself"
+        ),
+        after=0.2,
         lasts=1.0,
     ),
     SafetyRule(

@@ -1,1 +1,1 @@
-import"./chunk-chunk-RLB4HYAH.js";
+import"./chunk-chunk-3DXL52OW.js";

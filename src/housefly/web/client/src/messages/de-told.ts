@@ -235,6 +235,7 @@ export const DE_TOLD: Templates = {
     "neigt sich {n} Grad und bewegt sich nicht (Grenze {m}): hängt fest, sie landet",
   "{d} m from where it should be": "{d} m von der Sollposition",
   "about to leave the map by {d} m": "verlässt gleich die Karte um {d} m",
+  "flies at {d} m/s (limit {m} m/s)": "fliegt mit {d} m/s (Grenze {m} m/s)",
   "moves more than {d} m/s otherwise than told": "bewegt sich mehr als {d} m/s anders als befohlen",
   "stands {d} m above the floor (limit {m} m): on something":
     "steht {d} m über dem Boden (Grenze {m} m): auf etwas",

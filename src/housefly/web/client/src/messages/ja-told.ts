@@ -209,6 +209,7 @@ export const JA_TOLD: Templates = {
     "{n}度傾いても動きません（限度 {m}）。何かに引っかかっています。着陸します",
   "{d} m from where it should be": "予定の位置から {d} m ずれています",
   "about to leave the map by {d} m": "地図の外へ {d} m 出そうです",
+  "flies at {d} m/s (limit {m} m/s)": "{d} m/s で飛行中（限度 {m} m/s）",
   "moves more than {d} m/s otherwise than told": "動きが指令と {d} m/s 以上違います",
   "stands {d} m above the floor (limit {m} m): on something": "床より {d} m 高い所にあります（限度 {m} m）。何かの上です",
   "blown {d} m from where it took off (limit {m} m) and only {k} m up: cutting the motors":
