@@ -207,6 +207,7 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
         moving(0.3, reference=Reference(HERE, (0.01, 0.0, 0.0), 0.0)),
         0.0,
     ),
+    "tracking_height_drift": (seen(height_drift=0.31), seen(height_drift=0.29), 0.0),
     "too_fast": (
         now(velocity=(0.0, 1.71, 0.0), reference=None),
         now(velocity=(1.69, 0.0, 3.0), reference=None),

@@ -127,7 +127,7 @@ NOT_MEANT: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("argument 2", ("fly", "", "--lockstep")),
     ("nobody_x", ("new", "lab", "--yes", "--no-test", "--room=~nobody_x/y.svg")),
     ("nobody_x", ("new", "lab", "--yes", "--no-test", "--drone=10.0.0.5 profile=~nobody_x/y")),
-    ("F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm", ("demo", "--fault=F13/nan")),
+    ("F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm, F13/up_5cm", ("demo", "--fault=F13/nan")),
     ("--box", ("identify", "--lockstep", "--box=nan")),
     ("--box", ("identify", "--lockstep", "--box=1e9")),
 )

@@ -37,9 +37,9 @@ def test_a_row_that_is_not_flown_is_refused_with_those_that_are(
 @pytest.mark.parametrize(
     ("asked", "named"),
     [
-        ("F13/nan", "F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm"),
-        ("F13/[/x]", "F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm"),
-        ("F13/", "F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm"),
+        ("F13/nan", "F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm, F13/up_5cm"),
+        ("F13/[/x]", "F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm, F13/up_5cm"),
+        ("F13/", "F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm, F13/up_5cm"),
         ("F99", "calm, F01, F02"),
         ("F19", "calm, F01, F02"),
         ("F30", "calm, F01, F02"),

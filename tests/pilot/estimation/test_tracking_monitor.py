@@ -274,6 +274,27 @@ def test_a_wrong_height_after_a_gap_is_not_believed(
     assert "poses_refused" in flight.codes
 
 
+@pytest.mark.parametrize(("rate", "since"), [(0.05, 8.0), (0.02, CRUISING)])
+def test_a_tracked_height_that_rises_by_itself_lands_the_drone_before_it_is_low(
+    site: LoadedSite, rate: float, since: float
+) -> None:
+    def lie(s: Sighting) -> Sighting:
+        return moved(s, 0.0, 0.0, rate * max(0.0, s.captured_at - since))
+
+    flight = LiedFlight(housefly.Simulation(site), lie, since)
+    flight.run(0.5)
+    flight.step(Order(OrderKind.SERVICE, place="entrance", look_s=1.0))
+    lowest = 1.1
+    while flight.sim.now < 40.0 and not {"tracking_height_drift", "grounded"} & {*flight.codes}:
+        flight.step()
+        if flight.sim.now > since:
+            lowest = min(lowest, flight.sim.world.truth().pose.position[2])
+    assert "tracking_height_drift" in flight.codes
+    assert lowest > 0.7
+    flight.run(6.0)
+    assert flight.status is DroneStatus.LANDED and flight.contacts == 0
+
+
 def test_a_drone_exchanged_with_another_body_lands_and_is_not_believed_to_be_there(
     site: LoadedSite,
 ) -> None:

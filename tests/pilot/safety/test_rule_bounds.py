@@ -198,6 +198,7 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("poses_refused_long", context(refused_for=REFUSED_LAND), False),
     ("tracking_drift", context(drift=DRIFT_LAND), False),
     ("tracking_drifting", context(drift=DRIFT_WARN), False),
+    ("tracking_height_drift", context(height_drift=HEIGHT_DISAGREES), False),
     ("tracking_frame", context(frame_error=FRAME_ERROR_MAX), False),
     ("tracking_late", context(latency_error=LATENCY_HOLD), False),
     ("tracking_slow", context(latency_error=LATENCY_SLOW), False),

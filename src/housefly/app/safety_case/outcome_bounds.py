@@ -58,6 +58,7 @@ OUTCOME_BOUNDS: dict[str, OutcomeBounds] = {
     "F13/2cm": OutcomeBounds(told_within=5.0, deviation=0.3),
     "F13/5cm": OutcomeBounds(told_within=2.0, deviation=0.3),
     "F13/steps": OutcomeBounds(told_within=1.0, deviation=0.3),
+    "F13/up_5cm": OutcomeBounds(told_within=8.0, deviation=0.3),
     "F13/jumps_5cm": OutcomeBounds(told_within=9.0, deviation=0.3),
     "F14": _UNNOTICED,
     "F15": _UNNOTICED,

@@ -2,31 +2,50 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import nan
+from dataclasses import dataclass, replace
+from math import isfinite, nan
 
 CLIMB_MAX = 1.5
 """No drone climbs or sinks faster [m/s]: what changes faster is the floor below."""
 SONAR_NOISE = 0.03
 """A reading may be off by this [m]."""
+PING_TIME = 0.04
+"""Reports repeat what the sonar measured last; it measures this often [s]."""
+READING_GAP = 0.2
+"""Between readings that are further apart than this [s] nobody can tell a climb from a step."""
 
 
 @dataclass(frozen=True, slots=True)
 class ClimbOdometry:
-    """The sum of all changes of the sonar that can be a climb.
+    """The changes of the sonar, told apart: those that can be a climb, and steps of the floor.
 
     Attributes:
-        climbed: since it began [m].
+        climbed: sum of those that can be a climb, since it began [m].
+        stepped: sum of all others since the floor was seen last [m], below zero above a thing; nan
+            when readings were missing since.
         at: of the last reading [s].
         height: the last reading [m].
+        changed_at: when it was read first [s].
     """
 
     climbed: float = 0.0
+    stepped: float = nan
     at: float = nan
     height: float = nan
+    changed_at: float = nan
 
     def updated(self, at: float, height: float) -> ClimbOdometry:
         """Return the odometry after a reading [m] of a time [s]."""
-        change, dt = height - self.height, at - self.at
+        change, gap = height - self.height, at - self.at
+        if change == 0.0 and gap <= READING_GAP:
+            return replace(self, at=at)
+        dt = max(gap, min(at - self.changed_at, PING_TIME))
         is_climb = abs(change) <= CLIMB_MAX * dt + SONAR_NOISE
-        return ClimbOdometry(self.climbed + change if is_climb else self.climbed, at, height)
+        is_lost = not (gap <= READING_GAP and isfinite(change))
+        step = nan if is_lost else 0.0 if is_climb else change
+        climbed = self.climbed + change if is_climb else self.climbed
+        return ClimbOdometry(climbed, self.stepped + step, at, height, at)
+
+    def over_floor(self) -> ClimbOdometry:
+        """Return the odometry of a drone with nothing but floor below it."""
+        return replace(self, stepped=0.0)

@@ -15,6 +15,7 @@ class TrackingConsistency:
         frame_error: angle between the tracked body frame and the one that the drone flies in [rad].
         mirrored: tracked motion or turns are the mirror image of onboard ones.
         height_error: tracked height minus onboard height [m].
+        height_drift: the same in the air, less the steps of the floor since it was seen last [m].
         latency_error: how much older the poses are than their stamps say [s].
         refused_for: how long poses have been refused because onboard motion disagrees [s].
     """
@@ -23,6 +24,7 @@ class TrackingConsistency:
     frame_error: float = nan
     mirrored: bool = False
     height_error: float = nan
+    height_drift: float = nan
     latency_error: float = nan
     refused_for: float = 0.0
 

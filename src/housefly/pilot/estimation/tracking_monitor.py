@@ -53,6 +53,8 @@ FLOOR_STEP = 0.25
 """Heights further apart than this mean that something is below: they tell no delay [m]."""
 START_RADIUS = 0.4
 """So near to where it took off, the floor below is the floor it stood on [m]."""
+FLOOR_SEEN = 0.12
+"""The floor is below when tracked and onboard height differ by less than this [m]."""
 HEIGHT_TIME = 0.3
 """Time constant of the height's comparison [s]: the sonar is noisy."""
 MOVED_AT_REST = 0.1
@@ -84,7 +86,7 @@ class TrackingMonitor:
         self._last: tuple[Sighting, OdometryAt] | None = None
         self._start: Vec3 | None = None
         self._rest: Vec2 | None = None
-        self._height_error = nan
+        self._height_error = self._height_drift = nan
         self._height_at = nan
         self._refused_since: float | None = None
 
@@ -231,13 +233,17 @@ class TrackingMonitor:
 
     def _compare_heights(self, at: float, position: Vec3, told: float) -> None:
         if self._odometry.reports == 0 or not self._height_told:
-            self._height_error = nan
+            self._height_error = self._height_drift = nan
             return
         error = position[2] - (told if self._airborne else 0.0)
         if isfinite(self._height_error):
             share = min(max(at - self._height_at, 0.0) / HEIGHT_TIME, 1.0)
             error = self._height_error + share * (error - self._height_error)
         self._height_error, self._height_at = error, at
+        # The smoothed error is late, the newest reading noisy: where both say so is the floor.
+        if max(abs(error), abs(position[2] - self._climb.height)) < FLOOR_SEEN:
+            self._climb = self._climb.over_floor()
+        self._height_drift = error + self._climb.stepped if self._airborne else nan
 
     def consistency(self, now: float) -> TrackingConsistency:
         """Return how well tracking agrees with the drone's own report, now [s]."""
@@ -247,6 +253,7 @@ class TrackingMonitor:
             frame_error=self._windows.frame_error,
             mirrored=self._windows.mirrored,
             height_error=self._told_height_error(),
+            height_drift=self._height_drift,
             latency_error=self._latency.error,
             refused_for=refused,
         )

@@ -186,6 +186,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             FaultVariant("5cm", (_mocap("drift", size=0.05),)),
             FaultVariant("steps", (_mocap("steps", size=0.14),)),
             _jumps(0.05, 8.0, 5),
+            FaultVariant("up_5cm", (_mocap("drift_z", size=0.05),)),
         ), True,
     ),
     FaultRow(

@@ -1,1 +1,1 @@
-import"./chunk-chunk-3DXL52OW.js";
+import"./chunk-chunk-IV6KK5BE.js";
