@@ -165,8 +165,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="the tracked height has risen above the drone's own, without a step of the floor",
         broken=lambda c: c.now.consistency.height_drift > HEIGHT_DISAGREES,
         words=lambda c: (
-            f"the tracked height has left the drone's own by {c.now.consistency.height_drift:.2f} m"
-            f" (limit {HEIGHT_DISAGREES} m), and not by a step of the floor: landing"
+            f"the tracked height rose by {c.now.consistency.height_drift:.2f} m"
+            f" (limit {HEIGHT_DISAGREES} m) without a step of the floor: landing"
         ),
         after=0.5,
         clears=Clearing.GROUND,

@@ -1,1 +1,1 @@
-import"./chunk-chunk-IV6KK5BE.js";
+import"./chunk-chunk-QJ26BLB4.js";

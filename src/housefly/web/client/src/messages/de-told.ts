@@ -207,8 +207,8 @@ export const DE_TOLD: Templates = {
     "der geortete Körper ist {n} Grad gegen die Drohne verdreht",
   "tracking is the mirror image of how the drone moves":
     "die Ortung ist das Spiegelbild der Bewegung",
-  "the tracked height has left the drone's own by {d} m (limit {m} m), and not by a step of the floor":
-    "die geortete Höhe wich von der eigenen um {d} m ab (Grenze {m} m), ohne Stufe im Boden",
+  "the tracked height rose by {d} m (limit {m} m) without a step of the floor":
+    "die geortete Höhe stieg um {d} m (Grenze {m} m) ohne Stufe im Boden",
   "the tracked height is off by {d} m from the drone's own":
     "die geortete Höhe weicht {d} m von der eigenen der Drohne ab",
   "{why}, or something is below: slowly": "{why}, oder darunter ist etwas: langsam",

@@ -185,8 +185,8 @@ export const JA_TOLD: Templates = {
   "tracking has left the drone's own way by {d} m": "計測した経路がドローンの動きから {d} m ずれています",
   "the tracked body is turned by {n} degrees against the drone": "計測した向きがドローンと{n}度ずれています",
   "tracking is the mirror image of how the drone moves": "位置計測がドローンの動きと左右逆です",
-  "the tracked height has left the drone's own by {d} m (limit {m} m), and not by a step of the floor":
-    "計測した高さが床の段差なしにドローンの値から {d} m 離れました（限度 {m} m）",
+  "the tracked height rose by {d} m (limit {m} m) without a step of the floor":
+    "計測した高さが床の段差なしに {d} m 上がりました（限度 {m} m）",
   "the tracked height is off by {d} m from the drone's own": "計測した高さがドローンの値と {d} m ずれています",
   "{why}, or something is below: slowly": "{why}、または下に物があります。減速します",
   "the drone stands, and tracking shows it {d} m from the floor (limit {m} m): it stays down":
