@@ -13,6 +13,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.messages import (
     LEVEL,
     Action,
+    Clearing,
     Command,
     DroneStatus,
     Phase,
@@ -325,6 +326,30 @@ def test_a_descent_sinks_whatever_is_asked(action: Action) -> None:
     deaf = replace(FINE, pose_age=3.0, telemetry=DEAF)
     mode, out = judge(Command(action), deaf)
     assert (mode, out) == (SafetyMode.DESCEND, Command(Action.FLY, Setpoint(vz=-DESCENT_RATE)))
+
+
+@pytest.mark.parametrize(
+    ("change", "clears"),
+    [
+        ({}, Clearing.ITSELF),
+        ({"pose_age": 0.4}, Clearing.ITSELF),
+        ({"pose_age": 3.0}, Clearing.GROUND),
+        ({"stopped": True}, Clearing.RESUME),
+        ({"stopped": True, "pose_age": 3.0}, Clearing.GROUND),
+        ({"status": DroneStatus.EMERGENCY}, Clearing.RESET),
+    ],
+)
+def test_what_leaves_the_gate_says_what_ends_it(
+    change: dict[str, object], clears: Clearing
+) -> None:
+    bench = GateBench(LIMITS, FENCE)
+    verdict = bench.judge(FLY, replace(FINE, **change))  # type: ignore[arg-type]
+    assert verdict.clears is clears
+
+
+def test_a_command_that_is_no_number_ends_by_itself() -> None:
+    verdict = GateBench(LIMITS, FENCE).judge(Command(Action.FLY, Setpoint(theta=nan)), FINE)
+    assert (verdict.code, verdict.clears) == ("not_finite", Clearing.ITSELF)
 
 
 def test_all_that_is_wrong_is_told_worst_first() -> None:
