@@ -11,6 +11,7 @@ from housefly.pilot.estimation.climb_odometry import (
     PING_TIME,
     READING_GAP,
     SONAR_NOISE,
+    STUCK_TIME,
     ClimbOdometry,
 )
 
@@ -65,6 +66,8 @@ def test_where_readings_were_missing_nobody_knows_the_steps_until_the_floor_is_s
     assert isnan(late.stepped) and isnan(late.updated(1.02, 0.6).stepped)
     assert late.over_floor().updated(1.02, 0.3).stepped == pytest.approx(-0.3)
     assert isnan(felt(1.0, nan, 1.0).stepped)
+    assert isnan(felt(*[1.0] * round(2.0 + STUCK_TIME / PERIOD)).stepped)
+    assert felt(*[1.0] * round(STUCK_TIME / PERIOD)).stepped == 0.0
     assert felt(1.0, 1.0).updated(PERIOD + READING_GAP, 0.99).stepped == 0.0
 
 

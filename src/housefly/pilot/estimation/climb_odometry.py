@@ -15,6 +15,10 @@ READING_GAP = 0.2
 """Between readings that are further apart than this [s] nobody can tell a climb from a step."""
 
 
+STUCK_TIME = 1.0
+"""A sonar that tells the same to the last bit for longer than this may be stuck [s]."""
+
+
 @dataclass(frozen=True, slots=True)
 class ClimbOdometry:
     """The changes of the sonar, told apart: those that can be a climb, and steps of the floor.
@@ -22,7 +26,7 @@ class ClimbOdometry:
     Attributes:
         climbed: sum of those that can be a climb, since it began [m].
         stepped: sum of all others since the floor was seen last [m], below zero above a thing; nan
-            when readings were missing since.
+            when readings were missing since, or stood still.
         at: of the last reading [s].
         height: the last reading [m].
         changed_at: when it was read first [s].
@@ -38,7 +42,8 @@ class ClimbOdometry:
         """Return the odometry after a reading [m] of a time [s]."""
         change, gap = height - self.height, at - self.at
         if change == 0.0 and gap <= READING_GAP:
-            return replace(self, at=at)
+            is_stuck = at - self.changed_at > STUCK_TIME
+            return replace(self, at=at, stepped=nan if is_stuck else self.stepped)
         dt = max(gap, min(at - self.changed_at, PING_TIME))
         is_climb = abs(change) <= CLIMB_MAX * dt + SONAR_NOISE
         is_lost = not (gap <= READING_GAP and isfinite(change))
