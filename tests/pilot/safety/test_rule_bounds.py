@@ -10,7 +10,7 @@ from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
 from housefly.geometry import GRAVITY, stopping_distance
 from housefly.messages import DroneStatus, Phase, Reference, SafetyMode
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED, REACTION_TIME
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -41,7 +41,6 @@ from housefly.pilot.safety.motion_rules import (
     BLOW_SPEED,
     CONTROL_ERROR_HOLD,
     CONTROL_ERROR_LAND,
-    FASTEST_MANEUVER,
     HEIGHT_FAR,
     HEIGHT_OFF,
     SPEED_SLACK,
@@ -192,7 +191,7 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("drifting", placed(velocity=(VELOCITY_ERROR_MAX, 0.0, 0.0)), False),
     ("drifting", placed(velocity=(0.5, 0.0, 0.0), cruising_for=TAKE_OVER_TIME), False),
     ("drifting", placed(velocity=(0.5, 0.0, 0.0)), True),
-    ("too_fast", context(velocity=(FASTEST_MANEUVER + SPEED_SLACK, 0.0, 0.0)), False),
+    ("too_fast", context(velocity=(EVASION_SPEED + SPEED_SLACK, 0.0, 0.0)), False),
     ("not_on_floor", placed(z=STANDS_HIGH, status=DroneStatus.LANDED), False),
     ("poses_refused", context(refused_for=REFUSED_HOLD), False),
     ("poses_refused_long", context(refused_for=REFUSED_LAND), False),

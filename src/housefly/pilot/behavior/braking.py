@@ -1,4 +1,4 @@
-"""How the drone can be counted on to brake, and how the pilot sinks to land."""
+"""How the drone can be counted on to brake, how fast it evades, how the pilot sinks to land."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ BRAKING_DECELERATION = 1.0
 """How hard the drone can be counted on to brake [m/s^2]; at full tilt it is twice that."""
 REACTION_TIME = 0.3
 """Time from the cause, or the order, to braking that distances allow for [s]."""
+EVASION_SPEED = 1.2
+"""It makes way as fast as this only where somebody would else touch it [m/s]."""
 LAST_HEIGHT = 0.45
 """The pilot steers a landing down to here, unless the site says otherwise
 (``limits.landing_height``); the last bit is the drone's own [m].

@@ -16,7 +16,7 @@ from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED
 from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
@@ -35,8 +35,6 @@ CALM_TIME = 1.0
 """It goes back when nobody has come near for this long [s]."""
 APPROACH = 0.1
 """Who comes nearer by less than this does not approach [m]."""
-EVASION_SPEED = 1.2
-"""It makes way as fast as this only where somebody would else touch it [m/s]."""
 LEAD_TIME = 1.4
 """A place this far ahead at the wanted speed makes the drone fly at it [s]."""
 CORNERED_DISTANCE = 0.25

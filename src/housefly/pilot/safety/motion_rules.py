@@ -6,6 +6,7 @@ from math import degrees, hypot, isfinite
 
 from housefly.geometry import GRAVITY
 from housefly.messages.steering import Clearing, SafetyMode
+from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import (
@@ -28,7 +29,7 @@ CLIMB_TIME = 6.0
 """After a take-off, and when another height is wanted, it has this long to reach it [s]."""
 VERTICAL_SPEED_SLACK = 0.4
 """A drone may climb or sink this much faster than ``limits.vertical_speed_max`` [m/s]."""
-SPEED_SLACK, FASTEST_MANEUVER = 0.5, 1.2
+SPEED_SLACK = 0.5
 """A drone may fly this much faster than its cruise speed, and than it makes way at most [m/s]."""
 TILT_HOLD_TIME = 1.5
 """A drone that leans otherwise than told holds itself for this long [s]: a link that lagged has
@@ -80,7 +81,7 @@ def level_speed(c: RuleContext) -> float:
 
 def speed_bound(c: RuleContext) -> float:
     """Return the speed in the plane that no flight of this site needs [m/s]."""
-    return max(c.limits.speed, FASTEST_MANEUVER) + SPEED_SLACK
+    return max(c.limits.speed, EVASION_SPEED) + SPEED_SLACK
 
 
 def _is_stuck(c: RuleContext) -> bool:
