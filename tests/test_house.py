@@ -28,7 +28,7 @@ def test_no_line_is_longer_than_a_hundred_columns() -> None:
 
 
 def test_the_walk_from_a_sighting_to_a_command_is_some_seventy_modules() -> None:
-    assert len(house.walk()) <= 73
+    assert len(house.walk()) <= 74
 
 
 def test_packages_and_loose_modules_stay_few() -> None:

@@ -167,6 +167,18 @@ def test_a_drone_that_lands_by_itself_or_cuts_out_ends_the_mission_in_words(fly:
     assert outputs.safety is SafetyMode.CUT and tumbled.told("emergency")
 
 
+@pytest.mark.parametrize("damaged", [DroneStatus.LANDED, DroneStatus.EMERGENCY])
+def test_one_damaged_report_in_flight_ends_no_mission(fly: Fly, damaged: DroneStatus) -> None:
+    flight = cruising(fly())
+    true, told = flight.report, len(flight.events)
+    flight.report = lambda: replace(true(), status=damaged)
+    flight.run(0.05)
+    flight.report = true
+    outputs = flight.run(1.0)
+    assert outputs.phase is Phase.OUTBOUND and outputs.safety is SafetyMode.NOMINAL
+    assert flight.events[told:] == []
+
+
 @pytest.mark.parametrize(
     "moment", [Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING]
 )

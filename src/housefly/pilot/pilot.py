@@ -35,6 +35,7 @@ from housefly.numeric import boxed, wrapped
 from housefly.pilot.behavior.mission import PeopleSilence, TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.reported_status import ReportedStatus
 from housefly.pilot.behavior.steered_landing import SteeredLanding
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.behavior.way_home import WayHome
@@ -102,7 +103,7 @@ class Pilot:
         self._profile: PathProfile = NO_PATH
         self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
-        self._status = DroneStatus.UNKNOWN
+        self._reported = ReportedStatus()
         self._now = -inf
         self._refused: set[str] = set()
         self._vehicle: VehicleStatus | None = None
@@ -178,8 +179,7 @@ class Pilot:
     def _receive(self, telemetry: Telemetry | None) -> None:
         if telemetry is not None:
             self._telemetry = telemetry
-            is_unknown = telemetry.status is DroneStatus.UNKNOWN
-            self._status = self._status if is_unknown else telemetry.status
+            self._reported = self._reported.updated(telemetry)
 
     # --- estimation ---
 
@@ -189,15 +189,15 @@ class Pilot:
         What a filter learned from a drone that stands still says nothing about the air, and so a
         flight depends on no more of the past than its own recording holds.
         """
-        grounded = self._status is DroneStatus.LANDED
+        grounded = self._reported.status is DroneStatus.LANDED
         estimator = self._estimator or self._new_estimator(now)
-        estimator.monitor.feel(inputs.telemetry, self._status, estimator.climb_rate)
+        estimator.monitor.feel(inputs.telemetry, self._reported.status, estimator.climb_rate)
         events = list(estimator.update(inputs.sightings, now, grounded))
         accepted, phase = estimator.accepted, self._missions.state.phase
         is_idle = grounded and phase is Phase.IDLE and not estimator.monitor.is_doubtful
         if inputs.orders and is_idle and accepted is not None:
             estimator = self._new_estimator(now)
-            estimator.monitor.feel(inputs.telemetry, self._status, 0.0)
+            estimator.monitor.feel(inputs.telemetry, self._reported.status, 0.0)
             events.extend(estimator.update((accepted,), now, grounded))
         self._estimator = estimator
         return events
@@ -240,7 +240,7 @@ class Pilot:
         telemetry, known = self._telemetry, self.consistency
         return VehicleStatus(
             now=now,
-            status=self._status,
+            status=self._reported.status,
             battery=telemetry.battery if telemetry else 0.0,
             telemetry_age=now - telemetry.received_at if telemetry else inf,
             estimate=estimate,
@@ -253,7 +253,7 @@ class Pilot:
             reference=self._trajectory_reference(),
             telemetry=telemetry,
             consistency=known,
-            tracking_disproved=self._status in AIRBORNE_STATUSES and is_disproved(known),
+            tracking_disproved=self._reported.status in AIRBORNE_STATUSES and is_disproved(known),
             origin_known=inputs.origin_known,
             silence=PeopleSilence(now - inputs.people_seen_at, self._settings.people_silence),
         )
