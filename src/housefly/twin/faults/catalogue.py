@@ -13,8 +13,6 @@ from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.fault_row import FaultRow, FaultVariant
 from housefly.twin.faults.vocabulary import LOCKSTEP, WIRES, FaultComponent, FaultKind, Injection
 
-NOT_COVERED = "not covered"
-
 
 def row_of(number: str) -> FaultRow:
     """Return a row by its number; raises ConfigError for one that the matrix does not have."""
@@ -375,8 +373,9 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         "::test_an_order_that_cannot_be_done_is_refused_in_words_and_nothing_moves",
     ),
     FaultRow(
-        "F37", "a second drone crosses", "the lower priority holds, 1 m apart", _USER,
-        covered_by=f"{NOT_COVERED}: one drone only",
+        "F37", "a second drone crosses", "it holds or makes way, 1 m apart", _USER,
+        covered_by="tests/pilot/test_second_drone.py"
+        "::test_a_second_drone_that_is_tracked_is_kept_clear_of",
     ),
     FaultRow(
         "F38", "the drone is exchanged or starts anew in a session",

@@ -44,7 +44,7 @@ class FaultRow:
         where: where it can be made; without LOCKSTEP and WIRES it is no fault of the twin.
         variants: ways to inject it, the first being meant when none is named.
         harmful: whether the same flight without its guards is expected to do harm.
-        covered_by: the test or command that shows it where no variant does, or that nothing does.
+        covered_by: the test or command that shows it where no variant does.
     """
 
     number: str
