@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import deque
 from enum import Enum, IntEnum
+from itertools import pairwise
 from math import isfinite
 
 from housefly.messages.flight import Event, Severity
@@ -17,6 +19,11 @@ REJECTION_WARNING_AFTER = 0.5
 """After rejecting everything for this long a person is told [s]."""
 REJECTION_REPORT_PERIOD = 2.0
 """The same event is repeated at most this often [s]."""
+
+REJECTION_WINDOW, REJECTION_SERIES_TOLD = 30, 5
+"""A person is told, too, when acceptance ended so often within so many sightings. One long series
+is told by how long it lasts.
+"""
 
 
 class RejectionReason(Enum):
@@ -84,6 +91,7 @@ class RejectionLog:
         self._counts = dict.fromkeys(RejectionReason, 0)
         self._rejecting_since: float | None = None
         self._reported_at = -REJECTION_REPORT_PERIOD
+        self._judged: deque[bool] = deque(maxlen=REJECTION_WINDOW)
 
     @property
     def counts(self) -> dict[RejectionReason, int]:
@@ -98,9 +106,10 @@ class RejectionLog:
     def accepted(self) -> None:
         """A sighting was accepted: the series ends."""
         self._rejecting_since = None
+        self._judged.append(True)
 
     def reject(self, reason: RejectionReason, now: float, words: str = "") -> tuple[Event, ...]:
-        """Count a rejection; return an event when nothing was accepted for too long.
+        """Count a rejection; return an event when it is one of many.
 
         Args:
             reason: why.
@@ -110,13 +119,22 @@ class RejectionLog:
         self._counts[reason] += 1
         if reason is RejectionReason.OUT_OF_ORDER:
             return ()
+        self._judged.append(False)
         self._rejecting_since = now if self._rejecting_since is None else self._rejecting_since
-        if (
-            now - self._rejecting_since < REJECTION_WARNING_AFTER
-            or now - self._reported_at < REJECTION_REPORT_PERIOD
-        ):
+        text = self._text(now - self._rejecting_since, words or reason.value)
+        if not text or now - self._reported_at < REJECTION_REPORT_PERIOD:
             return ()
         self._reported_at = now
-        seconds = now - self._rejecting_since
-        text = f"tracking is not believed since {seconds:.1f} s: {words or reason.value}"
         return (Event(now, Severity.WARNING, "tracking_refused", text),)
+
+    def _text(self, seconds: float, words: str) -> str:
+        """Return what a person has to know of a series of so many seconds, or nothing."""
+        if seconds >= REJECTION_WARNING_AFTER:
+            return f"tracking is not believed since {seconds:.1f} s: {words}"
+        series = sum(was and not now_is for was, now_is in pairwise(self._judged))
+        if series < REJECTION_SERIES_TOLD:
+            return ""
+        refused, judged = self._judged.count(False), len(self._judged)
+        return (
+            f"tracking is believed in part, {refused} of the last {judged} poses are not: {words}"
+        )
