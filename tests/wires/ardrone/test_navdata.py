@@ -294,6 +294,37 @@ def test_the_twins_signs_are_the_inverse_of_the_drivers(
     assert told.battery == pytest.approx(battery, abs=6e-3)
 
 
+def told_height(altitude: int, raw: int | None) -> float:
+    """Return our height [m] of a packet with these altitudes [mm]."""
+    demo = options.Demo(ctrl_state=options.MajorState.FLYING << 16, altitude=altitude)
+    measured = [] if raw is None else [options.Altitude(raw=raw)]
+    packet = decode_navdata(encode_navdata(StateBits.FLYING, 1, [demo, *measured]))
+    return conversions.telemetry_from_navdata(packet, 0.0).height
+
+
+@pytest.mark.parametrize(
+    ("altitude", "raw", "height"),
+    [
+        (1100, 700, 0.7),  # above a table, which the blend leaves out
+        (2600, 500, 0.5),  # a blend that has drifted
+        (0, 243, 0.0),  # on the floor
+        (90, 240, 0.09),  # too near for ultrasound
+        (1100, 240, 0.24),  # something is very near
+        (1100, 0, 1.1),  # no echo
+        (1100, None, 1.1),  # short reports
+    ],
+)
+def test_raw_ultrasound_tells_what_is_below(altitude: int, raw: int | None, height: float) -> None:
+    assert told_height(altitude, raw) == pytest.approx(height)
+
+
+def test_a_recorded_drone_that_stands_is_at_height_zero(shared_data: Path) -> None:
+    packet = decode_navdata(_full(shared_data))
+    altitude = packet.option(options.Altitude)
+    assert altitude is not None and altitude.raw == 243
+    assert conversions.telemetry_from_navdata(packet, 0.0).height == 0.0
+
+
 def test_pcmd_has_parrots_signs() -> None:
     maxima = conversions.Maxima(tilt=0.2, climb=0.7, yaw_rate=1.75)
     forward = conversions.pcmd_from_setpoint(Setpoint(theta=0.1), maxima)

@@ -13,8 +13,6 @@ PING_TIME = 0.04
 """Reports repeat what the sonar measured last; it measures this often [s]."""
 READING_GAP = 0.2
 """Between readings that are further apart than this [s] nobody can tell a climb from a step."""
-
-
 STUCK_TIME = 1.0
 """A sonar that tells the same to the last bit for longer than this may be stuck [s]."""
 

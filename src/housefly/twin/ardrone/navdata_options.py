@@ -57,22 +57,24 @@ _SCALE_HEIGHT = 8434.0
 _ACCELEROMETER_ZERO = 2048
 _ACCELEROMETER_STEP = 0.512
 """Centre of the 12-bit converter and its steps per mg (a recorded packet shows 509 per g)."""
+_ULTRASOUND_MIN = 0.24
+"""Nothing nearer is measured [m]: recorded drones that stand tell 0.237 to 0.243."""
 _GYRO_STEP = 16.4
 """Steps per deg/s of a gyro with a range of 2000 deg/s and 16 bits."""
 
 
 def demo_options(
-    onboard: OnboardState, tells_vertical_speed: bool
+    onboard: OnboardState, altitude: float, tells_vertical_speed: bool
 ) -> tuple[Structure | RawOption, ...]:
-    """Return the options of demo mode: 500 bytes with header and checksum."""
-    return _demo(onboard, tells_vertical_speed), _CONSTANT_OPTIONS[VisionDetect]
+    """Return the options of demo mode: 500 bytes with header and checksum; altitude in m."""
+    return _demo(onboard, altitude, tells_vertical_speed), _CONSTANT_OPTIONS[VisionDetect]
 
 
 def full_options(
-    onboard: OnboardState, tells_vertical_speed: bool
+    onboard: OnboardState, altitude: float, tells_vertical_speed: bool
 ) -> tuple[Structure | RawOption, ...]:
     """Return the options of full mode: tags 0 to 26; firmware versions disagree on tag 27."""
-    demo = _demo(onboard, tells_vertical_speed)
+    demo = _demo(onboard, altitude, tells_vertical_speed)
     moving: dict[type[Structure], Structure] = {
         Demo: demo,
         Time: Time.of(onboard.at),
@@ -80,22 +82,22 @@ def full_options(
         PhysMeasures: PhysMeasures(45.0, accelerations=_milli_g(onboard), rates=_rates(onboard)),
         EulerAngles: EulerAngles(theta=demo.theta, phi=demo.phi),
         Pwm: Pwm(motors=tuple(_clip(round(255 * duty), 0, 255) for duty in onboard.motors)),
-        Altitude: _altitude(onboard, demo),
+        Altitude: _altitude(onboard, altitude),
         VisionRaw: VisionRaw(*flu_from_frd(onboard.velocity)),
         Vision: _vision(onboard, demo),
         PressureRaw: PressureRaw(
             temperature=250,
-            pressure=round(_SEA_LEVEL_PRESSURE * exp(-onboard.height / _SCALE_HEIGHT)),
+            pressure=round(_SEA_LEVEL_PRESSURE * exp(-altitude / _SCALE_HEIGHT)),
         ),
         Magneto: _magneto(demo),
         KalmanPressure: KalmanPressure(
-            estimated_z=1e3 * onboard.height, estimated_zdot=1e3 * onboard.velocity[2]
+            estimated_z=1e3 * altitude, estimated_zdot=1e3 * onboard.velocity[2]
         ),
     }
     return tuple(moving.get(kind) or _CONSTANT_OPTIONS[kind] for kind in OPTION_TYPES)
 
 
-def _demo(onboard: OnboardState, tells_vertical_speed: bool) -> Demo:
+def _demo(onboard: OnboardState, altitude: float, tells_vertical_speed: bool) -> Demo:
     forward, left, up = onboard.velocity
     demo = native_demo(
         MAJOR_STATES[onboard.flight],
@@ -103,7 +105,7 @@ def _demo(onboard: OnboardState, tells_vertical_speed: bool) -> Demo:
         phi=onboard.phi,
         theta=onboard.theta,
         psi=onboard.psi,
-        height=onboard.height,
+        height=altitude,
         velocity=(forward, left, up if tells_vertical_speed else 0.0),
     )
     lost = onboard.com_lost and onboard.flight is FlightState.HOVERING
@@ -125,15 +127,20 @@ def _rates(onboard: OnboardState) -> Vec3:
 
 def _raw_measures(onboard: OnboardState) -> RawMeasures:
     x, y, z = _milli_g(onboard)
-    height = max(0, round(1e3 * onboard.height))
+    echo = _echo(onboard)
     return RawMeasures(
         accelerometers=(_converter(x), _converter(-y), _converter(-z)),
         gyros=tuple(_clip(round(_GYRO_STEP * rate), -32768, 32767) for rate in _rates(onboard)),
         battery_millivolts=round(1e3 * onboard.battery_voltage),
-        us_association=_clip(height, 0, 65535),
+        us_association=_clip(echo, 0, 65535),
         echo_count=1,
-        altitude_raw=height,
+        altitude_raw=echo,
     )
+
+
+def _echo(onboard: OnboardState) -> int:
+    """Return the raw ultrasound height [mm]; a standing drone tells its shortest one."""
+    return round(1e3 * max(onboard.height, _ULTRASOUND_MIN))
 
 
 def _converter(milli_g: float) -> int:
@@ -144,11 +151,9 @@ def _clip(value: int, low: int, high: int) -> int:
     return min(high, max(low, value))
 
 
-def _altitude(onboard: OnboardState, demo: Demo) -> Altitude:
-    climb = 1e3 * onboard.velocity[2]
-    return Altitude(
-        vision=demo.altitude, vz=climb, raw=demo.altitude, observer_altitude=onboard.height
-    )
+def _altitude(onboard: OnboardState, altitude: float) -> Altitude:
+    echo, climb = _echo(onboard), 1e3 * onboard.velocity[2]
+    return Altitude(vision=echo, vz=climb, raw=echo, observer_altitude=altitude)
 
 
 def _vision(onboard: OnboardState, demo: Demo) -> Vision:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.twin.ardrone.altitude_estimator import AltitudeEstimator
 from housefly.twin.ardrone.link import Link
 from housefly.twin.ardrone.navdata_options import demo_options, full_options
 from housefly.twin.contracts import FlightState, OnboardState
@@ -55,6 +56,7 @@ class NavdataWriter:
         self._link = link
         self._tells_vertical_speed = tells_vertical_speed
         self._sequence = 0
+        self._altitude = AltitudeEstimator()
 
     @property
     def full(self) -> bool:
@@ -69,6 +71,8 @@ class NavdataWriter:
         )
 
     def _options(self, onboard: OnboardState) -> tuple[Structure | RawOption, ...]:
+        altitude = self._altitude.altitude(onboard)
         if self._link.bootstrap:
             return ()
-        return (demo_options if self.demo else full_options)(onboard, self._tells_vertical_speed)
+        options = demo_options if self.demo else full_options
+        return options(onboard, altitude, self._tells_vertical_speed)

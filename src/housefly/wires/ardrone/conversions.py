@@ -15,7 +15,7 @@ from housefly.geometry import GRAVITY, Vec3, wrap_angle
 from housefly.messages import DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone.at import Pcmd, PcmdFlag
 from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
-from housefly.wires.ardrone.navdata_options import Demo, MajorState, PhysMeasures, Time
+from housefly.wires.ardrone.navdata_options import Altitude, Demo, MajorState, PhysMeasures, Time
 
 _STATUS = {
     MajorState.DEFAULT: DroneStatus.UNKNOWN,
@@ -44,6 +44,8 @@ _FAULTS: tuple[tuple[StateBits, str], ...] = (
     (StateBits.COM_LOST, "drone lost our commands"),
 )
 """State bits that a person should know of, in words."""
+ULTRASOUND_MIN = 0.25
+"""Raw ultrasound up to this may be anything nearer [m]: on the floor it tells 0.24."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +92,27 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
         phi=_angle(demo.phi),
         theta=_angle(-demo.theta),
         psi=_angle(-demo.psi),
-        height=demo.altitude / 1000.0,
+        height=_height(packet, demo),
         velocity=(demo.vx / 1000.0, -demo.vy / 1000.0, -demo.vz / 1000.0),
         faults=tuple(text for bit, text in _FAULTS if packet.has(bit)),
         acceleration=_acceleration(packet),
         drone_time=time.seconds if (time := packet.option(Time)) else None,
         hears_us=hears_us(packet),
     )
+
+
+def _height(packet: NavdataPacket, demo: Demo) -> float:
+    """Return how far the next surface is below the drone [m].
+
+    Raw ultrasound tells that, where the packet has it. The demo option tells a blend with pressure
+    and motion, which does not drop above a table, and drifts (AutonomyLab, ardrone_autonomy, issues
+    145 and 185); only what is too near for ultrasound is left to it.
+    """
+    told, raw = demo.altitude / 1000.0, packet.option(Altitude)
+    if raw is None or raw.raw <= 0:
+        return told
+    measured = raw.raw / 1000.0
+    return measured if measured > ULTRASOUND_MIN else min(measured, told)
 
 
 def hears_us(packet: NavdataPacket) -> bool:
