@@ -144,6 +144,15 @@ def test_the_real_drone_does_not_tell_its_vertical_speed():
     assert (demo.vx, demo.vz) == (1000.0, 0.0)
 
 
+@pytest.mark.parametrize(("demo", "height"), [(False, 0.7), (True, 1.1)])
+def test_a_table_below_is_told_by_full_reports_alone(demo, height):
+    flying = replace(RESTING, flight=FlightState.FLYING, height=1.1)
+    tell = writer(demo=demo)
+    tell.packet(flying)
+    above = decode_navdata(tell.packet(replace(flying, at=flying.at + 0.005, height=0.7)))
+    assert telemetry_from_navdata(above, 0.0).height == pytest.approx(height)
+
+
 def test_hovering_without_a_client_is_told_as_such():
     lost = replace(RESTING, flight=FlightState.HOVERING, com_lost=True)
     demo = decode_navdata(writer(demo=True).packet(lost)).option(Demo)
