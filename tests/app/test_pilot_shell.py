@@ -42,6 +42,7 @@ from housefly.messages import (
     PilotStep,
     PreflightCheck,
     RecordingNews,
+    SafetyMode,
     Severity,
     Sighting,
     TrackedFrame,
@@ -242,6 +243,32 @@ async def test_after_a_failed_step_cutting_the_motors_still_passes_and_stop_land
         await room.until(lambda: room.world.onboard().flight.name == "EMERGENCY", 1.0)
         with pytest.raises(StepFailure):
             await asyncio.wait_for(running, 10.0)
+
+
+async def test_a_flood_of_orders_is_named_and_stop_passes_it_at_once(write_site: Any) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    steps: list[PilotStep] = []
+    async with RoomHere(loaded) as room:
+        shell, _, bus, running = await flying_shell(room, steps, [])
+        before = len(steps)
+        for number in range(1000):
+            place = ("table", "entrance")[number % 2]
+            now = shell._clock.now()
+            bus.publish(ORDER_TOPIC, Order(OrderKind.GO, place, issued_at=now, sender="loop"))
+        bus.publish(ORDER_TOPIC, Order(OrderKind.STOP, issued_at=shell._clock.now()))
+        await room.until(lambda: len(steps) > before, 1.0)
+        assert [order.kind for order in steps[before].inputs.orders][-1] is OrderKind.STOP
+        assert len(steps[before].inputs.orders) == 2
+        await room.until(
+            lambda: any(
+                event.code == "orders_flooded"
+                for step in steps[before:]
+                for event in step.outputs.events
+            )
+        )
+        assert steps[-1].outputs.safety is SafetyMode.STOPPED
+        shell.leave()
+        await asyncio.wait_for(running, 30.0)
 
 
 @pytest.mark.parametrize("log_is_full", [False, True], ids=["", "the log takes no more"])

@@ -22,6 +22,7 @@ from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.obstacle_inbox import ObstacleInbox
+from housefly.app.order_inbox import OrderInbox
 from housefly.app.origin_memory import OriginMemory
 from housefly.app.people_note import people_note
 from housefly.app.people_sight import PeopleSight
@@ -111,7 +112,7 @@ class PilotShell:
         self._clock = RealClock()
         self._recording = RecordingWatch(drone, self._clock.now)
         self._sightings: list[Sighting] = []
-        self._orders: list[Order] = []
+        self._orders = OrderInbox(self._clock)
         self._obstacles = ObstacleInbox(extent_of(loaded.grid), self._clock)
         self._sight = PeopleSight(loaded.site, self._clock)
         self._sequence = 0
@@ -132,9 +133,7 @@ class PilotShell:
             StepFailure: the step failed; the drone is down, or did not land in time.
         """
         loop = asyncio.get_running_loop()
-        orders = self._bus.subscribe(
-            ORDER_TOPIC, lambda order: _soon(loop, lambda: self._orders.append(order))
-        )
+        orders = self._bus.subscribe(ORDER_TOPIC, self._orders.add)
         obstacles = self._bus.subscribe(
             OBSTACLE_TOPIC, lambda seen: _soon(loop, lambda: self._obstacles.add(seen))
         )
@@ -171,7 +170,7 @@ class PilotShell:
         """Stop at once, past every queue: the drone hovers before anything else happens."""
         if self._airborne():
             self._drone.send(Command(Action.HOVER))
-        self._orders.insert(0, Order(OrderKind.STOP, issued_at=self._clock.now(), sender="STOP"))
+        self._orders.add(Order(OrderKind.STOP, issued_at=self._clock.now(), sender="STOP"))
         self._step()
 
     def leave(self) -> None:
@@ -179,7 +178,7 @@ class PilotShell:
         if self._leaving:
             return
         self._leaving = True
-        self._orders.append(Order(OrderKind.LAND, issued_at=self._clock.now(), sender="shutdown"))
+        self._orders.add(Order(OrderKind.LAND, issued_at=self._clock.now(), sender="shutdown"))
 
     def _asked_to_stand_down(self, loop: asyncio.AbstractEventLoop) -> str:
         """Give the pilot's word from the bus's thread, between two steps of the loop."""
@@ -192,7 +191,7 @@ class PilotShell:
     async def _word(self) -> str:
         if self._leaving or self._failure:
             return "the pilot is ending"
-        now, waiting = self._clock.now(), tuple(self._orders)
+        now, waiting = self._clock.now(), self._orders.waiting
         return self._stand_down.begin(now, self._drone.telemetry, self._outputs, waiting)
 
     async def _fly(self) -> None:
@@ -210,12 +209,11 @@ class PilotShell:
 
     def _step(self) -> None:
         now = self._clock.now()
-        orders: tuple[Order, ...] = tuple(self._orders)
-        refusals: tuple[Event, ...] = ()
+        orders, refusals = self._orders.drain(), self._orders.told()
         if not self._airborne():
             orders, full = self._disks.allowed(orders, now)
             orders, standing = self._stand_down.allowed(orders, now)
-            refusals = full + standing
+            refusals += full + standing
         inputs = Inputs(
             tuple(self._sightings),
             self._drone.telemetry,
@@ -226,7 +224,6 @@ class PilotShell:
             people_seen_at=self._sight.seen_at,
         )
         self._sightings.clear()
-        self._orders.clear()
         outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
         self._drone.send(outputs.command)
         self._outputs = outputs

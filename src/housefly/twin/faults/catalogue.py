@@ -395,7 +395,9 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     FaultRow(
         "F40", "a publisher floods the bus", "the loop stays on time; the publisher is named",
         _USER,
-        covered_by="tests/app/test_obstacle_inbox.py::test_a_flood_is_cut_down (obstacles only)",
+        covered_by="tests/app/test_obstacle_inbox.py::test_a_flood_is_cut_down,"
+        " tests/app/test_pilot_shell.py"
+        "::test_a_flood_of_orders_is_named_and_stop_passes_it_at_once",
     ),
     FaultRow(
         "F41", "a bad configuration", "refused with the key and its range", _USER,

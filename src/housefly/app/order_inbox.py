@@ -1,0 +1,105 @@
+"""Orders that other processes give the pilot: bounded, so that nobody's loop makes it late.
+
+Each order may need a way to be planned. Whoever gives too many is named, and the rest of theirs is
+refused; what stops the drone always passes, and of motions by hand the newest.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from threading import Lock
+
+from housefly.clock import Clock
+from housefly.messages import Event, Order, OrderKind, Severity
+
+SENDER_ORDERS_MAX, ORDERS_MAX = 20, 40
+"""Orders in a second of one sender, and of all of them."""
+ORDERS_PER_STEP = 1
+"""So many are taken at once; the others wait for the next step, until they are too old."""
+STOPPING_ORDERS = frozenset({OrderKind.STOP, OrderKind.LAND, OrderKind.CUT})
+"""These always pass: one of each kind and sender in a step."""
+_PERIOD = 1.0
+_NAME_MAX = 40
+
+
+class OrderInbox:
+    """Collects orders between two steps of the pilot; may be added to from any thread.
+
+    Args:
+        clock: the pilot's.
+    """
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock, self._lock = clock, Lock()
+        self._stopping: dict[tuple[OrderKind, str], Order] = {}
+        self._nudges: dict[str, Order] = {}
+        self._waiting: deque[Order] = deque()
+        self._since = clock.now()
+        self._taken: dict[str, int] = {}
+        self._refused = Counter[str]()
+
+    @property
+    def waiting(self) -> tuple[Order, ...]:
+        """What no step has taken yet."""
+        with self._lock:
+            return (*self._waiting, *self._nudges.values(), *self._stopping.values())
+
+    def add(self, order: Order) -> None:
+        """Add an order, or refuse it."""
+        with self._lock:
+            if order.kind in STOPPING_ORDERS:
+                self._stopping.setdefault((order.kind, order.sender), order)
+            elif order.kind is OrderKind.NUDGE and self._may_nudge(order.sender):
+                self._nudges[order.sender] = order
+            elif self._is_allowed(order.sender):
+                self._waiting.append(order)
+
+    def _may_nudge(self, sender: str) -> bool:
+        return sender in self._nudges or len(self._nudges) < ORDERS_MAX
+
+    def _is_allowed(self, sender: str) -> bool:
+        """Count an order of this second; strangers beyond the first senders share a name."""
+        known = sender in self._taken or len(self._taken) < ORDERS_MAX
+        name = sender if known else "others"
+        given = self._taken.get(name, 0)
+        if given < SENDER_ORDERS_MAX and sum(self._taken.values()) < ORDERS_MAX:
+            self._taken[name] = given + 1
+            return True
+        self._refused[name] += 1
+        return False
+
+    def drain(self) -> tuple[Order, ...]:
+        """Return what the next step takes; what stops the drone comes last, and has the last word.
+
+        What still waits then was given before it, and counts no more.
+        """
+        with self._lock:
+            count = min(len(self._waiting), ORDERS_PER_STEP)
+            taken = tuple(self._waiting.popleft() for _ in range(count))
+            nudges, stopping = tuple(self._nudges.values()), tuple(self._stopping.values())
+            if stopping:
+                self._refused.update(Counter(order.sender for order in self._waiting))
+                self._waiting.clear()
+            self._nudges.clear()
+            self._stopping.clear()
+            return (*taken, *nudges, *stopping)
+
+    def told(self) -> tuple[Event, ...]:
+        """Return whose orders were too many, once a second."""
+        now = self._clock.now()
+        with self._lock:
+            if now - self._since < _PERIOD:
+                return ()
+            self._since, refused = now, self._refused
+            self._taken, self._refused = {}, Counter()
+        return tuple(
+            Event(now, Severity.WARNING, "orders_flooded", _words(name, count))
+            for name, count in refused.items()
+        )
+
+
+def _words(name: str, count: int) -> str:
+    return (
+        f"{name[:_NAME_MAX]!r} gives too many orders: {count} were refused in a second"
+        f" (limit {SENDER_ORDERS_MAX} a second)"
+    )
