@@ -10,8 +10,10 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable
+from dataclasses import replace
 
 from housefly.clock import Clock
+from housefly.drones.ardrone.echo_filter import EchoFilter
 from housefly.drones.ardrone.link import open_datagram_socket
 from housefly.errors import WireError
 from housefly.messages import Telemetry
@@ -54,6 +56,7 @@ class NavdataReports:
         self._heard_since, self._heard = float("-inf"), 0
         self._times: deque[float] = deque()
         self._telemetry: Telemetry | None = None
+        self._echoes = EchoFilter()
         self._is_read = True
 
     def accept(self, datagram: bytes, now: float) -> bool:
@@ -102,7 +105,9 @@ class NavdataReports:
         # bootstrap packets carry no demo option: the last full report stands, and its age says so
         if self.packet.options:
             try:
-                self._telemetry = telemetry_from_navdata(self.packet, self.received_at)
+                told = telemetry_from_navdata(self.packet, self.received_at)
+                height = self._echoes.filtered(told.height, told.received_at)
+                self._telemetry = replace(told, height=height)
             except WireError:
                 self.broken += 1
 
