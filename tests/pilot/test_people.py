@@ -17,6 +17,7 @@ from housefly.messages import (
     OrderKind,
     Phase,
     Pose,
+    SafetyMode,
     Sighting,
 )
 from housefly.pilot.assembly import make_pilot
@@ -325,6 +326,20 @@ def test_something_that_only_the_sonar_shows_is_not_landed_on(fly: Fly) -> None:
     put_on_pad(flight)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)
     assert flight.told("landing_blocked") and flight.home_error > 0.5
+
+
+def test_a_landing_of_the_gate_that_is_steered_leaves_what_only_the_sonar_shows(fly: Fly) -> None:
+    flight = homeward(fly)
+    flight.until(lambda o: flight.home_error < 0.3, 40.0)
+    put_on_pad(flight)
+    while flight.step().safety is not SafetyMode.LAND:
+        flight.wind = (1.1 * sin(4.0 * flight.now), 0.0)
+    assert flight.told("blown_about") and flight.body.z > 0.9 and flight.home_error < 0.4
+    flight.wind = (0.0, 0.0)
+    while flight.status is not DroneStatus.LANDED:
+        flight.step()
+        assert flight.body.z > 0.8 or flight.home_error > 0.4
+    assert 0.7 < flight.home_error < 1.5
 
 
 @pytest.mark.parametrize(

@@ -72,10 +72,11 @@ class Map(Protocol):
         """Return the way from a start to a goal [m]."""
         ...
 
-    def clear_floor(self, place: Vec2, height: float) -> Vec2 | None:
+    def clear_floor(self, place: Vec2, height: float, least: float = 0.0) -> Vec2 | None:
         """Return where to land beside a place over furniture or people [m], at a height [m].
 
-        None where the place itself is clear, or nothing better can be reached.
+        At least ``least`` metres away. None where the place itself is clear, unless it is to be
+        left, or nothing better can be reached.
         """
         ...
 
@@ -101,6 +102,10 @@ class Missions(Protocol):
     @property
     def is_yielding(self) -> bool:
         """Whether the drone makes way for somebody: it may be far from where it flies to."""
+        ...
+
+    def is_above_something(self, now: float) -> bool:
+        """Return whether the drone's own sensor shows something below that no map does."""
         ...
 
     @property

@@ -32,11 +32,12 @@ from housefly.messages.steering import (
     Setpoint,
 )
 from housefly.numeric import boxed, wrapped
+from housefly.pilot.behavior.braking import UNSEEN_DISTANCE
 from housefly.pilot.behavior.mission import PeopleSilence, TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.reported_status import ReportedStatus
-from housefly.pilot.behavior.steered_landing import SteeredLanding
+from housefly.pilot.behavior.steered_landing import MOVES_MAX, SteeredLanding
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
@@ -343,10 +344,7 @@ class Pilot:
             self._landing = None
             return None
         here, height = estimate.position[:2], estimate.position[2]
-        if self._landing is None:
-            beside = self._map.clear_floor(here, height)
-            self._landing = SteeredLanding(here, height, now, beside or here)
-        landing = self._landing
+        landing = self._landing = self._landing_now(now, here, height)
         x, y = self._landing_aim(landing.setpoint(now))
         return Guidance(
             active=True,
@@ -358,6 +356,17 @@ class Pilot:
             height=landing.height_setpoint(now, here, height, self._settings.sinks_to),
             speed_factor=1.0,
         )
+
+    def _landing_now(self, now: float, here: Vec2, height: float) -> SteeredLanding:
+        landing = self._landing
+        if landing is None:
+            beside = self._map.clear_floor(here, height)
+            return SteeredLanding(here, height, now, beside or here)
+        may_move = landing.moves < MOVES_MAX and landing.sinks(now, here)
+        if not (may_move and self._missions.is_above_something(now)):
+            return landing
+        beside = self._map.clear_floor(here, height, UNSEEN_DISTANCE)
+        return landing.moved(here, now, beside) if beside else landing
 
     def _landing_aim(self, spot: Vec2) -> Vec2:
         """Return where to steer, so that the drone's own last bit ends on the spot [m]."""

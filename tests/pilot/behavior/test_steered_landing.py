@@ -40,3 +40,12 @@ def test_it_keeps_its_height_until_it_is_beside_but_not_for_ever() -> None:
     assert landing.height_setpoint(arrival + 0.1, (0.75, 0.0), 1.1, 0.2) < 1.1
     assert landing.height_setpoint(arrival + SETTLING_TIME, (0.0, 0.0), 1.1, 0.2) < 1.1
     assert landing.height_setpoint(inf, (0.0, 0.0), 0.3, 0.2) == 0.2
+
+
+def test_moved_aside_it_keeps_the_height_at_which_it_began_until_it_is_there() -> None:
+    low = SteeredLanding((0.0, 0.0), 1.2, 5.0, (0.0, 0.0))
+    moved = low.moved((0.1, 0.0), 7.0, (1.1, 0.0))
+    assert low.sinks(7.0, (0.1, 0.0)) and not moved.sinks(7.0, (0.1, 0.0))
+    assert moved.height_setpoint(7.5, (0.2, 0.0), 0.8, 0.2) == 1.2
+    assert moved.setpoint(7.0) == (0.1, 0.0) and moved.moves == 1
+    assert moved.sinks(7.0 + 1.0 / BESIDE_SPEED, (1.1, 0.0))

@@ -99,6 +99,13 @@ def test_over_clear_floor_a_landing_keeps_its_place(navigator: RoomNavigator) ->
     assert navigator.clear_floor((3.5, 4.2), ABOVE_SOFA) is None
 
 
+def test_clear_floor_that_is_to_be_left_is_left_by_so_much(navigator: RoomNavigator) -> None:
+    navigator.update((), (), 0.0)
+    place = (3.5, 4.2)
+    spot = navigator.clear_floor(place, ABOVE_SOFA, 0.9)
+    assert spot is not None and 0.9 <= distance(place, spot) <= BESIDE_MAX
+
+
 def test_no_landing_is_steered_into_what_stands_as_high_as_the_drone(
     navigator: RoomNavigator,
 ) -> None:

@@ -18,7 +18,7 @@ from math import inf
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
-from housefly.pilot.behavior.braking import sink_height
+from housefly.pilot.behavior.braking import UNSEEN_DISTANCE, sink_height
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
@@ -36,8 +36,6 @@ SPOT_PERIOD = 3.0
 """How often another place to land is looked for [s] ..."""
 SPOT_RETRY = 0.5
 """... and how soon the next one when no way leads to it [s]."""
-SPOT_DISTANCE = 0.9
-"""Something that only the drone's own sensor shows is left behind by at least this [m]."""
 
 _CHOSEN = frozenset({Signal.ARRIVED_HOME, Signal.BLOCKED, Signal.OVERDUE})
 """Signals that lead to a landing which can wait."""
@@ -170,7 +168,7 @@ class LandingMonitor:
         place = vehicle.place
         if place is None:
             return []
-        least = SPOT_DISTANCE if self._commander.sonar.is_sure(vehicle.now) else 0.0
+        least = UNSEEN_DISTANCE if self._commander.sonar.is_sure(vehicle.now) else 0.0
         spot = self._people.landing_spot(place, vehicle.now, least, self._unreachable)
         if spot is None:
             self._unreachable.clear()

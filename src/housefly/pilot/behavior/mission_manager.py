@@ -74,6 +74,10 @@ class MissionManager:
         """Whether the drone makes way for somebody."""
         return self._separation.is_yielding
 
+    def is_above_something(self, now: float) -> bool:
+        """Return whether the drone's own sensor shows something below that no map does."""
+        return self._commander.sonar.is_sure(now)
+
     def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
         """Return what the pre-flight checks find now."""
         return self._commander.preflight(vehicle)

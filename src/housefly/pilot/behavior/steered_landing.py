@@ -2,6 +2,7 @@
 
 Over clear floor it sinks where it is. Over furniture or people it first moves straight to the
 nearest clear floor, slowly: a setpoint that jumped would look as if the drone had lost its course.
+Over what only the drone's own sensor shows it rises again, and moves likewise.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ SETTLED = 0.15
 """So near to its spot it begins to sink [m] ..."""
 SETTLING_TIME = 2.0
 """... and this long after its setpoint came there at the latest [s]."""
+MOVES_MAX = 2
+"""So often it moves aside for what only the drone's own sensor shows: that may be wrong."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,12 +29,14 @@ class SteeredLanding:
         height: of the drone then [m].
         at: when [s].
         spot: where it comes down [m].
+        moves: how often it has moved aside for what only the drone's own sensor shows.
     """
 
     begun: Vec2
     height: float
     at: float
     spot: Vec2
+    moves: int = 0
 
     def setpoint(self, now: float) -> Vec2:
         """Return where to be at a time [s], on the way to the spot [m]."""
@@ -53,8 +58,14 @@ class SteeredLanding:
             height: of the drone [m].
             lowest: height ever wanted [m].
         """
+        return sink_height(height, lowest) if self.sinks(now, here) else self.height
+
+    def sinks(self, now: float, here: Vec2) -> bool:
+        """Return whether a drone at a place [m] is to sink."""
         arrival = self.at + distance(self.begun, self.spot) / BESIDE_SPEED
         is_there = now >= arrival and distance(here, self.spot) < SETTLED
-        if self.spot == self.begun or is_there or now >= arrival + SETTLING_TIME:
-            return sink_height(height, lowest)
-        return self.height
+        return self.spot == self.begun or is_there or now >= arrival + SETTLING_TIME
+
+    def moved(self, here: Vec2, now: float, spot: Vec2) -> SteeredLanding:
+        """Return the landing that goes on at another spot [m], from where the drone is now."""
+        return SteeredLanding(here, self.height, now, spot, self.moves + 1)

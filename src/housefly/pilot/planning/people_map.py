@@ -177,17 +177,25 @@ class PeopleMap:
                 yield spot
 
     def clear_floor(
-        self, place: Vec2, height: float, now: float, farthest: float, speed: float
+        self,
+        place: Vec2,
+        height: float,
+        now: float,
+        farthest: float,
+        speed: float,
+        least: float = 0.0,
     ) -> Vec2 | None:
         """Return the nearest clear floor straight beside a place over furniture or people [m].
 
-        None where the place itself is clear, and where the drone would meet something, or somebody,
-        on the straight way at its height [m] and a speed [m/s].
+        It is at least ``least`` metres away. None where the place itself is clear, unless it is to
+        be left in any case, and where the drone would meet something, or somebody, on the straight
+        way at its height [m] and a speed [m/s].
         """
-        if not (self.ground_fault(place) or self.landing_fault(place, now)):
+        is_clear = not (self.ground_fault(place) or self.landing_fault(place, now))
+        if is_clear and not least:
             return None
         grid = self._things(height)
-        for spot in self._landing_spots(place, now):
+        for spot in self._landing_spots(place, now, least):
             far = distance(place, spot)
             if far > farthest:
                 return None
