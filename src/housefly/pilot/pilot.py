@@ -104,7 +104,7 @@ class Pilot:
         self._profile: PathProfile = NO_PATH
         self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
-        self._reported = ReportedStatus()
+        self._reported, self._commanded = ReportedStatus(), Action.IDLE
         self._now = -inf
         self._refused: set[str] = set()
         self._vehicle: VehicleStatus | None = None
@@ -180,7 +180,8 @@ class Pilot:
     def _receive(self, telemetry: Telemetry | None) -> None:
         if telemetry is not None:
             self._telemetry = telemetry
-            self._reported = self._reported.updated(telemetry)
+            ends = self._commanded in (Action.LAND, Action.CUT)
+            self._reported = self._reported.updated(telemetry, told_to_end=ends)
 
     # --- estimation ---
 
@@ -297,6 +298,7 @@ class Pilot:
         self._target = output.target if guidance.active else None
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         verdict = released(self._action(output, guidance), output.command, assessment)
+        self._commanded = verdict.command.action
         self._flown = verdict.command.setpoint if verdict.command.action is Action.FLY else None
         self._maneuvering, self._height = override.active, output.target.z
         self._in_space = guidance.active and guidance.following and is_in_space(self._profile)

@@ -12,11 +12,14 @@ from housefly.pilot.behavior.reported_status import ReportedStatus
 ENDS = (DroneStatus.LANDED, DroneStatus.EMERGENCY)
 
 
-def believed(*told: DroneStatus, first: DroneStatus = DroneStatus.FLYING) -> DroneStatus:
-    """Return what is believed of a drone that told these, 5 ms apart."""
+def believed(
+    *told: DroneStatus, first: DroneStatus = DroneStatus.FLYING, ends: bool = False
+) -> DroneStatus:
+    """Return what is believed of a drone that told these, 5 ms apart; ``ends`` when told to."""
     reported = ReportedStatus(first)
     for number, status in enumerate(told):
-        reported = reported.updated(Telemetry(0.005 * number, status, 0.9))
+        report = Telemetry(0.005 * number, status, 0.9)
+        reported = reported.updated(report, told_to_end=ends)
     return reported.status
 
 
@@ -35,9 +38,15 @@ def test_one_report_that_is_read_again_stays_one() -> None:
     once = ReportedStatus(DroneStatus.FLYING)
     damaged = Telemetry(1.0, DroneStatus.LANDED, 0.9)
     for _ in range(5):
-        once = once.updated(damaged)
+        once = once.updated(damaged, told_to_end=False)
     assert once.status is DroneStatus.FLYING
-    assert once.updated(replace(damaged, received_at=1.1)).status is DroneStatus.LANDED
+    again = once.updated(replace(damaged, received_at=1.1), told_to_end=False)
+    assert again.status is DroneStatus.LANDED
+
+
+@pytest.mark.parametrize("end", ENDS)
+def test_a_drone_that_was_told_to_end_its_flight_is_believed_at_once(end: DroneStatus) -> None:
+    assert believed(end, ends=True) is end
 
 
 @given(st.sampled_from(DroneStatus), st.sampled_from(DroneStatus))
