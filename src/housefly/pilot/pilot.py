@@ -26,10 +26,10 @@ from housefly.messages.sensing import (
 from housefly.messages.steering import (
     Action,
     Behavior,
+    Command,
     PlanAnswer,
     Reference,
     SafetyMode,
-    Setpoint,
 )
 from housefly.numeric import boxed, wrapped
 from housefly.pilot.behavior.braking import UNSEEN_DISTANCE
@@ -104,14 +104,13 @@ class Pilot:
         self._profile: PathProfile = NO_PATH
         self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
-        self._reported, self._commanded = ReportedStatus(), Action.IDLE
+        self._reported, self._sent = ReportedStatus(), Command(Action.IDLE)
         self._now = -inf
         self._refused: set[str] = set()
         self._vehicle: VehicleStatus | None = None
         self._way_home = WayHome(
             room_map.route, settings.home, self._params.speed, in_space=room_map.in_space
         )
-        self._flown: Setpoint | None = None
         self._demand: Vec2 | None = None
         self._maneuvering = self._was_free = self._in_space = False
         self._height = settings.flight_height
@@ -180,7 +179,7 @@ class Pilot:
     def _receive(self, telemetry: Telemetry | None) -> None:
         if telemetry is not None:
             self._telemetry = telemetry
-            ends = self._commanded in (Action.LAND, Action.CUT)
+            ends = self._sent.action in (Action.LAND, Action.CUT)
             self._reported = self._reported.updated(telemetry, told_to_end=ends)
 
     # --- estimation ---
@@ -298,8 +297,7 @@ class Pilot:
         self._target = output.target if guidance.active else None
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         verdict = released(self._action(output, guidance), output.command, assessment)
-        self._commanded = verdict.command.action
-        self._flown = verdict.command.setpoint if verdict.command.action is Action.FLY else None
+        self._sent = verdict.command
         self._maneuvering, self._height = override.active, output.target.z
         self._in_space = guidance.active and guidance.following and is_in_space(self._profile)
         return verdict
@@ -427,7 +425,7 @@ class Pilot:
             reference=self._reference() if is_tracking and not self._params.is_paper else None,
             flight_height=self._height,
             height_follows=self._in_space,
-            flown=self._flown,
+            flown=self._sent.setpoint if self._sent.action is Action.FLY else None,
             telemetry=vehicle.telemetry,
             consistency=vehicle.consistency,
             late=late,
