@@ -18,7 +18,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from housefly.bus.local import LocalBus
 from housefly.messages import OrderKind
-from housefly.web.protocol import ClientMessage
+from housefly.web.client_messages import ClientMessage
 from housefly.web.roles import (
     OPEN_FOLDERS,
     OPEN_PATHS,

@@ -71,7 +71,7 @@ from housefly.web.edit_service import EditService
 from housefly.web.flight_book import FlightBook
 from housefly.web.flight_log import SAMPLE_PERIOD
 from housefly.web.flight_log_writer import FlightLogWriter
-from housefly.web.protocol import EventView, PathMessage
+from housefly.web.server_messages import EventView, PathMessage
 
 CLIP_GROUP, CLIP_LENGTH, CLIP_RATE_HZ = 6, 30, 30.0
 """Pictures from one key frame to the next; pictures of a clip; and pictures a second."""

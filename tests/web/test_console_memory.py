@@ -11,7 +11,7 @@ import pytest
 
 from housefly.messages import Severity
 from housefly.web.console_memory import ConsoleMemory, KeptControl, KnownTab
-from housefly.web.protocol import EventView
+from housefly.web.server_messages import EventView
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
 

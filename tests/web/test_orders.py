@@ -11,10 +11,10 @@ from housefly.bus.topics import ORDER_TOPIC
 from housefly.clock import RealClock
 from housefly.messages import Order, OrderKind
 from housefly.tasks.execution.step_inbox import is_of_task
+from housefly.web.client_messages import OrderRequest
 from housefly.web.fake_room import example_room
 from housefly.web.orders import ORDER_WORDS, order_in_words, order_objection, to_order
 from housefly.web.pilot_link import PilotLink
-from housefly.web.protocol import OrderRequest
 
 ROOM = example_room()
 

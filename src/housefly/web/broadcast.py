@@ -8,7 +8,7 @@ import logging
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
 from housefly.web.console import Console
-from housefly.web.protocol import (
+from housefly.web.server_messages import (
     LinkMessage,
     PreflightMessage,
     RoomMessage,

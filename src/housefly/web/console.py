@@ -16,6 +16,17 @@ from housefly.errors import MissingPartError
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
+from housefly.web.client_messages import (
+    CLIENT_MESSAGE,
+    Hello,
+    InviteRequest,
+    LeaseRequest,
+    NudgeRequest,
+    OrderRequest,
+    PingRequest,
+    PlanQuestion,
+    StopRequest,
+)
 from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl
 from housefly.web.control_lease import ControlLease
@@ -32,27 +43,18 @@ from housefly.web.orders import (
 )
 from housefly.web.pilot_link import PilotLink
 from housefly.web.plan_answers import answer_plans
-from housefly.web.protocol import (
-    CLIENT_MESSAGE,
+from housefly.web.refusal_log import RefusalLog
+from housefly.web.roles import Role, role_for_message, role_objection
+from housefly.web.seats import Seats
+from housefly.web.server_messages import (
     AcceptedReply,
-    Hello,
-    InviteRequest,
-    LeaseRequest,
-    NudgeRequest,
-    OrderRequest,
-    PingRequest,
-    PlanQuestion,
     PongReply,
     PreflightMessage,
     RefusedReply,
     RoomMessage,
-    StopRequest,
     Welcome,
     to_text,
 )
-from housefly.web.refusal_log import RefusalLog
-from housefly.web.roles import Role, role_for_message, role_objection
-from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_watch import CLOSE_SESSION_OVER
 from housefly.web.state_feed import StateFeed

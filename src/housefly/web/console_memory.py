@@ -19,7 +19,7 @@ from pathlib import Path
 from pydantic import TypeAdapter
 
 from housefly.config.durable import append_lines
-from housefly.web.protocol import EventView
+from housefly.web.server_messages import EventView
 
 _LOG = logging.getLogger(__name__)
 _FILE = "console.jsonl"

@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 from housefly.clock import Clock
 from housefly.messages import Severity
+from housefly.web.client_messages import LeaseRequest
 from housefly.web.lease import LEASE_TIMEOUT, Lease
-from housefly.web.protocol import LeaseRequest, ViewersMessage, ViewerView, to_text
 from housefly.web.roles import Role
+from housefly.web.server_messages import ViewersMessage, ViewerView, to_text
 from housefly.web.session_auth import SessionAuth
 from housefly.web.state_feed import StateFeed
 from housefly.web.viewer import Viewer

@@ -31,7 +31,7 @@ from housefly.web.flight_log import (
     LoggedStage,
     line_text,
 )
-from housefly.web.protocol import PathMessage
+from housefly.web.server_messages import PathMessage
 
 _LOG = logging.getLogger(__name__)
 _SETTLING = 2.0

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from housefly.web.client_messages import InviteRequest
 from housefly.web.invitations import Invitation
-from housefly.web.protocol import InvitationUsed, InviteReply, InviteRequest
 from housefly.web.qr_code import qr_view
 from housefly.web.roles import Role
+from housefly.web.server_messages import InvitationUsed, InviteReply
 from housefly.web.session_auth import SessionAuth
 from housefly.web.viewer import Viewer
 

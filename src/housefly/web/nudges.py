@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from housefly.messages import Order, OrderKind
 from housefly.tasks.person_sender import person_sender
-from housefly.web.protocol import NudgeRequest
+from housefly.web.client_messages import NudgeRequest
 
 LATE_MAX = 0.3
 """A nudge that was held up for longer is nothing [s]; the pilot gives it up after the same time."""

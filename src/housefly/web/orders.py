@@ -5,7 +5,7 @@ from __future__ import annotations
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.messages import Order, OrderKind
 from housefly.tasks.person_sender import person_sender
-from housefly.web.protocol import OrderRequest
+from housefly.web.client_messages import OrderRequest
 
 ORDERS_WITHOUT_CONTROL = frozenset({OrderKind.STOP, OrderKind.LAND})
 """Orders that need no control: they only make the drone safer."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest
 from housefly.web.pilot_link import PilotLink
-from housefly.web.protocol import PlanReply, RefusedReply
+from housefly.web.server_messages import PlanReply, RefusedReply
 from housefly.web.viewer import Viewer
 
 

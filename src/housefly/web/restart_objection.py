@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from housefly.tasks.api.values import TaskStage
-from housefly.web.protocol import TasksMessage
+from housefly.web.server_messages import TasksMessage
 from housefly.web.verdict_message import ConsoleVerdict
 
 _UNDER_WAY = frozenset({TaskStage.RUNNING, TaskStage.PAUSED, TaskStage.SUSPENDED})

@@ -10,7 +10,7 @@ from typing import Any
 
 from housefly.hub.api.endpoints import API_PREFIX
 from housefly.messages import OrderKind
-from housefly.web.protocol import (
+from housefly.web.client_messages import (
     Hello,
     InviteRequest,
     LeaseRequest,

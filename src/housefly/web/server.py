@@ -49,13 +49,13 @@ from housefly.web.flight_routes import flight_routes
 from housefly.web.logins import Logins
 from housefly.web.page_routes import page_routes
 from housefly.web.pilot_link import PilotLink
-from housefly.web.protocol import EventView
 from housefly.web.reading_pace import ReadingPace
 from housefly.web.refused_changes import RefusedChanges
 from housefly.web.restart_objection import restart_objection
 from housefly.web.role_guard import RoleGuard
 from housefly.web.room_api import RoomApi
 from housefly.web.security import LOOPBACK_NAMES, HostGuard
+from housefly.web.server_messages import EventView
 from housefly.web.session import EndedSessions
 from housefly.web.session_auth import SessionAuth, api_key
 from housefly.web.session_pages import session_routes

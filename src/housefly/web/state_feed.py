@@ -27,7 +27,13 @@ from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
 from housefly.web.hand_motion import hand_motion_words
 from housefly.web.last_status import LastStatus
-from housefly.web.protocol import EventView, LinkMessage, OtherBody, PathMessage, StateMessage
+from housefly.web.server_messages import (
+    EventView,
+    LinkMessage,
+    OtherBody,
+    PathMessage,
+    StateMessage,
+)
 from housefly.web.stop_latch import StopLatch
 
 _RATED_ENDURANCE = 720.0

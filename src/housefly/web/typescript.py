@@ -10,12 +10,13 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 from housefly.hub.api import answers as room_answers
 from housefly.tasks.api.answers import TaskAnswer
+from housefly.web.client_messages import ClientMessage
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditsView
 from housefly.web.flight_book import FlightReplay, FlightsView
 from housefly.web.new_site.draft_answers import HeardView, WrittenView
 from housefly.web.new_site.draft_view import DraftView
-from housefly.web.protocol import ClientMessage, ServerMessage
+from housefly.web.server_messages import ServerMessage
 from housefly.web.simulated_bell import BellView
 
 _WIRE_FOLDER = Path(__file__).parent / "client" / "src" / "wire"
@@ -47,7 +48,7 @@ def generated_files() -> dict[Path, str]:
 def _socket_types() -> str:
     """Return the TypeScript text of all messages of the socket and of every value inside them."""
     unions = {"ClientMessage": ClientMessage, "ServerMessage": ServerMessage}
-    return _text("housefly/web/protocol.py", unions)
+    return _text("housefly/web/{client,server}_messages.py", unions)
 
 
 def _room_types() -> str:

@@ -9,9 +9,10 @@ from math import inf
 
 from starlette.websockets import WebSocket
 
+from housefly.web.client_messages import PlanQuestion
 from housefly.web.nudges import LineDelay
-from housefly.web.protocol import PlanQuestion, ServerMessage, to_text
 from housefly.web.rate_limit import CommandLimiter
+from housefly.web.server_messages import ServerMessage, to_text
 from housefly.web.session import Session
 
 _MAX_QUEUED_MESSAGES = 1000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from housefly.web.protocol import EventsMessage
+from housefly.web.server_messages import EventsMessage
 from housefly.web.state_feed import StateFeed
 from housefly.web.tab_numbers import TabNumbers
 from housefly.web.viewer import Viewer

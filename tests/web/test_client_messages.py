@@ -10,15 +10,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from housefly.messages import OrderKind
-from housefly.web.protocol import CLIENT_MESSAGE, AcceptedReply, PongReply, to_text
-
-
-def test_numbers_that_are_not_finite_become_null() -> None:
-    assert json.loads(to_text(PongReply(float("nan"), 1.0)))["sent"] is None
-
-
-def test_every_message_says_its_type() -> None:
-    assert json.loads(to_text(AcceptedReply(3))) == {"id": 3, "type": "accepted"}
+from housefly.web.client_messages import CLIENT_MESSAGE
 
 
 def test_an_order_is_read() -> None:
