@@ -48,7 +48,7 @@ def generated_files() -> dict[Path, str]:
 def _socket_types() -> str:
     """Return the TypeScript text of all messages of the socket and of every value inside them."""
     unions = {"ClientMessage": ClientMessage, "ServerMessage": ServerMessage}
-    return _text("housefly/web/{client,server}_messages.py", unions)
+    return _text("web/*_messages.py", unions)
 
 
 def _room_types() -> str:
