@@ -29,7 +29,7 @@ from housefly.tasks.execution.task_room import SeenPerson
 REPEATS = 3
 GOAL = 2.0
 FULL_RATE_HZ = 100.0
-BURNER_NICENESS = 10
+BURNER_NICENESS = 3
 """That of the rehearsal worker."""
 VISITOR = SeenPerson("visitor", (0.85, 4.2, 0.0), (0.0, 0.0), 0.1)
 RESIDENT = SeenPerson("person-1", (11.9, 4.65, 0.0), (0.0, 0.0), 0.1)

@@ -81,12 +81,15 @@ def test_a_worker_that_hangs_or_dies_is_a_refusal_and_is_started_again(
     assert (died.may_fly, died.code) == (False, ReasonCode.NOT_READY)
 
 
-def test_a_worker_that_is_not_ready_is_a_refusal() -> None:
-    hurried = Rehearser(premises(), RoomNow, Asked(), 0.2)
-    try:
-        report = hurried.rehearse(shipped("look", subject="tv")).result()
-    finally:
-        hurried.close()
+def test_getting_ready_counts_for_no_rehearsal_and_an_end_meanwhile_is_a_refusal() -> None:
+    hurried = Rehearser(premises(), RoomNow, Asked(), 0.1)
+    running = hurried.rehearse(shipped("look", subject="tv"))
+    while not running.running():
+        time.sleep(0.01)
+    time.sleep(0.5)
+    assert not running.done(), "five times its limit, and it is only getting ready"
+    hurried.close()
+    report = running.result(30.0)
     assert (report.may_fly, report.code) == (False, ReasonCode.NOT_READY)
 
 

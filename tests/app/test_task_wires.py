@@ -148,7 +148,7 @@ def running(folder: Path) -> Iterator[House]:
         TasksClient(place, by="kim") as tasks,
         RoomClient(place.address, place.key, socket=place.socket) as room,
     ):
-        assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
+        assert Readiness(site, bus, web=False, video=False).wait(150.0) == ""
         house = House(
             launcher,
             tasks,
@@ -158,7 +158,7 @@ def running(folder: Path) -> Iterator[House]:
             load_room(site.room.model).home,
         )
         bus.subscribe(STEP_TOPIC, house.heard)
-        assert until(lambda: answers(house), 60.0), house.log.read_text()
+        assert until(lambda: answers(house), 150.0), house.log.read_text()
         yield house
 
 
@@ -181,7 +181,7 @@ def test_a_sentence_is_rehearsed_flown_photographed_and_remembered(house: House)
     answer = house.tasks.say(f"look at the {PLACE}")
     assert answer.task is not None, answer
     number = answer.task.id
-    assert until(lambda: house.status in AIRBORNE_STATUSES, 60.0), house.words(number)
+    assert until(lambda: house.status in AIRBORNE_STATUSES, 150.0), house.words(number)
     done = house.ended(number)
     assert done.state is TaskStage.DONE, house.words(number)
     assert done.rehearsal is not None and done.rehearsal.may_fly
@@ -200,7 +200,7 @@ def test_what_there_is_not_is_refused_in_words_and_nothing_flies(house: House) -
         house.tasks.request("loook")
     assert house.tasks.ask_tasks(Sentence("colourless green ideas")).suggestions is not None
     task = house.tasks.request("look", subject="unicorn")
-    ended = house.ended(task.id, 60.0)
+    ended = house.ended(task.id, 150.0)
     assert (ended.state, ended.code) == (TaskStage.REFUSED, ReasonCode.UNKNOWN_THING), ended
     assert house.status is DroneStatus.LANDED
 
@@ -212,11 +212,11 @@ def test_killed_in_a_flight_asked_for_by_a_sentence_the_drone_comes_home_and_not
     answer = house.tasks.say(f"look at the {PLACE}")
     assert answer.task is not None, answer
     task = answer.task
-    assert until(lambda: house.phase is Phase.OUTBOUND, 60.0), house.words(task.id)
+    assert until(lambda: house.phase is Phase.OUTBOUND, 150.0), house.words(task.id)
     old = house.launcher.pid("tasks")
     os.kill(old, signal.SIGKILL)
     assert until(lambda: house.launcher.pid("tasks") != old, 30.0)
-    assert until(lambda: answers_at_all(house), 60.0), house.log.read_text()
+    assert until(lambda: answers_at_all(house), 150.0), house.log.read_text()
     ended = house.task(task.id)
     assert (ended.state, ended.code) == (TaskStage.FAILED, ReasonCode.RESTARTED), ended
     assert until(lambda: house.status is DroneStatus.LANDED, 90.0), house.phase
@@ -240,7 +240,7 @@ def answers_at_all(house: House) -> bool:
 
 @pytest.mark.interop
 def test_the_drone_blinks_exactly_while_it_films(house: House) -> None:
-    assert until(lambda: answers(house), 60.0)
+    assert until(lambda: answers(house), 150.0)
     task = house.tasks.request("visitor", stay=5)
     house.ended(task.id)
     question = ClipsQuestion(task=task.id)
@@ -259,9 +259,9 @@ def test_the_drone_blinks_exactly_while_it_films(house: House) -> None:
 
 @pytest.mark.interop
 def test_a_cancelled_task_comes_home_at_once(house: House) -> None:
-    assert until(lambda: answers(house), 60.0)
+    assert until(lambda: answers(house), 150.0)
     task = house.tasks.request("look", subject=PLACE, time=60)
-    assert until(lambda: house.phase is Phase.OUTBOUND, 60.0), house.words(task.id)
+    assert until(lambda: house.phase is Phase.OUTBOUND, 150.0), house.words(task.id)
     house.tasks.cancel(task.id)
     assert until(lambda: house.phase is Phase.RETURNING, 15.0), house.words(task.id)
     ended = house.ended(task.id)

@@ -130,9 +130,8 @@ class Rehearser:
         return next((replace(one.report, took=0.0) for one in held), None)
 
     def _rehearsed(self, task: BoundTask) -> RehearsalReport:
-        began = time.monotonic()
         try:
-            worker = self._ready_worker(began + self.limit)
+            worker = self._ready_worker()
             if worker is None:
                 return _not_ready("the rehearsal is still getting ready; ask again in a moment")
             return self._answered(worker, task)
@@ -147,15 +146,18 @@ class Rehearser:
         self._ahead[number] = RehearsedAhead(task, self._room, report)
         return report
 
-    def _ready_worker(self, until: float) -> _Worker | None:
-        """Return the worker when it is ready by then; a worker that is gone is replaced."""
+    def _ready_worker(self) -> _Worker | None:
+        """Return the worker once it is ready, None where it never is; one that is gone is replaced.
+
+        Getting ready counts for no rehearsal: on a slow machine it takes longer than any of them.
+        """
         worker = self._worker
         if worker is None or not worker.is_alive or worker.is_late:
             if worker is not None:
                 worker.end()
             self._start()
             worker = self._worker
-        return worker if worker is not None and worker.is_ready(until) else None
+        return worker if worker is not None and worker.is_ready() else None
 
     def _answered(self, worker: _Worker, task: BoundTask) -> RehearsalReport:
         """Return what the worker finds; its questions are answered meanwhile."""
@@ -211,11 +213,12 @@ class _Worker:
     def is_late(self) -> bool:
         return not self._ready and time.monotonic() - self._since > _START_LIMIT
 
-    def is_ready(self, until: float) -> bool:
-        """Wait for the worker to be ready, up to a time [s]."""
+    def is_ready(self) -> bool:
+        """Wait for the worker to be ready, as long as it may take to start."""
         while not self._ready:
             try:
-                self._ready = isinstance(self.receive(until), WorkerReady)
+                message = self.receive(self._since + _START_LIMIT)
+                self._ready = isinstance(message, WorkerReady)
             except TimeoutError:
                 return False
         return True

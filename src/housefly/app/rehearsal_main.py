@@ -22,8 +22,8 @@ from housefly.hub.api.questions import Question
 from housefly.pilot.assembly import warm_up
 from housefly.tasks.document.library import bind, load_library
 
-_NICENESS = 10
-"""The pilot comes first."""
+_NICENESS = 3
+"""Added to that of the tasks: the pilot comes first, but a person waits for what is found here."""
 _ALARM_FACTOR = 3.0
 """A rehearsal that nobody waits for any more ends the process after so many times its limit."""
 
