@@ -17,6 +17,7 @@ from _run import percentile, table
 from housefly.app import rehearsed_flight
 from housefly.app.loaded_site import load_site
 from housefly.app.rehearsal import Rehearser
+from housefly.app.rehearsal_main import NICENESS
 from housefly.app.rehearsed_flight import RehearsedSite
 from housefly.app.room_now import RoomNow
 from housefly.errors import LinkError
@@ -29,8 +30,6 @@ from housefly.tasks.execution.task_room import SeenPerson
 REPEATS = 3
 GOAL = 2.0
 FULL_RATE_HZ = 100.0
-BURNER_NICENESS = 3
-"""That of the rehearsal worker."""
 VISITOR = SeenPerson("visitor", (0.85, 4.2, 0.0), (0.0, 0.0), 0.1)
 RESIDENT = SeenPerson("person-1", (11.9, 4.65, 0.0), (0.0, 0.0), 0.1)
 BOX = Obstacle("box", (8.0, 3.3), 0.25, source="laser-1", top=1.5)
@@ -51,7 +50,7 @@ def nobody(question: Question) -> Any:
 @contextmanager
 def busy() -> Iterator[None]:
     """Keep every core busy at the rehearsal's own priority."""
-    burn = f"import os\nos.nice({BURNER_NICENESS})\nwhile True: pass"
+    burn = f"import os\nos.nice({NICENESS})\nwhile True: pass"
     cores = len(os.sched_getaffinity(0))
     burners = [subprocess.Popen([sys.executable, "-c", burn]) for _ in range(cores)]
     try:

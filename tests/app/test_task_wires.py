@@ -32,12 +32,14 @@ from housefly.tasks.api.questions import ClipsQuestion, Sentence
 from housefly.tasks.api.values import ENDED, ReasonCode, TaskStage, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(600)]
 
 LIGHT_LATE = 3.0
 """Between recorder and light lie two processes and a radio [s]; usually it is 0.1 s."""
 HOLD_TIMEOUT = 15.0
 """The pilot brings home a drone that was ordered nothing for so long [s]."""
+PATIENCE = 150.0
+"""A machine three times slower than this one, with all its cores busy, gets ready by then [s]."""
 PLACE = "tv"
 """The nearest place: half a minute there and back."""
 
@@ -148,7 +150,7 @@ def running(folder: Path) -> Iterator[House]:
         TasksClient(place, by="kim") as tasks,
         RoomClient(place.address, place.key, socket=place.socket) as room,
     ):
-        assert Readiness(site, bus, web=False, video=False).wait(150.0) == ""
+        assert Readiness(site, bus, web=False, video=False).wait(PATIENCE) == ""
         house = House(
             launcher,
             tasks,
@@ -158,7 +160,7 @@ def running(folder: Path) -> Iterator[House]:
             load_room(site.room.model).home,
         )
         bus.subscribe(STEP_TOPIC, house.heard)
-        assert until(lambda: answers(house), 150.0), house.log.read_text()
+        assert until(lambda: answers(house), PATIENCE), house.log.read_text()
         yield house
 
 
@@ -181,7 +183,7 @@ def test_a_sentence_is_rehearsed_flown_photographed_and_remembered(house: House)
     answer = house.tasks.say(f"look at the {PLACE}")
     assert answer.task is not None, answer
     number = answer.task.id
-    assert until(lambda: house.status in AIRBORNE_STATUSES, 150.0), house.words(number)
+    assert until(lambda: house.status in AIRBORNE_STATUSES, PATIENCE), house.words(number)
     done = house.ended(number)
     assert done.state is TaskStage.DONE, house.words(number)
     assert done.rehearsal is not None and done.rehearsal.may_fly
@@ -200,7 +202,7 @@ def test_what_there_is_not_is_refused_in_words_and_nothing_flies(house: House) -
         house.tasks.request("loook")
     assert house.tasks.ask_tasks(Sentence("colourless green ideas")).suggestions is not None
     task = house.tasks.request("look", subject="unicorn")
-    ended = house.ended(task.id, 150.0)
+    ended = house.ended(task.id, PATIENCE)
     assert (ended.state, ended.code) == (TaskStage.REFUSED, ReasonCode.UNKNOWN_THING), ended
     assert house.status is DroneStatus.LANDED
 
@@ -212,11 +214,11 @@ def test_killed_in_a_flight_asked_for_by_a_sentence_the_drone_comes_home_and_not
     answer = house.tasks.say(f"look at the {PLACE}")
     assert answer.task is not None, answer
     task = answer.task
-    assert until(lambda: house.phase is Phase.OUTBOUND, 150.0), house.words(task.id)
+    assert until(lambda: house.phase is Phase.OUTBOUND, PATIENCE), house.words(task.id)
     old = house.launcher.pid("tasks")
     os.kill(old, signal.SIGKILL)
     assert until(lambda: house.launcher.pid("tasks") != old, 30.0)
-    assert until(lambda: answers_at_all(house), 150.0), house.log.read_text()
+    assert until(lambda: answers_at_all(house), PATIENCE), house.log.read_text()
     ended = house.task(task.id)
     assert (ended.state, ended.code) == (TaskStage.FAILED, ReasonCode.RESTARTED), ended
     assert until(lambda: house.status is DroneStatus.LANDED, 90.0), house.phase
@@ -240,7 +242,7 @@ def answers_at_all(house: House) -> bool:
 
 @pytest.mark.interop
 def test_the_drone_blinks_exactly_while_it_films(house: House) -> None:
-    assert until(lambda: answers(house), 150.0)
+    assert until(lambda: answers(house), PATIENCE)
     task = house.tasks.request("visitor", stay=5)
     house.ended(task.id)
     question = ClipsQuestion(task=task.id)
@@ -259,9 +261,9 @@ def test_the_drone_blinks_exactly_while_it_films(house: House) -> None:
 
 @pytest.mark.interop
 def test_a_cancelled_task_comes_home_at_once(house: House) -> None:
-    assert until(lambda: answers(house), 150.0)
+    assert until(lambda: answers(house), PATIENCE)
     task = house.tasks.request("look", subject=PLACE, time=60)
-    assert until(lambda: house.phase is Phase.OUTBOUND, 150.0), house.words(task.id)
+    assert until(lambda: house.phase is Phase.OUTBOUND, PATIENCE), house.words(task.id)
     house.tasks.cancel(task.id)
     assert until(lambda: house.phase is Phase.RETURNING, 15.0), house.words(task.id)
     ended = house.ended(task.id)

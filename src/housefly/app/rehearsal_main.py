@@ -22,7 +22,7 @@ from housefly.hub.api.questions import Question
 from housefly.pilot.assembly import warm_up
 from housefly.tasks.document.library import bind, load_library
 
-_NICENESS = 3
+NICENESS = 3
 """Added to that of the tasks: the pilot comes first, but a person waits for what is found here."""
 _ALARM_FACTOR = 3.0
 """A rehearsal that nobody waits for any more ends the process after so many times its limit."""
@@ -65,7 +65,7 @@ def _nobody(question: Question) -> Any:
 def main() -> None:
     """Serve until the parent is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.nice(_NICENESS)
+    os.nice(NICENESS)
     with suppress(EOFError, ConnectionError):
         serve(Connection(int(sys.argv[1])))
 

@@ -18,9 +18,7 @@ _log = logging.getLogger(__name__)
 FRESH_TIME = 20.0
 """A rehearsal older than this [s] is done again before the flight: the room may have changed."""
 ATTEMPTS = 3
-"""So often is a rehearsal tried that could not be done at all: the first one after a start may have
-to wait until everything is loaded.
-"""
+"""So often is a rehearsal tried that could not be done at all: its worker may have died."""
 _PATIENCE = 30.0
 """Longest wait for a rehearsal that somebody asked for by itself [s]."""
 MOST_ASKED, MOST_OF_MACHINES = 3, 1

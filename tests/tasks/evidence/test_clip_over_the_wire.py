@@ -100,7 +100,6 @@ async def test_a_clip_of_the_twin_has_the_five_seconds_before_and_the_zone_blank
             recorder.start(StartClip(5.0, "entrance"), ClipOrigin(1)) for recorder in recorders
         ]
         await until(1.0)
-        still_at = time.monotonic()
         await until(2.0, turning=False)  # however late the last picture is, this was its pose
     finally:
         await link.close()
@@ -135,14 +134,8 @@ async def test_a_clip_of_the_twin_has_the_five_seconds_before_and_the_zone_blank
     last = CameraPose(0.0, pose.position, pose.orientation)
     mask = still.cover((last,), 640, 360).mask(640, 360)
     assert mask.sum() > 5000
-    seen = [picture[:60].std() > 5 for picture in shown]  # a late one is blank all over
-    assert any(seen), "the rest of the room is seen"
-    stills = [
-        picture
-        for picture, frame, is_seen in zip(shown, frames[first:], seen, strict=False)
-        if is_seen and frame.received_at > still_at + 1.0
-    ]
-    for picture in stills[-1:]:
-        assert np.abs(picture[mask].astype(int) - BLANK).mean() < 5
+    assert any(picture[:60].std() > 5 for picture in shown), "the rest of the room is seen"
+    # One that came too late to know its pose is blank all over, and so is the zone in it.
+    assert np.abs(shown[-1][mask].astype(int) - BLANK).mean() < 5
     for recorder in recorders:
         recorder.close()
