@@ -33,7 +33,7 @@ def block_after(text: str, heading: str, language: str = "") -> str:
     return found.group(1)
 
 
-TOUR = block_after(README, "## What it does", "python")
+TOUR = block_after(README, "## From Python", "python")
 
 
 @pytest.fixture(scope="module")
