@@ -8,18 +8,19 @@ thousands of drones call the same code. They are cached on disk and release the 
 from __future__ import annotations
 
 import os
-import shutil
-import time
 from collections.abc import Callable
-from hashlib import sha256
 from math import pi
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
-from numba import config, njit
+from numba import njit
+from numba.core.dispatcher import Dispatcher
 from numba.typed import List
 from numpy.typing import NDArray
+
+from housefly._compile_cache import CompileCache
+from housefly._compile_cache import made_by as made_by
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 Value = TypeVar("Value")
@@ -28,19 +29,6 @@ FloatArray = NDArray[np.float64]
 """An array of double-precision numbers; its shape stands where it is used."""
 
 HERE = Path(__file__).parent
-FOLDERS = ("pilot", "lab/experiments")
-"""Where compiled functions live, and the files beside this one."""
-
-
-def _version() -> str:
-    """Return a name for the present state of every source that holds compiled functions."""
-    sources = [
-        HERE / "numeric.py",
-        HERE / "geometry.py",
-        *(file for name in FOLDERS for file in (HERE / name).rglob("*.py")),
-    ]
-    stamps = ((str(file), file.stat().st_mtime_ns, file.stat().st_size) for file in sorted(sources))
-    return sha256(repr(tuple(stamps)).encode()).hexdigest()[:16]
 
 
 def _cache_place() -> Path:
@@ -52,31 +40,11 @@ def _cache_place() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "housefly"
 
 
-CACHE = _cache_place() / f"compiled-{_version()}"
+CACHE = _cache_place() / "compiled"
 """Where compiled code is kept: in NUMBA_CACHE_DIR, beside this file, or, where that cannot be
 written to, in the user's cache.
 """
-FORGOTTEN_AFTER = 86400.0
-"""Compiled code of sources that have changed since is kept this long, for programs that still run
-[s].
-"""
-
-
-def _keep_by_version() -> None:
-    """Keep compiled code apart by the state of all sources, and throw old code away.
-
-    The compiler's own check looks at a function's own file only, so a caller would keep the old
-    code of what it calls.
-    """
-    vars(config)["CACHE_DIR"] = str(CACHE)
-    for old in set(CACHE.parent.glob("compiled-*")) - {CACHE}:
-        if time.time() - old.stat().st_mtime > FORGOTTEN_AFTER:
-            shutil.rmtree(old, ignore_errors=True)
-
-
-_keep_by_version()
 OPTIONS: dict[str, Any] = {
-    "cache": True,
     "nogil": True,
     "forceinline": True,
     "error_model": "numpy",
@@ -92,12 +60,19 @@ def compiled(function: Function) -> Function:
     not need, the loop over many drones is four times as fast; and a division by zero gives infinity
     or nan in place of an exception.
     """
-    return cast(Function, njit(**OPTIONS)(function))
+    return cast(Function, _kept(njit(**OPTIONS)(function)))
 
 
 def compiled_with_arrays(function: Function) -> Function:
     """Compile a numeric function that makes arrays or lists of its own, and keep its type."""
-    return cast(Function, njit(cache=True, nogil=True)(function))
+    return cast(Function, _kept(njit(nogil=True)(function)))
+
+
+def _kept(dispatcher: Any) -> Any:
+    """Let the compiler look for machine code on disk; without a compiler it is a plain function."""
+    if isinstance(dispatcher, Dispatcher):
+        vars(dispatcher)["_cache"] = CompileCache(dispatcher, CACHE)
+    return dispatcher
 
 
 class CompiledBox(Protocol[Value]):

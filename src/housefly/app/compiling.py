@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import json
+import sys
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from enum import Enum
+from hashlib import sha256
+from pathlib import Path
 
+import housefly
 from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site
-from housefly.numeric import CACHE
+from housefly.numeric import CACHE, made_by
 
 _Say = Callable[[str], object]
+_PACKAGE = Path(housefly.__file__).parent
 
 
 class CompiledPart(Enum):
@@ -22,9 +28,12 @@ class CompiledPart(Enum):
 
 
 def compile_once(part: CompiledPart, say: _Say) -> None:
-    """Compile a part and say so, unless that was done since the sources changed."""
+    """Compile a part and say so, unless that was done and no source that it loaded has changed.
+
+    Only functions that a change reaches are compiled again; the others are found on disk.
+    """
     mark = CACHE / f"{part.name.lower()}.done"
-    if mark.exists():
+    if _is_fresh(mark):
         return
     say(f"compiling {part.value} (once, kept for the next start) ...")
     start = time.monotonic()
@@ -32,7 +41,30 @@ def compile_once(part: CompiledPart, say: _Say) -> None:
     say(f"compiled in {time.monotonic() - start:.1f} s")
     with suppress(OSError):
         mark.parent.mkdir(parents=True, exist_ok=True)
-        mark.touch()
+        mark.write_text(json.dumps({"made_by": made_by(), "sources": _loaded_sources()}))
+
+
+def _is_fresh(mark: Path) -> bool:
+    try:
+        done = json.loads(mark.read_text())
+        return done["made_by"] == made_by() and all(
+            _content_digest(_PACKAGE / name) == digest for name, digest in done["sources"].items()
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return False
+
+
+def _loaded_sources() -> dict[str, str]:
+    """Return the digests of all sources of this package that are loaded: what was compiled is in
+    them.
+    """
+    files = {getattr(module, "__file__", None) for module in tuple(sys.modules.values())}
+    ours = sorted(Path(file) for file in files if file and Path(file).is_relative_to(_PACKAGE))
+    return {str(file.relative_to(_PACKAGE)): _content_digest(file) for file in ours}
+
+
+def _content_digest(file: Path) -> str:
+    return sha256(file.read_bytes()).hexdigest()
 
 
 def _chain() -> None:

@@ -8,7 +8,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import llvmlite.binding as llvm  # type: ignore[import-untyped]
+import llvmlite.binding as llvm
 
 from housefly.lab.campaigns.plan import Plan
 from housefly.lab.experiments.cases import CASE, cases

@@ -5,17 +5,21 @@ the same; what the odometry may be off by is known, so a drone whose tracking is
 passes its bound: once in about a hundred hours. Short windows expect what the flow's bias of the
 last seconds makes of them, so that a drift that begins is seen early; all the others expect
 nothing, so that one that was always there is seen, too.
+
+A body or a map that is defined turned, and one that is mirrored, show the drone's ways and turns
+otherwise than it felt them.
 """
 
 from __future__ import annotations
 
-from math import nan
+from math import atan2, nan, sqrt
 from typing import Any, NamedTuple
 
 from housefly.numeric import compiled, wrapped
 from housefly.pilot.estimation.displacement import (
     AGREE_AGAIN,
     MANOEUVRE_ROWS,
+    TIMING_ERROR,
     OdometryTolerance,
     expected_bound,
     learned_velocity,
@@ -23,11 +27,11 @@ from housefly.pilot.estimation.displacement import (
     parted,
     parted_from_prediction,
     predicted_bias_since,
+    speed_change,
     way_parted,
 )
 from housefly.pilot.estimation.flow_bias import bias_updated, first_bias
-from housefly.pilot.estimation.frame_error import direction_error, turn_error, turns_back
-from housefly.pilot.estimation.onboard_odometry import OdometryAt
+from housefly.pilot.estimation.onboard_odometry import OdometryAt, flow_bias_variance
 from housefly.pilot.estimation.track_row import ROW_PERIOD, TrackRing, keep_bias, known_bias
 
 DRIFT_WINDOWS = (1.0, 2.5, 5.0, 7.0, 10.0, 15.0)
@@ -42,6 +46,12 @@ YAW_GAP_MAX = 0.5
 """Over a longer gap of poses the drone may turn by more than half a turn [s]."""
 AGE_SLACK = 1e-6
 """A row that is younger than a window by this fills it, too [s]."""
+DIRECTION_WAY_MIN = 0.12
+"""A direction is read from no shorter way than this [m]."""
+DIRECTION_SIGMAS = 12.0
+"""... and from none shorter than this many standard deviations: 5 degrees."""
+TURN_MIN = 0.15
+"""Turns are compared from here on [rad]."""
 
 
 class TrackWindows(NamedTuple):
@@ -196,9 +206,9 @@ def _frame_compared(
         row = ring[index & mask]
         if new.at - row.at + AGE_SLACK >= FRAME_WINDOWS[window]:
             window += 1
-            angle = direction_error(new, row, tolerance.position_noise)
-            error = max(error, angle, turn_error(new, row))
-            mirrored = mirrored or turns_back(new, row)
+            angle = _direction_error(new, row, tolerance.position_noise)
+            error = max(error, angle, _turn_error(new, row))
+            mirrored = mirrored or _turns_back(new, row)
             if window == len(FRAME_WINDOWS):
                 break
     return error, mirrored
@@ -237,3 +247,30 @@ def _back(w: TrackWindows, new: Any, tolerance: OdometryTolerance) -> bool:
     known = known_bias(new)
     bound = expected_bound(known, new.way - w.anchor_way, tolerance)
     return way_parted(known, new) < AGREE_AGAIN * bound
+
+
+@compiled
+def _direction_error(new: Any, row: Any, noise: float) -> float:
+    """Return the angle between the two displacements [rad], -1 when one of them is too short."""
+    px, py, ox, oy = new.px - row.px, new.py - row.py, new.ox - row.ox, new.oy - row.oy
+    seconds, white = new.at - row.at, new.variance - row.variance
+    sigma = sqrt(white + flow_bias_variance(seconds) + 2.0 * noise * noise)
+    least = max(DIRECTION_WAY_MIN, DIRECTION_SIGMAS * sigma)
+    if ox * ox + oy * oy < least * least or px * px + py * py < 0.25 * least * least:
+        return -1.0
+    slack = TIMING_ERROR * speed_change(new, row) / sqrt(ox * ox + oy * oy)
+    return max(0.0, abs(atan2(ox * py - oy * px, ox * px + oy * py)) - slack)
+
+
+@compiled
+def _turn_error(new: Any, row: Any) -> float:
+    """Return how far the two turns differ [rad], -1 when that is nothing to speak of."""
+    error = abs(wrapped((new.yaw - row.yaw) - (new.psi - row.psi)))
+    return error if error > TURN_MIN else -1.0
+
+
+@compiled
+def _turns_back(new: Any, row: Any) -> bool:
+    """Return whether tracking shows the mirror image of the drone's own turn."""
+    tracked, onboard = new.yaw - row.yaw, new.psi - row.psi
+    return bool(abs(onboard) > TURN_MIN and abs(tracked + onboard) < 0.5 * abs(onboard))
