@@ -29,6 +29,7 @@ from housefly.messages import Obstacle, Order, OrderKind, PilotStep, SightNews
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps
 from housefly.twin.movable import Movable
+from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.world import SimulatedWorld
 
@@ -92,12 +93,14 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
 
 @pytest.mark.wire
 @pytest.mark.realtime
-async def test_the_pilot_is_told_until_when_the_scanner_was_believed_and_hears_of_its_silence(
+async def test_a_scanner_is_believed_again_after_its_machine_stalled_and_the_pilot_hears_both(
     loopback: str,
 ) -> None:
     here = loaded(loopback, twin__visitor_present=False)
     world = SimulatedWorld(here.site, here.room)
-    feed, bus, clock = LaserFeed(here.site, world), LocalBus(), RealClock()
+    bus, clock = LocalBus(), RealClock()
+    time_of_world = RealTimeRunner(world, clock)
+    feed = LaserFeed(here.site, world, slipped=lambda: time_of_world.slipped)
     heard: list[SightNews] = []
     bus.subscribe(SIGHT_TOPIC, heard.append)
     await feed.start()
@@ -106,7 +109,7 @@ async def test_the_pilot_is_told_until_when_the_scanner_was_believed_and_hears_o
     async def turn() -> None:
         while await is_on.wait():
             await asyncio.sleep(0.025)
-            world.advance(0.025)
+            time_of_world.catch_up()
             feed.publish()
 
     tasks = [
@@ -120,8 +123,11 @@ async def test_the_pilot_is_told_until_when_the_scanner_was_believed_and_hears_o
         await until(lambda: clock.now() - heard[-1].seen_at < 0.3)
         is_on.clear()
         count = len(heard)
-        await until(lambda: clock.now() - heard[-1].seen_at > 1.0)
+        await until(lambda: clock.now() - heard[-1].seen_at > 1.5)
         assert len(heard) - count >= 5, "silence is told like everything else"
+        is_on.set()
+        await until(lambda: clock.now() - heard[-1].seen_at < 0.3)
+        assert time_of_world.slipped > 1.0
     finally:
         for task in tasks:
             task.cancel()

@@ -93,7 +93,9 @@ class Twin:
             filters=faulty_links(self._faults, self._now),
         )
         self._tracking = tracking_servers(site)
-        self._lasers = LaserFeed(site, self._world, beyond_loopback, self._faults)
+        self._lasers = LaserFeed(
+            site, self._world, beyond_loopback, self._faults, lambda: self._time.slipped
+        )
         self._bus = bus
         self._depth = DepthFeed(site, self._world, bus, clock, self._faults) if bus else None
         self._camera = (

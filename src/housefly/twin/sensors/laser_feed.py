@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from housefly.config.site import Site
@@ -21,6 +22,7 @@ class LaserFeed:
         world: what they look at.
         beyond_loopback: allow addresses that other machines can reach.
         faults: what befalls the scans; those of the site when not given.
+        slipped: time that the world has lost to stalls [s]; a scanner's own clock runs on.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
@@ -32,10 +34,12 @@ class LaserFeed:
         world: SimulatedWorld,
         beyond_loopback: bool = False,
         faults: FaultInjector | None = None,
+        slipped: Callable[[], float] = lambda: 0.0,
     ) -> None:
         for number, laser in enumerate(site.lasers):
             check_address(f"lasers.{number}.address", laser.address, beyond_loopback)
         self._world, self._faults = world, faults or FaultInjector(site, Injection.WIRES)
+        self._slipped = slipped
         self._periods = {laser.name: MODELS[laser.model].period for laser in site.lasers}
         self._due = dict.fromkeys(self._periods, 0.0)
         self._servers = {
@@ -62,4 +66,4 @@ class LaserFeed:
                 if server.is_measuring:
                     take = partial(self._world.scan, name)
                     for taken_at, scan in self._faults.scan(name, take, now):
-                        server.publish(scan, round(1000.0 * taken_at))
+                        server.publish(scan, round(1000.0 * (taken_at + self._slipped())))
