@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from housefly.app.browser_video import video_of_the_browser
 from housefly.app.loaded_site import open_site
+from housefly.app.machine_load import OVERLOAD_REMEDY, machine_load, measured_lateness
 from housefly.app.ports import PortNeed, port_needs
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
@@ -33,7 +34,8 @@ class MachineCheck:
 def check_machine(site: Site) -> tuple[MachineCheck, ...]:
     """Check this machine for a site."""
     checks: tuple[Callable[[Site], MachineCheck], ...] = (
-        _python, _physics, _renderer, _encoder, _browser, _cores, check_room, _hardware, _priority,
+        _python, _physics, _renderer, _encoder, _browser, _cores, _load, check_room, _hardware,
+        _priority,
     )  # fmt: skip
     return (*(check(site) for check in checks), *_ports(site))
 
@@ -111,6 +113,12 @@ def _cores(_: Site) -> MachineCheck:
         str(cores),
         "two cores are the target; one is too few for the twin with video",
     )
+
+
+def _load(_: Site) -> MachineCheck:
+    load = machine_load(measured_lateness())
+    well = not load.is_too_high
+    return MachineCheck("load of this machine", well, load.words, OVERLOAD_REMEDY, optional=True)
 
 
 def _ports(site: Site) -> tuple[MachineCheck, ...]:

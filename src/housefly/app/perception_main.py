@@ -20,6 +20,7 @@ from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, SIGHT_TOPIC, STEP_
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_line
+from housefly.config.text import without_numbers
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.sight import Sight
@@ -96,17 +97,16 @@ class PerceptionProcess:
             await asyncio.sleep(_SIGHT_PERIOD)
 
     async def _report_sensors(self) -> None:
-        printed: tuple[str, ...] = ()
+        printed = ""
         while True:
             await asyncio.sleep(_REPORT_PERIOD)
             reports = self._reports()
             for report in reports:
                 self._bus.publish(SENSOR_TOPIC, report)
-            problems = tuple(report.problem for report in reports if report.problem)
-            if problems != printed:
-                words = "; ".join(problems) or "everything that looks is heard"
-                log_line(f"perception: {words}")
-                printed = problems
+            problems = "; ".join(report.problem for report in reports if report.problem)
+            if without_numbers(problems) != printed:
+                log_line(f"perception: {problems or 'everything that looks is heard'}")
+                printed = without_numbers(problems)
 
 
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Gap, Lateness
+from housefly.app.machine_load import machine_load
 from housefly.app.obstacle_inbox import ObstacleInbox
 from housefly.app.order_inbox import OrderInbox
 from housefly.app.origin_memory import OriginMemory
@@ -103,6 +104,7 @@ class PilotShell:
         )
         self._origin = origin or OriginMemory(loaded.site)
         self._disks = disks_of(loaded.site)
+        self._load = machine_load()
         self._stand_down = StandDown()
         self._outputs: Outputs | None = None
         self._body = loaded.site.tracking.body
@@ -284,6 +286,7 @@ class PilotShell:
             self._report()
 
     def _report(self) -> None:
+        self._load = machine_load(self._lateness.percentiles()[1])
         self._publisher.publish(LINK_TOPIC, self._link_status())
         self._look_at_preflight()
 
@@ -305,7 +308,8 @@ class PilotShell:
     def _look_at_preflight(self) -> None:
         """Bring the pre-flight list up to date; a failure there stops no other report."""
         try:
-            self._queries.update_preflight((*self.pilot.preflight(), *self._disks.checks()))
+            own = (*self._disks.checks(), self._load.check())
+            self._queries.update_preflight((*self.pilot.preflight(), *own))
             if self.pilot.origin_revoked:
                 self._origin.revoke()
             elif self.pilot.origin_confirmed:
@@ -348,6 +352,7 @@ class PilotShell:
                     self._publisher.problem,
                     self._recording.note,
                     self._people_note,
+                    self._load.note,
                 )
                 if note
             ),

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from math import isfinite
 
 from housefly.app.console_answer import console_answers
+from housefly.app.machine_load import machine_load
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.config.site import Site
@@ -89,7 +90,8 @@ class Readiness:
     def _words(self, missing: list[str]) -> str:
         if not missing:
             return ""
-        notes = f" ({'; '.join(self._notes)})" if self._notes else ""
+        found = dict.fromkeys(filter(None, (*self._notes, machine_load().note)))
+        notes = f" ({'; '.join(found)})" if found else ""
         return f"waiting for {', '.join(missing)}{notes}"
 
     def _see(self, name: str) -> None:

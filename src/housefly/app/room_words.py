@@ -45,8 +45,11 @@ def event_line(event: EventAnswer, now: float) -> str:
 
 
 def sensor_row(sensor: SensorAnswer) -> tuple[str, ...]:
-    """Return a sensor's row: mark, title, kind, rate, age, problem."""
-    mark = "ok" if sensor.connected else "LOST"
+    """Return a sensor's row: mark, title, kind, rate, age, problem.
+
+    One that speaks, and is not believed, is as little use as one that is lost.
+    """
+    mark = "LOST" if not sensor.connected else "look" if sensor.problem else "ok"
     rate = f"{sensor.rate_hz:.1f} Hz" if sensor.rate_hz else ""
     return mark, sensor.title or sensor.sensor, sensor.kind, rate, _ago(sensor.age), sensor.problem
 

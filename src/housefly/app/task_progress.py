@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from housefly.app.task_words import question_line, rehearsal_line, step_line, task_line
 from housefly.app.terminal import plain_console
+from housefly.config.text import without_numbers
 from housefly.tasks.api.values import ENDED, TaskStage, TaskStatus, TaskStepState
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ class TaskProgress:
         if task.question is not None:
             self._say(question_line(task), key=f"? {task.question.id}")
         if task.state is not TaskStage.RUNNING:
-            self._say(task_line(task))
+            why = without_numbers(task.words)
+            self._say(task_line(task), key=f"{task.state.value}: {why}")
 
     def _say(self, words: str, key: str = "") -> None:
         if (key or words) not in self._told:

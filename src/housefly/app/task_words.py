@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from housefly.app.room_words import clock_time
+from housefly.config.text import without_numbers
 
 if TYPE_CHECKING:
     from housefly.tasks.api.answers import TaskBoard
@@ -77,3 +79,14 @@ def board_lines(board: TaskBoard) -> list[str]:
     if board.ended:
         lines += ["", "ended:", *(history_line(task, board.at) for task in board.ended[:5])]
     return lines
+
+
+def shows_the_same(one: TaskBoard, other: TaskBoard) -> bool:
+    """Return whether two boards differ in nothing but time and the numbers in their reasons."""
+    return _steady(one) == _steady(other)
+
+
+def _steady(board: TaskBoard) -> TaskBoard:
+    tasks = tuple(replace(task, words=without_numbers(task.words)) for task in board.tasks)
+    notices = tuple(without_numbers(words) for words in board.notices)
+    return replace(board, at=0.0, drone=without_numbers(board.drone), tasks=tasks, notices=notices)

@@ -43,6 +43,7 @@ from housefly.bus.topics import (
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.process_log import log_line
+from housefly.config.text import without_numbers
 from housefly.errors import HouseflyError, LinkError
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
@@ -203,9 +204,9 @@ async def _every(period: float, work: Callable[[], None]) -> None:
             await asyncio.to_thread(work)
             told = ""
         except HouseflyError as error:
-            if str(error) != told:
+            if (reason := without_numbers(str(error))) != told:
                 log_line(f"tasks: {error}")
-            told = str(error)
+            told = reason
         await asyncio.sleep(period)
 
 

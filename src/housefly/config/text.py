@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import stat
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ _MAX_LENGTH = 4096
 """Longest text of one value, a path for example [characters]."""
 _MAX_DEPTH = 40
 """Deepest nesting of one value."""
+_NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
 _MAX_SLASHES = 256
 """Most slashes in one value: folders are made one inside the other."""
 
@@ -106,3 +108,8 @@ def _check(text: str, key: str, source: str) -> None:
 def shortened(text: str, length: int = 200) -> str:
     """Return a text of at most so many characters, for an error message."""
     return text if len(text) <= length else f"{text[: length - 4]} ..."
+
+
+def without_numbers(words: str) -> str:
+    """Return words with a # for each number: reasons that differ only in a number are one."""
+    return _NUMBER.sub("#", words)

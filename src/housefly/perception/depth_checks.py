@@ -98,7 +98,7 @@ def _wrong_time(image: DepthImage, now: float) -> str:
     if image.captured_at > now + _MAX_AHEAD:
         return "an image from the future"
     return (
-        f"an image that is older than {_IMAGE_AGE_MAX:.0f} s"
+        f"images come more than {_IMAGE_AGE_MAX:.0f} s late"
         if image.captured_at < now - _IMAGE_AGE_MAX
         else ""
     )

@@ -170,7 +170,7 @@ class LaserTracker:
         if scan.captured_at > now + _MAX_AHEAD:
             return "a scan from the future"
         return (
-            f"a scan that is older than {_SCAN_AGE_MAX:.0f} s"
+            f"scans come more than {_SCAN_AGE_MAX:.0f} s late"
             if scan.captured_at < now - _SCAN_AGE_MAX
             else ""
         )

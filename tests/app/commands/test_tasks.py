@@ -7,17 +7,21 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from task_stage import TaskStage
 
+from housefly.app.task_progress import TaskProgress
+from housefly.app.task_words import shows_the_same
 from housefly.cli import main
 from housefly.hub.client.discovery import RoomAddress, announced
 from housefly.hub.query_server import QueryServer
 from housefly.messages import OrderKind
 from housefly.tasks.api.values import ReasonCode, RehearsalReport
 from housefly.tasks.client.tasks_client import TASKS_SOCKET
+from housefly.tasks.drone_state import TakeOffReadiness
 
 
 @pytest.fixture(autouse=True)
@@ -97,6 +101,23 @@ def test_a_wish_is_queued_and_left_shown_and_cancelled(
     assert main(["cancel", "1"]) == 0
     assert main(["cancel", "9"]) == 2
     assert "9" in capsys.readouterr().err
+
+
+def test_a_reason_whose_number_grows_is_printed_once(
+    stage: TaskStage, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stage.service.readiness = TakeOffReadiness(False, "the battery is too low: 10%")
+    main(["ask", "--no-wait", "look at the sofa"])
+    (task,), progress = stage.service.board().tasks, TaskProgress()
+    for seconds in range(5):
+        why = f"people without markers are unseen: nothing usable for {seconds} s"
+        progress.show(replace(task, words=why))
+    assert capsys.readouterr().out.count("people without markers") == 1
+    progress.show(replace(task, words="the battery is too low: 15%"))
+    assert "battery" in capsys.readouterr().out
+    boards = [replace(stage.service.board(), at=n, drone=f"silent for {n} s") for n in (0.0, 1.0)]
+    assert shows_the_same(*boards)
+    assert not shows_the_same(boards[0], replace(boards[1], drone="in the air"))
 
 
 def test_the_services_and_the_history_are_listed(

@@ -386,13 +386,13 @@ def test_after_a_restart_what_flew_has_failed_and_what_would_fly_asks() -> None:
 def test_people_are_told_in_which_order_tasks_fly_and_why_they_wait() -> None:
     scheduler = take(Scheduler(), request("patrol"), request("look"), request("bell", "bob"))
     assert waiting_words(scheduler, CHARGING) == {
-        1: "the drone charges (43 %); next",
+        1: "the drone charges (43 %)",
         3: "the drone charges (43 %); 1 before it",
         2: "the drone charges (43 %); 2 before it",
     }
     scheduler, _ = scheduler.ticked(1.0, (), READY)
     assert [task.id for task in board_order(scheduler)] == [1, 3, 2]
-    assert waiting_words(scheduler, READY)[3] == "'Patrol' has the drone; next"
+    assert waiting_words(scheduler, READY)[3] == "'Patrol' has the drone"
 
 
 @given(st.lists(st.tuples(st.sampled_from("ab"), st.sampled_from(Priority)), max_size=12))

@@ -110,6 +110,7 @@ def _print_news(news: News, moves: bool) -> None:
 
 def _sensors(options: Namespace) -> int:
     """List the sensors; 0 only when all of them do well."""
+    from housefly.app.machine_load import OVERLOAD_REMEDY, machine_load
     from housefly.hub.api.questions import SensorsQuestion
 
     with asked_room(options.site) as room:
@@ -123,7 +124,10 @@ def _sensors(options: Namespace) -> int:
     else:
         plain_console.print("no sensor is running")
     plain_console.print(f"memory: {answer.memory}")
-    return 0 if answer.sensors and all(sensor.connected for sensor in answer.sensors) else 1
+    ill = [one for one in answer.sensors if one.problem or not one.connected]
+    if ill and (load := machine_load()).is_too_high:
+        plain_console.print(f"likely cause: {load.note}: {load.words}; {OVERLOAD_REMEDY}")
+    return 0 if answer.sensors and not ill else 1
 
 
 WHERE_COMMAND = Subcommand(

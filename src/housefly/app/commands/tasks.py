@@ -14,6 +14,7 @@ from housefly.app.terminal import plain_console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
+    from housefly.tasks.api.answers import TaskBoard
     from housefly.tasks.api.values import TaskStatus
     from housefly.tasks.client.tasks_client import TasksClient
     from housefly.tasks.intents.intent import Language
@@ -110,7 +111,7 @@ def _add_tasks_arguments(parser: ArgumentParser) -> None:
 
 def _tasks(options: Namespace) -> int:
     """Print the board, what can be asked for, or what was asked for."""
-    from housefly.app.task_words import board_lines, history_line, task_line
+    from housefly.app.task_words import board_lines, history_line, shows_the_same, task_line
 
     with running_tasks() as tasks:
         if (changed := _changed_task(tasks, options)) is not None:
@@ -130,12 +131,15 @@ def _tasks(options: Namespace) -> int:
                 for words in task.report:
                     plain_console.print(f"    = {words}", soft_wrap=True)
             return 0
-        shown: list[str] = []
+        shown: TaskBoard | None = None
         while True:
-            lines = board_lines(tasks.tasks())
-            if lines != shown:
-                plain_console.print("\n".join([*lines, ""] if options.watch else lines))
-                shown = lines
+            board = tasks.tasks()
+            if shown is None or not shows_the_same(board, shown):
+                lines = board_lines(board)
+                plain_console.print(
+                    "\n".join([*lines, ""] if options.watch else lines), soft_wrap=True
+                )
+                shown = board
             if not options.watch:
                 return 0
             time.sleep(_WATCH_PERIOD)

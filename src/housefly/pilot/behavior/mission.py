@@ -181,7 +181,7 @@ class PeopleSilence:
     @property
     def words(self) -> str:
         """How long, in words."""
-        return f"silent for {self.age:.1f} s" if isfinite(self.age) else "not heard yet"
+        return f"nothing usable for {self.age:.0f} s" if isfinite(self.age) else "not heard yet"
 
 
 NO_SILENCE = PeopleSilence()

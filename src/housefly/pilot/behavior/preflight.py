@@ -106,6 +106,7 @@ class PreflightRule:
         mend: what to do.
         required: no take-off without it ...
         waived: ... but here, where it is told only.
+        mend_waived: what to do there, where that differs.
     """
 
     code: str
@@ -118,19 +119,21 @@ class PreflightRule:
     mend: str
     required: bool = True
     waived: Callable[[PreflightInputs], bool] = lambda _: False
+    mend_waived: str = ""
 
     def check(self, inputs: PreflightInputs) -> PreflightCheck:
         """Return what the check finds."""
+        waived = self.waived(inputs)
         return PreflightCheck(
             code=self.code,
             title=self.title,
             fault=self.fault,
             passed=self.passes(inputs),
-            required=self.required and not self.waived(inputs),
+            required=self.required and not waived,
             value=self.value(inputs),
             limit=self.limit(inputs),
             why=self.why,
-            mend=self.mend,
+            mend=(waived and self.mend_waived) or self.mend,
         )
 
 
@@ -298,9 +301,9 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         lambda i: i.sight,
         lambda i: f"heard within {i.vehicle.silence.limit:g} s",
         "it stops for people, and makes way, only where a sensor sees them",
-        "see `housefly sensors`: is each one on, in this network and uncovered? without any, keep"
-        " people out of the room, or add a scanner or a depth camera to the site",
+        "see `housefly sensors`: is each one on, in this network and uncovered?",
         waived=lambda i: not i.sees_people,
+        mend_waived="keep people out of the room, or add a scanner or a depth camera to the site",
     ),
     PreflightRule(
         "frames_right",
@@ -332,11 +335,21 @@ def preflight(inputs: PreflightInputs) -> tuple[PreflightCheck, ...]:
     return tuple(rule.check(inputs) for rule in PREFLIGHT_RULES)
 
 
+MACHINE_CHECK = "machine"
+"""Code of the check of whoever runs the pilot: whether the machine keeps up."""
+_LATE_WHEN_BUSY = frozenset({"drone_answers", "drone_configured", "tracking", "sees_people"})
+"""Codes of the checks that fail where the machine does not keep up."""
+
+
 def preflight_refusal(checks: tuple[PreflightCheck, ...]) -> str:
-    """Return why no take-off is allowed, in words, or ""."""
+    """Return why no take-off is allowed, in words, with the likely cause, or ""."""
+    busy = next((c for c in checks if c.code == MACHINE_CHECK and not c.passed), None)
     for check in checks:
         if check.required and not check.passed:
-            return f"{check.fault}: {check.value}, must be {check.limit}; {check.mend}"
+            words = f"{check.fault}: {check.value}, must be {check.limit}"
+            if busy is None or check.code not in _LATE_WHEN_BUSY:
+                return f"{words}; {check.mend}"
+            return f"{words}; likely cause: {busy.fault} ({busy.value}): {busy.mend}"
     return ""
 
 

@@ -28,12 +28,13 @@ def waiting_words(scheduler: Scheduler, drone: DroneAvailability) -> dict[int, s
 def _why_on_ground(
     task: ScheduledTask, place: int, scheduler: Scheduler, drone: DroneAvailability
 ) -> str:
-    ahead = f"{place} before it" if place else "next"
+    ahead = f"{place} before it" if place else ""
     holder = next(
         (each for each in scheduler.tasks if each.traits.flies and each.state in ACTIVE), None
     )
+    why = ""
     if holder is not None:
-        return f"'{holder.traits.title}' has the drone; {ahead}"
-    if not drone.is_ready:
-        return f"{drone.words or 'the drone is not ready'}; {ahead}"
-    return ahead
+        why = f"'{holder.traits.title}' has the drone"
+    elif not drone.is_ready:
+        why = drone.words or "the drone is not ready"
+    return "; ".join(filter(None, (why, ahead))) or "it is next"

@@ -364,13 +364,13 @@ export const DE_TOLD: Templates = {
   "no sensor": "kein Sensor",
   "it stops for people, and makes way, only where a sensor sees them":
     "nur für Personen, die ein Sensor sieht, hält sie und weicht aus",
-  "silent for {n} s": "schweigt seit {n} s",
+  "nothing usable for {n} s": "seit {n} s nichts Brauchbares",
   "not heard yet": "noch nichts gehört",
   "heard within {n} s": "vor höchstens {n} s gehört",
-  ["see `housefly sensors`: is each one on, in this network and uncovered? without any, keep " +
-    "people out of the room, or add a scanner or a depth camera to the site"]:
-    "`housefly sensors` ansehen: ist jeder an, in diesem Netz und unverdeckt? Ohne Sensor " +
-      "niemanden in den Raum lassen, oder Scanner oder Tiefenkamera ergänzen",
+  "see `housefly sensors`: is each one on, in this network and uncovered?":
+    "`housefly sensors` ansehen: ist jeder an, in diesem Netz und unverdeckt?",
+  "keep people out of the room, or add a scanner or a depth camera to the site":
+    "niemanden in den Raum lassen, oder Scanner oder Tiefenkamera ergänzen",
   "it makes way only for people whom a sensor sees":
     "sie weicht nur Personen aus, die ein Sensor sieht",
   "keep people out of the room": "niemanden in den Raum lassen",
@@ -392,6 +392,17 @@ export const DE_TOLD: Templates = {
     "gespiegelte, gedrehte oder verschobene Achsen fallen erst nach einer Bewegung auf",
   "carry the drone once, two minutes: `housefly preflight --frames`":
     "die Drohne einmal umhertragen, zwei Minuten: `housefly preflight --frames`",
+  "this machine keeps up": "dieser Rechner kommt mit",
+  "this machine is overloaded": "dieser Rechner ist überlastet",
+  "load {n} on {k} cores": "Last {n} auf {k} Kernen",
+  "load {n} on {k} cores, {d} ms late": "Last {n} auf {k} Kernen, {d} ms zu spät",
+  "load {n} on {k} core": "Last {n} auf {k} Kern",
+  "load {n} on {k} core, {d} ms late": "Last {n} auf {k} Kern, {d} ms zu spät",
+  "a load below {n}": "eine Last unter {n}",
+  "what comes late is refused, as if it had not come":
+    "was zu spät kommt, wird verworfen, als wäre es nie gekommen",
+  "end other programs; the simulated picture costs most (twin.video = false)":
+    "andere Programme beenden; das simulierte Bild kostet am meisten (twin.video = false)",
   "there is room on the disk": "auf der Platte ist Platz",
   "a disk is nearly full": "eine Platte ist fast voll",
   "{p}% free at {name}": "{p} % frei auf {name}",

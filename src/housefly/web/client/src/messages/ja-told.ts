@@ -326,13 +326,13 @@ export const JA_TOLD: Templates = {
   "people without markers are unseen": "目印のない人は見えません",
   "no sensor": "センサーなし",
   "it stops for people, and makes way, only where a sensor sees them": "センサーに見える人の前でだけ止まり、よけます",
-  "silent for {n} s": "{n}秒間応答なし",
+  "nothing usable for {n} s": "{n}秒間使えるデータなし",
   "not heard yet": "まだ応答なし",
   "heard within {n} s": "{n}秒以内に応答",
-  ["see `housefly sensors`: is each one on, in this network and uncovered? without any, keep " +
-    "people out of the room, or add a scanner or a depth camera to the site"]:
-    "`housefly sensors` で、各センサーの電源、ネットワーク、覆いの有無を見てください。" +
-      "センサーがないなら、人を部屋に入れないか、スキャナーか深度カメラを追加してください",
+  "see `housefly sensors`: is each one on, in this network and uncovered?":
+    "`housefly sensors` で、各センサーの電源、ネットワーク、覆いの有無を見てください",
+  "keep people out of the room, or add a scanner or a depth camera to the site":
+    "人を部屋に入れないか、スキャナーか深度カメラを追加してください",
   "it makes way only for people whom a sensor sees": "センサーに見える人だけをよけます",
   "keep people out of the room": "人を部屋に入れないでください",
   "the last frame check found nothing wrong": "前回の座標点検は正常でした",
@@ -352,6 +352,16 @@ export const JA_TOLD: Templates = {
     "軸の反転、回転、ずれは、動いたあとでしか分かりません",
   "carry the drone once, two minutes: `housefly preflight --frames`":
     "ドローンを一度持ち運んでください（2分）：`housefly preflight --frames`",
+  "this machine keeps up": "このコンピューターの処理は間に合っています",
+  "this machine is overloaded": "このコンピューターは過負荷です",
+  "load {n} on {k} cores": "{k} コアで負荷 {n}",
+  "load {n} on {k} cores, {d} ms late": "{k} コアで負荷 {n}、{d} ミリ秒の遅れ",
+  "load {n} on {k} core": "{k} コアで負荷 {n}",
+  "load {n} on {k} core, {d} ms late": "{k} コアで負荷 {n}、{d} ミリ秒の遅れ",
+  "a load below {n}": "負荷 {n} 未満",
+  "what comes late is refused, as if it had not come": "遅れて届いたデータは、届かなかったものとして扱われます",
+  "end other programs; the simulated picture costs most (twin.video = false)":
+    "ほかのプログラムを終了してください。シミュレーション映像が最も重い処理です（twin.video = false）",
   "there is room on the disk": "ディスクに空きがあります",
   "a disk is nearly full": "ディスクの空きがわずかです",
   "{p}% free at {name}": "{name} の空き {p}%",
