@@ -30,6 +30,7 @@ from housefly.app.commands.room import ROOM_COMMANDS
 from housefly.app.commands.rules import RULES_COMMANDS
 from housefly.app.commands.run import DEMO_COMMAND, RUN_COMMAND
 from housefly.app.commands.safety import SAFETY_COMMAND
+from housefly.app.commands.subcommand import SuggestingParser
 from housefly.app.commands.task_documents import TASK_COMMANDS
 from housefly.app.commands.tasks import ASK_COMMAND, CANCEL_COMMAND, TASKS_COMMAND
 from housefly.app.commands.user import USER_COMMANDS
@@ -91,7 +92,7 @@ _REMEDIES = {
 
 def build_parser() -> argparse.ArgumentParser:
     """Return the parser of all commands."""
-    parser = argparse.ArgumentParser(
+    parser = SuggestingParser(
         prog="housefly",
         description="A room that knows where everything is flies a small drone on errands.",
         epilog=EPILOG,
@@ -111,7 +112,11 @@ def main(arguments: list[str] | None = None) -> int:
         _refuse_empty_words(arguments)
     except ConfigError as error:
         return _refused(str(error))
-    options = build_parser().parse_args(arguments)
+    parser = build_parser()
+    if not arguments:
+        parser.print_help()
+        return 0
+    options = parser.parse_args(arguments)
     # Flights and memories tell who was where: what is written belongs to this user alone.
     before = os.umask(0o077)
     try:

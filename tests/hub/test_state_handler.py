@@ -268,7 +268,9 @@ def test_what_somebody_carries_is_said_only_as_surely_as_it_is_known() -> None:
 
 def test_who_left_is_away_and_of_whom_nothing_speaks_nobody_knows(asked: Asked) -> None:
     asked.house.see("person-1", 300.0, (3.0, 4.0, 0.0), source="floor-1")
-    assert asked.words("resident", "home") == "I do not know: nobody knows how the resident is"
+    assert asked.words("resident", "home") == (
+        "I do not know: the resident is not seen now, last seen 5 min ago by floor-1"
+    )
     asked.happens("person present ended", "person-1", 299.0, ("because", "floor-1: no longer"))
     assert asked.words("resident", "away") == (
         "Yes: the resident is not here, last seen 5 min ago by floor-1"
@@ -295,7 +297,7 @@ def test_while_nothing_runs_nothing_is_claimed_of_now(tmp_path: Path, house: Any
     house.memory.world.add_thing(Thing("person-1", "Ann", ThingKind.PERSON))
     house.status.set_situations([SituationAnswer("person lying", "person-1", 0.0, 0.9, "bed")])
     answer = house.ask(StateQuestion("Ann", "lying"))
-    assert answer.words == "I do not know: nothing listens to Ann now"
+    assert answer.words == "I do not know: Ann was never seen by a sensor"
 
 
 def test_while_nothing_runs_a_report_of_a_moment_ago_is_no_answer_of_now(house: Any) -> None:

@@ -62,6 +62,15 @@ def lively_site(site: Site, has_broker: bool) -> tuple[Site, str]:
     return changed(site, **added), _words(added, kept) + (_MUTE if is_mute else "")
 
 
+def remembered_site(site: Site) -> Site:
+    """Return a site with the people and things of the demo, which its memory may hold."""
+    from housefly.config.site import changed
+
+    if site.twin.scene or not site.twin.enabled or site.room.model != _ROOM:
+        return site
+    return changed(site, twin__scene=_SCENE)
+
+
 def _objection(site: Site) -> str:
     """Return why nobody is added to a site, or ""."""
     if not site.twin.enabled:

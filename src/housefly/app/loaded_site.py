@@ -9,7 +9,7 @@ from typing import Any
 from housefly import sites
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.state import edits_folder
-from housefly.config.text import is_file, shortened
+from housefly.config.text import did_you_mean, is_file, shortened
 from housefly.errors import ConfigError, EditsError
 from housefly.geometry import Vec2
 from housefly.messages import PlanAnswer
@@ -90,12 +90,13 @@ def site_file(name: str) -> Path:
     shipped = Path(sites.__file__).parent
     if is_file(shipped / f"{name}.toml"):
         return shipped / f"{name}.toml"
-    known = ", ".join(
-        sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things")))
+    known = sorted(
+        p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things"))
     )
     raise ConfigError(
         "--site",
-        f"no file {shortened(name)!r}, and no site of that name is shipped (shipped: {known})",
+        f"no file {shortened(name)!r}, and no site of that name is shipped"
+        f"{did_you_mean(name, known)} (shipped: {', '.join(known)})",
     )
 
 

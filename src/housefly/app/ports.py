@@ -17,6 +17,7 @@ _DRONE_PORTS = (
     (5555, socket.SOCK_STREAM, "TCP"),
     (5559, socket.SOCK_STREAM, "TCP"),
 )
+_BESIDE = ", or run a simulated room beside it: --instance 2"
 _TCP, _UDP = (socket.SOCK_STREAM, "TCP"), (socket.SOCK_DGRAM, "UDP")
 _TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str], ...]]] = {
     "vicon": ("port", (_TCP,)),
@@ -82,7 +83,7 @@ def refuse_taken_ports(site: Site, *, web: bool) -> None:
         if need.taken:
             raise LinkError(
                 f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another"
-                f" Housefly run?); end that program, or change {need.remedy}"
+                f" Housefly run?); end that program, change {need.remedy}{_BESIDE}"
             )
 
 

@@ -25,7 +25,7 @@ from housefly.tasks.rules.rule_engine import RuleEngine
 from housefly.tasks.rules.rule_file import rule_problems, rules_of
 from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.rule_store import RuleStore
-from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.scheduler.task_store import TASK_FILE, TaskStore
 from housefly.tasks.scheduler.values import SchedulerLimits
 from housefly.tasks.task_actions import TaskActions
 from housefly.tasks.task_engine import TaskEngine
@@ -34,7 +34,6 @@ from housefly.tasks.task_rehearsals import TaskRehearsals
 from housefly.tasks.task_runs import TaskRuns
 from housefly.tasks.task_service import ServiceParts, TaskService
 
-_STORE = "tasks.db"
 _HOLD_MARGIN = 5.0
 _ASKING_PATIENCE = 5.0
 """How long a person waits for the memory [s]."""
@@ -70,7 +69,7 @@ def task_service(
     library = OpenLibrary(Path(config.documents) if config.documents else None)
     rules, wrong_rules = _rules(config)
     rule_store = RuleStore(folder, HouseMode(config.mode))
-    store = TaskStore(folder / _STORE)
+    store = TaskStore(folder / TASK_FILE)
     clips = ClipRecorder(clips_folder(site), config)
     rehearsals = TaskRehearsals(rehearser)
     actions = TaskActions(outlet, clips, site.tracking.body)

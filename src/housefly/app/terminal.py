@@ -13,6 +13,8 @@ from rich.table import Table
 console = Console(highlight=False)
 plain_console = Console(highlight=False, markup=False, emoji=False)
 """For words that come from devices and memory: brackets in them are text, never a style."""
+note_console = Console(stderr=True, highlight=False, markup=False, emoji=False)
+"""For notes about an answer, which must not get into what a script reads."""
 
 
 def new_table(headings: Iterable[str], **column: Any) -> Table:

@@ -6,6 +6,8 @@ import errno
 import os
 import re
 import stat
+from collections.abc import Iterable
+from difflib import SequenceMatcher, get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,8 @@ _PART = 2**20
 """Read at once [bytes]."""
 _MAX_LENGTH = 4096
 """Longest text of one value, a path for example [characters]."""
+_SIMILARITY_MIN, _SUGGESTIONS_MAX = 0.6, 3
+"""Names at least this similar (0 to 1) are suggested, and so many at most."""
 _MAX_DEPTH = 40
 """Deepest nesting of one value."""
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
@@ -113,3 +117,18 @@ def shortened(text: str, length: int = 200) -> str:
 def without_numbers(words: str) -> str:
     """Return words with a # for each number: reasons that differ only in a number are one."""
     return _NUMBER.sub("#", words)
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """Return ": did you mean 'fly'?" for what looks like a slip of the pen, or ""."""
+    names = {name.casefold(): name for name in known}
+    wanted = word.casefold()
+    close = get_close_matches(wanted, names, _SUGGESTIONS_MAX, _SIMILARITY_MIN)
+    likeness = [SequenceMatcher(None, one, wanted).ratio() for one in close]
+    best = [one for one, alike in zip(close, likeness, strict=True) if alike > likeness[0] - 0.1]
+    return f": did you mean {_either([repr(names[one]) for one in best])}?" if best else ""
+
+
+def _either(words: list[str]) -> str:
+    *first, last = words
+    return f"{', '.join(first)} or {last}" if first else last

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 
 from housefly.config.section import Section
+from housefly.config.text import did_you_mean
 from housefly.errors import ConfigError
 
 AnySection = TypeVar("AnySection", bound=Section)
@@ -60,7 +61,7 @@ def explain(
     """
     kind, value = problem["type"], problem["input"]
     if kind == "extra_forbidden":
-        return "is not a known key"
+        return f"is not a known key{_near_keys(problem['loc'], root)}"
     if kind == "missing":
         return "is missing"
     if kind == "value_error":
@@ -74,6 +75,13 @@ def explain(
     return f"is {value!r}; {words_of(problem)}{unit}"
 
 
+def _near_keys(location: Location, root: type[Section] | None) -> str:
+    """Return the keys that may have been meant, in words, or ""."""
+    *parents, key = location
+    holders = _sections_at(tuple(parents), root) if root else []
+    return did_you_mean(str(key), (name for one in holders for name in one.model_fields))
+
+
 def words_of(problem: Any) -> str:
     """Return one of pydantic's problems in pydantic's own words, to follow a colon."""
     words: str = problem["msg"]
@@ -82,6 +90,17 @@ def words_of(problem: Any) -> str:
 
 def _field_at(location: Location, root: type[Section]) -> FieldInfo | None:
     """Return the declaration of the key at a location, through lists and alternatives."""
+    return _walked(location, root)[1]
+
+
+def _sections_at(location: Location, root: type[Section]) -> list[type[Section]]:
+    """Return the sections that a location may hold."""
+    return _walked(location, root)[0]
+
+
+def _walked(
+    location: Location, root: type[Section]
+) -> tuple[list[type[Section]], FieldInfo | None]:
     sections, field = [root], None
     for part in location:
         if isinstance(part, int):
@@ -95,7 +114,7 @@ def _field_at(location: Location, root: type[Section]) -> FieldInfo | None:
             if field
             else [section for section in sections if _is_chosen_by(section, part)]
         )
-    return field
+    return sections, field
 
 
 def _sections(annotation: Any) -> list[type[Section]]:

@@ -162,9 +162,11 @@ def _sentence(
 ) -> str:
     who = spoken_name(moment.world.thing(person).name)
     if base is None:
+        found = moment.world.where(person)
+        seen = seen_words(found, moment.at)
         if present == "no":
-            return f"{who} is not here, {seen_words(moment.world.where(person), moment.at)}"
-        return f"nobody knows how {who} is" if moment.known else f"nothing listens to {who} now"
+            return f"{who} is not here, {seen}"
+        return f"{who} was {seen}" if found.seen_at is None else f"{who} is not seen now, {seen}"
     if base.kind == FALLEN:
         does = "may have fallen and lies on the floor"
     elif base.kind == PRESENT:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from housefly.config.text import did_you_mean
 from housefly.geometry import Quaternion, Vec2, Vec3
 
 
@@ -124,6 +125,8 @@ class Room:
         for place in self.places:
             if place.name == name.lower():
                 return place
+        known = [place.name for place in self.places]
         raise KeyError(
-            f"no place called {name!r}; known places: {', '.join(p.name for p in self.places)}"
+            f"no place called {name!r}{did_you_mean(name, known) or ';'}"
+            f" known places: {', '.join(known)}"
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.config.text import did_you_mean
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.messages import Order, OrderKind
 from housefly.tasks.person_sender import person_sender
@@ -39,9 +40,10 @@ def order_objection(request: OrderRequest, room: RoomView | None) -> str:
         return "the order needs either a place or a goal"
     if room is None:
         return "the room is not known yet"
-    if request.place and request.place not in {place.name for place in room.places}:
-        known = ", ".join(place.name for place in room.places)
-        return f"no place called {request.place!r}; known places: {known}"
+    known = [place.name for place in room.places]
+    if request.place and request.place not in known:
+        meant = did_you_mean(request.place, known) or ";"
+        return f"no place called {request.place!r}{meant} known places: {', '.join(known)}"
     if request.goal is not None and not _within(request.goal, room.bounds):
         return "the goal is outside the room"
     return ""

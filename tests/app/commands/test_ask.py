@@ -26,9 +26,26 @@ def _own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_where_answers_from_the_memory_and_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["where", "sofa"]) == 0
-    out = capsys.readouterr().out
-    assert "no room is running" in out
-    assert "sofa: at (11.75, 2.60, 0.31) m" in out
+    told = capsys.readouterr()
+    assert "no room is running (start one with `housefly demo`)" in told.err
+    assert told.out == (
+        "sofa: at (11.75, 2.60, 0.31) m, as the catalogue has it, never seen by a sensor\n"
+    )
+
+
+def test_the_things_and_people_of_the_demo_are_known_before_it_ran(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["where", "cup"]) == 0
+    assert capsys.readouterr().out == "the cup: never seen by a sensor\n"
+    assert main(["ask", "where", "is", "the", "cup"]) == 0
+    told = capsys.readouterr()
+    assert "no room is running" in told.err and told.out == "Nobody has seen the cup yet.\n"
+    assert main(["is", "resident", "up"]) == 3
+    assert main(["ask", "look at the sofa"]) == 2
+    assert "that needs a running room" in capsys.readouterr().err
+    assert main(["tasks", "--services"]) == main(["tasks", "--history"]) == 0
+    assert "night_round" in capsys.readouterr().out
 
 
 def test_a_thing_that_nobody_knows_is_refused_with_a_suggestion(
@@ -40,7 +57,7 @@ def test_a_thing_that_nobody_knows_is_refused_with_a_suggestion(
 
 def test_an_empty_history_says_since_when(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["history", "--since", "10m"]) == 0
-    assert "nothing happened since" in capsys.readouterr().out
+    assert "nothing is kept since" in capsys.readouterr().out
 
 
 def test_a_bad_time_is_told_with_what_is_allowed(capsys: pytest.CaptureFixture[str]) -> None:
@@ -50,7 +67,7 @@ def test_a_bad_time_is_told_with_what_is_allowed(capsys: pytest.CaptureFixture[s
 
 def test_sensors_are_not_well_when_nothing_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sensors"]) == 1
-    assert "no sensor is running" in capsys.readouterr().out
+    assert "only while a room runs" in capsys.readouterr().out
 
 
 def test_watching_nothing_is_told_with_what_to_do(capsys: pytest.CaptureFixture[str]) -> None:
@@ -77,7 +94,7 @@ def test_what_a_device_says_is_text_and_neither_a_style_nor_the_end_of_the_comma
             return SensorsAnswer((sensor,), "all is kept")
 
     @contextmanager
-    def room(site: str) -> Iterator[Room]:
+    def room(options: object) -> Iterator[Room]:
         yield Room()
 
     monkeypatch.setattr(ask, "asked_room", room)

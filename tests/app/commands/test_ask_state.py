@@ -84,8 +84,8 @@ def test_what_says_not_is_never_taken_for_what_it_denies() -> None:
 
 
 def test_who_is_there_while_nothing_runs_is_not_guessed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["who"]) == 0
-    assert "nothing listens to the visitor now" in capsys.readouterr().out
+    assert main(["who"]) == 3
+    assert "the visitor was never seen by a sensor" in capsys.readouterr().out
     assert main(["who", "visitr"]) == 2
 
 

@@ -60,7 +60,10 @@ def test_clips_are_listed_by_what_they_show(
     assert "clip, 1 s: anna, entrance  (look, task 3; until" in line
     assert "cut off" in line
     assert main(["clips", "list", "--thing", "book"]) == 0
-    assert capsys.readouterr().out == "there is no such clip\n"
+    assert (
+        capsys.readouterr().out
+        == "no such clip: the camera records only while a task asks for it\n"
+    )
     assert main(["clips", "list", "--limit", "0"]) == 2
     assert "limit" in capsys.readouterr().err
 

@@ -81,7 +81,7 @@ NO_NEED_TO_REFUSE = {
     *{(command, "seed") for command in ("demo", "fly", "identify", "reproduce", "safety")},
     # The answer is no, or nothing.
     *{("plan", "start"), ("plan", "goal"), ("history", "limit"), ("safety", "wires")},
-    *{("tasks", "pause"), ("tasks", "proceed"), ("identify", "recorded")},
+    *{("tasks", "pause"), ("tasks", "proceed"), ("identify", "recorded"), ("ask", "words")},
 }
 """Commands and arguments for which an odd word is no mistake by itself."""
 MAP = "image: map.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\n"

@@ -55,7 +55,7 @@ def stage(tmp_path: Path) -> Iterator[TaskStage]:
     stage.close()
 
 
-@pytest.mark.parametrize("command", [["ask", "hello"], ["tasks"], ["cancel"]])
+@pytest.mark.parametrize("command", [["tasks"], ["watch"], ["cancel"]])
 def test_without_a_running_room_it_is_said_what_to_do(
     command: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:

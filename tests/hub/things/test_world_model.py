@@ -240,7 +240,7 @@ def test_an_age_is_said_in_words(age: float, words: str) -> None:
 
 def test_where_a_thing_is_is_said_in_words() -> None:
     world = WorldModel(HOUSE)
-    assert seen_words(world.where("table"), 0.0) == "never seen, as the catalogue says"
+    assert seen_words(world.where("table"), 0.0) == "never seen by a sensor"
     world.observe(see("cup", "floor", 10.0, position=(8.0, 3.0, 0.7), inside="kitchen"))
     assert (
         where_words(world, "mug", 190.0)

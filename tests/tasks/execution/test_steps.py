@@ -479,7 +479,7 @@ def test_when_everybody_is_well_nothing_flies() -> None:
 
 def test_nobody_is_said_to_be_well_of_whom_nobody_knows_how_they_are() -> None:
     unknown = {
-        "words": "nobody knows how Ann is", "name": "Ann", "person": "p2", "present": "unknown",
+        "words": "Ann is not seen now", "name": "Ann", "person": "p2", "present": "unknown",
         "posture": "", "activity": "", "confidence": 0.0,
     }  # fmt: skip
     known = room(answers={("people", ""): people(PERSON, replace(PERSON, **unknown))})  # type: ignore[arg-type]

@@ -6,7 +6,7 @@ import time
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from housefly.app.commands.asked_room import add_asked_site, asked_room
+from housefly.app.commands.asked_room import add_asked_site, asked_room, found_room
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.room_words import clock_time, event_line, moved_line, said_line, sensor_row
@@ -53,7 +53,7 @@ def _where(options: Namespace) -> int:
     from housefly.hub.api.questions import WhereQuestion
 
     at = parse_time(options.at, time.time(), "--at") if options.at else None
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         answer = room.ask(checked_question(WhereQuestion(options.thing, at)))
     plain_console.print(answer.words, soft_wrap=True)
     for said in answer.said:
@@ -69,7 +69,7 @@ def _history(options: Namespace) -> int:
     now = time.time()
     since = parse_time(options.since, now, "--since")
     until = parse_time(options.until, now, "--until") if options.until else None
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         if options.way:
             track = TrajectoryQuestion(options.thing, since, until, every=1.0)
             rows = room.ask(checked_question(track)).rows[-options.limit :]
@@ -81,16 +81,15 @@ def _history(options: Namespace) -> int:
     for event in events:
         plain_console.print(event_line(event, now), soft_wrap=True)
     if not events:
-        plain_console.print(f"nothing happened since {clock_time(since, now)}")
+        plain_console.print(f"nothing is kept since {clock_time(since, now)}")
     return 0
 
 
 def _watch(options: Namespace) -> int:
     """Print what happens until Ctrl-C."""
-    from housefly.hub.client.discovery import find
     from housefly.hub.client.room_client import RoomClient
 
-    place = find()
+    place = found_room(options)
     plain_console.print(f"watching {place.site}; Ctrl-C ends")
     try:
         with RoomClient(place.address, place.key, socket=place.socket) as room:
@@ -113,7 +112,7 @@ def _sensors(options: Namespace) -> int:
     from housefly.app.machine_load import OVERLOAD_REMEDY, machine_load
     from housefly.hub.api.questions import SensorsQuestion
 
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         answer = room.ask(SensorsQuestion())
     headings = ("", "sensor", "kind", "rate", "last heard", "what is wrong")
     table = new_table(headings, overflow="fold")
@@ -122,7 +121,7 @@ def _sensors(options: Namespace) -> int:
     if answer.sensors:
         plain_console.print(table)
     else:
-        plain_console.print("no sensor is running")
+        plain_console.print("sensors are heard only while a room runs")
     plain_console.print(f"memory: {answer.memory}")
     ill = [one for one in answer.sensors if one.problem or not one.connected]
     if ill and (load := machine_load()).is_too_high:

@@ -57,19 +57,19 @@ def _is(options: Namespace) -> int:
 
     thing, state = split_state(options.words)
     at = parse_time(options.at, time.time(), "--at") if options.at else None
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         answer = room.ask(checked_question(StateQuestion(thing, state, at)))
     plain_console.print(answer.words, soft_wrap=True)
     return _EXIT_CODES[answer.answer]
 
 
 def _who(options: Namespace) -> int:
-    """Say who is there, in which posture, doing what."""
+    """Say who is there, in which posture, doing what; 3 when nobody knows of anybody."""
     from housefly.hub.api.json import checked_question
     from housefly.hub.api.questions import PeopleQuestion
 
     at = parse_time(options.at, time.time(), "--at") if options.at else None
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         answer = room.ask(checked_question(PeopleQuestion(options.person, at)))
     for person in answer.people:
         plain_console.print(person.words, soft_wrap=True)
@@ -77,7 +77,8 @@ def _who(options: Namespace) -> int:
         plain_console.print(
             "nobody is known; people are things of kind person, or who a sensor sees"
         )
-    return 0
+    is_known = any(person.present != "unknown" for person in answer.people)
+    return _EXIT_CODES["yes" if is_known else "unknown"]
 
 
 def _nights(options: Namespace) -> int:
@@ -90,7 +91,7 @@ def _nights(options: Namespace) -> int:
         raise ConfigError("--nights", f"is {options.nights}; allowed: 1 to 366")
     since = max(0.0, time.time() - options.nights * _DAY)
     question = NightsQuestion(since, options.thing, None, begin, end)
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         answer = room.ask(checked_question(question))
     several = len({night.thing for night in answer.nights}) > 1
     kept = [night for night in answer.nights if night.unknown < night.end - night.begin]
@@ -153,7 +154,10 @@ IS_COMMAND = Subcommand(
 WHO_COMMAND = Subcommand(
     name="who",
     help="who is there, in which posture, doing what",
-    description="Say who is there, sits, lies or may have fallen, since when, how surely.",
+    description=(
+        "Say who is there, sits, lies or may have fallen, since when, how surely.\n"
+        "Exit code: 3 when nothing is known of anybody."
+    ),
     add_arguments=_add_who_arguments,
     run=_who,
 )

@@ -57,7 +57,7 @@ def _list(options: Namespace) -> int:
     for clip in found:
         plain_console.print(clip_line(clip, now), soft_wrap=True)
     if not found:
-        plain_console.print("there is no such clip")
+        plain_console.print("no such clip: the camera records only while a task asks for it")
     return 0
 
 
@@ -148,6 +148,7 @@ CLIPS_COMMANDS = CommandGroup(
     name="clips",
     help="what the camera has kept: list it, take some away, delete what is too old",
     metavar="WHAT",
+    default="list",
     commands=(
         Subcommand(
             name="list",

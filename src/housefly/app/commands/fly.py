@@ -8,6 +8,7 @@ from pathlib import Path
 
 from housefly.app.commands.shared import (
     add_fault_argument,
+    add_instance_argument,
     add_simulation_arguments,
     add_site_arguments,
     load,
@@ -27,6 +28,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
         help="stepped clock, no wires: as fast as the machine can",
     )
     add_simulation_arguments(parser)
+    add_instance_argument(parser)
     add_fault_argument(parser)
     parser.add_argument(
         "--look", type=float, default=5.0, metavar="S", help="how long to look (default: 5 s)"

@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING
 
 from rich.markup import escape
 
-from housefly.app.commands.shared import add_fault_argument, add_site_arguments, load
+from housefly.app.commands.shared import (
+    add_fault_argument,
+    add_instance_argument,
+    add_site_arguments,
+    load,
+)
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 from housefly.errors import LinkError
@@ -132,6 +137,7 @@ def _asked(bus: Bus) -> PreflightView:
 
 def _add_arguments(parser: ArgumentParser) -> None:
     add_site_arguments(parser)
+    add_instance_argument(parser)
     parser.add_argument(
         "--frames",
         action="store_true",

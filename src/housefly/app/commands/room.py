@@ -54,6 +54,7 @@ ROOM_COMMANDS = CommandGroup(
     name="room",
     help="show a room, or make one of a ROS map",
     metavar="ACTION",
+    default="show",
     commands=(
         Subcommand(
             name="show",

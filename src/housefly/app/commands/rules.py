@@ -7,12 +7,18 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from housefly.app.commands.asked_room import add_asked_site, asked_room
+from housefly.app.commands.asked_room import (
+    DEFAULT_SITE,
+    add_asked_site,
+    asked_room,
+    asked_site,
+)
 from housefly.app.commands.subcommand import CommandGroup, Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.terminal import plain_console
 
 if TYPE_CHECKING:
+    from housefly.config.site import Site
     from housefly.tasks.api.answers import RuleFiring
     from housefly.tasks.api.values import ServiceInfo
     from housefly.tasks.rules.rule import Rule
@@ -37,10 +43,8 @@ def _add_dry_run_arguments(parser: ArgumentParser) -> None:
 
 def _list(options: Namespace) -> int:
     """Print each rule of a site in words; while it runs, also what each did last."""
-    from housefly.app.loaded_site import read_site
-
-    last = _last_firings(read_site(options.site).name)
-    for rule in _rules_of_site(options.site):
+    last = _last_firings(asked_site(options).name)
+    for rule in _rules_of_site(options.site or DEFAULT_SITE):
         plain_console.print(_rule_line(rule), soft_wrap=True)
         if words := last.get(rule.name):
             plain_console.print(f"    {words}", soft_wrap=True)
@@ -54,7 +58,7 @@ def _check(options: Namespace) -> int:
     rules = read_rules(options.file)
     for rule in rules:
         plain_console.print(_rule_line(rule), soft_wrap=True)
-    problems = rule_problems(rules, _services_of_site(options.site))
+    problems = rule_problems(rules, _services_of(asked_site(options)))
     for problem in problems:
         plain_console.print(problem, soft_wrap=True)
     return 1 if problems else 0
@@ -62,7 +66,6 @@ def _check(options: Namespace) -> int:
 
 def _dry_run(options: Namespace) -> int:
     """Print what the rules would have done with what the room remembers."""
-    from housefly.app.loaded_site import read_site
     from housefly.config.state import tasks_folder
     from housefly.tasks.api.values import HouseMode, ReasonCode
     from housefly.tasks.rules.dry_run import dry_run, stored_events
@@ -74,10 +77,11 @@ def _dry_run(options: Namespace) -> int:
     now = time.time()
     since = parse_time(options.since, now, "--since")
     until = parse_time(options.until, now, "--until") if options.until else now
-    rules = read_rules(options.file) if options.file else _rules_of_site(options.site)
-    site = read_site(options.site)
+    site_name = options.site or DEFAULT_SITE
+    rules = read_rules(options.file) if options.file else _rules_of_site(site_name)
+    site = asked_site(options)
     mode = RuleStore(tasks_folder(site), HouseMode(site.tasks.mode)).load().mode
-    with asked_room(options.site) as room:
+    with asked_room(options) as room:
         events = stored_events(room.ask, since, until)
         facts = AskedRoomFacts(room.ask, live=False)
         answer = dry_run(RuleEngine(rules), events, since, until, mode, facts)
@@ -119,12 +123,10 @@ def _rules_of_site(name: str) -> tuple[Rule, ...]:
     return rules_of(site_file(name).parent / site.tasks.rules if site.tasks.rules else None)
 
 
-def _services_of_site(name: str) -> dict[str, ServiceInfo]:
-    from housefly.app.loaded_site import read_site, site_file
+def _services_of(site: Site) -> dict[str, ServiceInfo]:
     from housefly.tasks.document.open_library import OpenLibrary
 
-    documents = read_site(name).tasks.documents
-    library = OpenLibrary(site_file(name).parent / documents if documents else None)
+    library = OpenLibrary(Path(site.tasks.documents) if site.tasks.documents else None)
     return {each: document.info() for each, document in library.items()}
 
 
@@ -142,6 +144,7 @@ RULES_COMMANDS = CommandGroup(
     name="rules",
     help="what the house does by itself",
     metavar="list|check|dry-run",
+    default="list",
     commands=(
         Subcommand(
             name="list",

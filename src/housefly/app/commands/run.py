@@ -9,6 +9,7 @@ from pathlib import Path
 from housefly.app.commands.shared import (
     add_console_arguments,
     add_fault_argument,
+    add_instance_argument,
     add_simulation_arguments,
     add_site_arguments,
     load,
@@ -19,11 +20,13 @@ from housefly.app.terminal import console
 
 def _add_run_arguments(parser: ArgumentParser) -> None:
     add_site_arguments(parser)
+    add_instance_argument(parser)
     add_console_arguments(parser)
 
 
 def _add_demo_arguments(parser: ArgumentParser) -> None:
     add_site_arguments(parser)
+    add_instance_argument(parser, "which room (default: the first that is free): ")
     add_console_arguments(parser)
     add_simulation_arguments(parser)
     add_fault_argument(parser)
@@ -40,8 +43,33 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
 
 
 def _demo(options: Namespace) -> int:
-    """Start the site with what makes it lively; the page begins with what one can ask."""
+    """Start the site with what makes it lively; the page begins with what one can ask.
+
+    Where the first room's ports are taken it is the next instance.
+    """
+    if options.instance is None:
+        options.instance = _free_instance(options)
     return _run(options, opens_tasks=True)
+
+
+def _free_instance(options: Namespace) -> int:
+    from housefly.app.instance import free_instance
+    from housefly.app.lively import lively_site
+    from housefly.app.loaded_site import read_site
+
+    site = (
+        lively_site(read_site(options.site), has_broker=False)[0]
+        if options.lively
+        else (read_site(options.site))
+    )
+    instance = free_instance(site, web=options.port is None)
+    if instance > 1:
+        console.print(
+            f"instance: {instance}, with addresses and a memory of its own, because another"
+            f" program has the first one's ports; ask it with --instance {instance}",
+            soft_wrap=True,
+        )
+    return instance
 
 
 def _run(options: Namespace, *, opens_tasks: bool = False) -> int:

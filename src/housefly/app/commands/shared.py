@@ -64,6 +64,16 @@ def add_fault_argument(parser: ArgumentParser) -> None:
     )
 
 
+def add_instance_argument(parser: ArgumentParser, which: str = "which room: ") -> None:
+    """Add ``--instance``."""
+    parser.add_argument(
+        "--instance",
+        type=int,
+        metavar="N",
+        help=f"{which}2 and up run beside the first, with ports and a memory of their own",
+    )
+
+
 def given(changes: dict[str, Any]) -> dict[str, Any]:
     """Return the changes of a site that the options ask for: those that are not None."""
     return {key: value for key, value in changes.items() if value is not None}
@@ -90,6 +100,11 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
     if getattr(options, "lively", False):
         site, words = lively_site(site, find_mosquitto() is not None)
         console.print(f"lively:   {words}", markup=False, soft_wrap=True)
+    if (instance := getattr(options, "instance", None)) is not None:
+        from housefly.app.instance import site_of_instance
+
+        site = site_of_instance(site, instance)
+        site = changed(site, **given({"web__port": changes["web__port"]}))
     if faults := _parsed_faults(getattr(options, "fault", [])):
         site = changed(site, faults=[*site.model_dump()["faults"], *faults])
     if with_edits:

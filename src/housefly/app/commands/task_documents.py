@@ -6,9 +6,10 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from housefly.app.commands.asked_room import DEFAULT_SITE, add_asked_site
 from housefly.app.commands.subcommand import CommandGroup, Subcommand
 from housefly.app.commands.tasks import running_tasks
-from housefly.app.terminal import plain_console
+from housefly.app.terminal import note_console, plain_console
 from housefly.errors import ConfigError, LinkError
 
 if TYPE_CHECKING:
@@ -54,12 +55,7 @@ def _check(options: Namespace) -> int:
 def _add_rehearse_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("service", help="as `housefly tasks --services` lists them")
     parser.add_argument("parameters", nargs="*", metavar="NAME=VALUE", help="of the service")
-    parser.add_argument(
-        "--site",
-        default="bsen",
-        metavar="SITE",
-        help="whose room is rehearsed in when none is running (default: bsen)",
-    )
+    add_asked_site(parser)
 
 
 def _rehearse(options: Namespace) -> int:
@@ -68,14 +64,14 @@ def _rehearse(options: Namespace) -> int:
 
     parameters = dict(_parameter(text) for text in options.parameters)
     try:
-        with running_tasks() as tasks:
+        with running_tasks(options) as tasks:
             report = tasks.rehearse(options.service, **parameters)
     except LinkError:
-        plain_console.print(
-            f"no room is running: this is for {options.site} as it is modelled, nobody in it",
-            style="dim",
+        site = options.site or DEFAULT_SITE
+        note_console.print(
+            f"no room is running: this is for {site} as it is modelled, nobody in it", style="dim"
         )
-        report = _rehearsed_offline(options.site, options.service, parameters)
+        report = _rehearsed_offline(site, options.service, parameters)
     plain_console.print(rehearsal_line(report), soft_wrap=True)
     if report.may_fly:
         plain_console.print(report.words, soft_wrap=True)

@@ -6,33 +6,36 @@ import os
 import sys
 import time
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from housefly.app.commands.asked_room import add_asked_site, found_room
+from housefly.app.commands.offline_tasks import answer_offline, kept_tasks, shipped_services
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.terminal import plain_console
-from housefly.errors import ConfigError
+from housefly.errors import ConfigError, LinkError
 
 if TYPE_CHECKING:
-    from housefly.tasks.api.answers import TaskBoard
-    from housefly.tasks.api.values import TaskStatus
+    from housefly.tasks.api.answers import SentenceAnswer, TaskBoard
+    from housefly.tasks.api.values import ServiceInfo, TaskStatus
     from housefly.tasks.client.tasks_client import TasksClient
     from housefly.tasks.intents.intent import Language
 
 _WATCH_PERIOD = 0.5
 
 
-def running_tasks(by: str = "") -> TasksClient:
-    """Return a client of the tasks of the run that was started last; raises LinkError if none."""
+def running_tasks(options: Namespace) -> TasksClient:
+    """Return a client of the tasks of the running room; raises LinkError if there is none."""
     import getpass
 
-    from housefly.hub.client.discovery import find
     from housefly.tasks.client.tasks_client import TasksClient
 
-    return TasksClient(find(), by or f"{getpass.getuser()} at the terminal")
+    return TasksClient(found_room(options), f"{getpass.getuser()} at the terminal")
 
 
 def _add_ask_arguments(parser: ArgumentParser) -> None:
+    add_asked_site(parser)
     parser.add_argument("words", nargs="+", help="what you would say, quoted or not")
     parser.add_argument(
         "--language", choices=("en", "de", "ja"), help="of the words (default: $LANG's, else en)"
@@ -49,19 +52,21 @@ def _ask(options: Namespace) -> int:
     from housefly.tasks.api.questions import Sentence
     from housefly.tasks.api.values import RequestSurface, TaskStage
 
-    with running_tasks() as tasks:
-        question = Sentence(
-            " ".join(options.words),
-            options.language or _language(os.environ.get("LANG", "")),
-            tasks.by,
-            RequestSurface.COMMAND_LINE,
-            fly=not options.no_fly,
-            owner=tasks.owner,
-        )
-        answer = tasks.ask_tasks(question)
-        plain_console.print(answer.words, soft_wrap=True)
-        for suggestion in answer.suggestions:
-            plain_console.print(f'  housefly ask "{suggestion}"', soft_wrap=True)
+    said = Sentence(
+        " ".join(options.words),
+        options.language or _language(os.environ.get("LANG", "")),
+        surface=RequestSurface.COMMAND_LINE,
+        fly=not options.no_fly,
+    )
+    try:
+        found = running_tasks(options)
+    except LinkError:
+        answer = answer_offline(options, said)
+        _print_answer(answer)
+        return 0 if answer.understood else 1
+    with found as tasks:
+        answer = tasks.ask_tasks(replace(said, by=tasks.by, owner=tasks.owner))
+        _print_answer(answer)
         task = answer.task
         if answer.offer is not None and _says_yes():
             task = tasks.request(answer.offer.service, **answer.offer.parameters)
@@ -79,6 +84,12 @@ def _ask(options: Namespace) -> int:
     return 0 if ended.state is TaskStage.DONE else 1
 
 
+def _print_answer(answer: SentenceAnswer) -> None:
+    plain_console.print(answer.words, soft_wrap=True)
+    for suggestion in answer.suggestions:
+        plain_console.print(f'  housefly ask "{suggestion}"', soft_wrap=True)
+
+
 def _language(locale: str) -> Language:
     """Return the language of a locale such as "de_AT.UTF-8", English for one that is not known."""
     known: dict[str, Language] = {"de": "de", "ja": "ja"}
@@ -91,6 +102,7 @@ def _says_yes() -> bool:
 
 
 def _add_tasks_arguments(parser: ArgumentParser) -> None:
+    add_asked_site(parser)
     parser.add_argument("--watch", action="store_true", help="again whenever it changes")
     parser.add_argument("--history", action="store_true", help="all that were asked for")
     parser.add_argument(
@@ -111,25 +123,29 @@ def _add_tasks_arguments(parser: ArgumentParser) -> None:
 
 def _tasks(options: Namespace) -> int:
     """Print the board, what can be asked for, or what was asked for."""
-    from housefly.app.task_words import board_lines, history_line, shows_the_same, task_line
+    from housefly.app.task_words import board_lines, shows_the_same, task_line
 
-    with running_tasks() as tasks:
+    now = time.time()
+    since = parse_time(options.since, now, "--since")
+    try:
+        found = running_tasks(options)
+    except LinkError:
+        if options.services:
+            _print_services(shipped_services(options))
+        elif options.history:
+            _print_history(kept_tasks(options, since), now)
+        else:
+            raise
+        return 0
+    with found as tasks:
         if (changed := _changed_task(tasks, options)) is not None:
             plain_console.print(task_line(changed), soft_wrap=True)
             return 0
         if options.services:
-            for service in tasks.services():
-                known = ", ".join(parameter.name for parameter in service.parameters)
-                takes = "" if service.problem else f"  [{known}]"
-                plain_console.print(f"{service.name:<12} {service.about}{takes}", soft_wrap=True)
+            _print_services(tasks.services())
             return 0
         if options.history:
-            now = time.time()
-            since = parse_time(options.since, now, "--since")
-            for task in reversed(tasks.task_history(since, limit=1000)):
-                plain_console.print(history_line(task, now), soft_wrap=True)
-                for words in task.report:
-                    plain_console.print(f"    = {words}", soft_wrap=True)
+            _print_history(tasks.task_history(since, limit=1000), now)
             return 0
         shown: TaskBoard | None = None
         while True:
@@ -143,6 +159,24 @@ def _tasks(options: Namespace) -> int:
             if not options.watch:
                 return 0
             time.sleep(_WATCH_PERIOD)
+
+
+def _print_services(services: tuple[ServiceInfo, ...]) -> None:
+    for service in services:
+        known = ", ".join(parameter.name for parameter in service.parameters)
+        takes = "" if service.problem else f"  [{known}]"
+        plain_console.print(f"{service.name:<12} {service.about}{takes}", soft_wrap=True)
+
+
+def _print_history(newest_first: tuple[TaskStatus, ...], now: float) -> None:
+    from housefly.app.task_words import history_line
+
+    for task in reversed(newest_first):
+        plain_console.print(history_line(task, now), soft_wrap=True)
+        for words in task.report:
+            plain_console.print(f"    = {words}", soft_wrap=True)
+    if not newest_first:
+        plain_console.print("nothing was asked for in that time")
 
 
 def _changed_task(tasks: TasksClient, options: Namespace) -> TaskStatus | None:
@@ -163,6 +197,7 @@ def _changed_task(tasks: TasksClient, options: Namespace) -> TaskStatus | None:
 
 
 def _add_cancel_arguments(parser: ArgumentParser) -> None:
+    add_asked_site(parser)
     parser.add_argument(
         "task", nargs="?", type=int, default=0, help="its number (default: every open task)"
     )
@@ -172,7 +207,7 @@ def _cancel(options: Namespace) -> int:
     """End a task, or all of them."""
     from housefly.app.task_words import task_line
 
-    with running_tasks() as tasks:
+    with running_tasks(options) as tasks:
         ended = tasks.cancel(options.task)
     for task in ended:
         plain_console.print(task_line(task), soft_wrap=True)

@@ -55,10 +55,11 @@ def _remove(options: Namespace) -> int:
 
 
 def _list(options: Namespace) -> int:
+    users = _book(options.site).all()
     table = new_table(("name", "role"))
-    for user in _book(options.site).all():
+    for user in users:
         table.add_row(user.name, user.role.value)
-    console.print(table)
+    console.print(table if users else "nobody yet: `housefly user add NAME --role fly`")
     return 0
 
 
@@ -84,6 +85,7 @@ USER_COMMANDS = CommandGroup(
     name="user",
     help="say who may log in to the console from other machines, and what each may do",
     metavar="WHAT",
+    default="list",
     commands=(
         Subcommand(
             name="add",

@@ -31,7 +31,7 @@ def seen_words(found: FusedPose, now: float) -> str:
     """Return who saw it last and when: "seen now by vicon", "last seen 3 min ago by floor"."""
     age = found.age(now)
     if age is None:
-        return "never seen, as the catalogue says"
+        return "never seen by a sensor"
     sources = " and ".join(found.sources)
     return (
         f"seen now by {sources}" if age < _JUST_NOW else f"last seen {age_words(age)} by {sources}"
@@ -51,7 +51,8 @@ def where_words(world: WorldModel, thing: str, now: float, belief: Belief = SURE
     found = world.where(thing)
     parts = [_within(world, container) for container in world.chain(thing)]
     if found.position is not None:
-        parts.append(_place_words(found.position))
+        told = ", as the catalogue has it" if found.age(now) is None else ""
+        parts.append(_place_words(found.position) + told)
     if belief.alternatives and parts:
         parts[-1] += f" ({_percent(belief.confidence)})"
     parts += [_alternative_words(one) for one in belief.alternatives]

@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import Field
 
 from housefly.config.section import Section
-from housefly.config.text import read_text_file, refuse_odd_values
+from housefly.config.text import did_you_mean, read_text_file, refuse_odd_values
 from housefly.config.validation import validated
 from housefly.errors import ConfigError, TaskError
 from housefly.tasks.api.values import ParameterInfo, ServiceInfo
@@ -83,7 +83,9 @@ def _plain(marked: MarkedValue) -> Any:
 def _problems(rule: Rule, services: Mapping[str, ServiceInfo]) -> Iterable[str]:
     service = services.get(rule.then.service)
     if service is None:
-        yield f"there is no service {rule.then.service!r}; there is: {', '.join(sorted(services))}"
+        asked = rule.then.service
+        meant = did_you_mean(asked, services) or f"; there is: {', '.join(sorted(services))}"
+        yield f"there is no service {asked!r}{meant}"
         return
     known: dict[str, ParameterInfo] = {item.name: item for item in service.parameters}
     for name in rule.then.parameters:

@@ -21,6 +21,8 @@ from housefly.tasks.scheduler.scheduler import Scheduler
 from housefly.tasks.scheduler.task_file import COUNT_FROM, open_task_file, with_remedy
 from housefly.tasks.scheduler.values import ScheduledTask, SchedulerLimits
 
+TASK_FILE = "tasks.db"
+"""Its name, in the folder of a site's tasks."""
 HISTORY_MAX = 20_000
 """Tasks that are kept; the oldest ended ones go first."""
 _STATUS: TypeAdapter[TaskStatus] = TypeAdapter(TaskStatus)
