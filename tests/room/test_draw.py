@@ -15,7 +15,7 @@ from housefly.config.site import changed, site_from_file
 from housefly.errors import RoomError
 from housefly.room.bsen import bsen
 from housefly.room.draw import draw_room, text_map
-from housefly.room.grid import build_grid
+from housefly.room.grid import Cell, build_grid
 from housefly.room.model import Place
 
 SITE = site_from_file(Path(__file__).parents[2] / "src" / "housefly" / "sites" / "bsen.toml")
@@ -52,7 +52,7 @@ def test_a_folder_that_does_not_exist_is_named(tmp_path: Path) -> None:
 def test_the_text_map_fits_a_terminal_and_names_every_place(mode: str) -> None:
     text = text_map(bsen(), build_grid(bsen(), changed(SITE, mode=mode)))
     lines = text.splitlines()
-    assert max(len(line) for line in lines) <= 120
+    assert max(len(line) for line in lines[:-1]) <= 80
     assert len(lines) <= 40
     assert all(place.name in lines[-1] for place in bsen().places)
     assert "E" in text
@@ -61,7 +61,7 @@ def test_the_text_map_fits_a_terminal_and_names_every_place(mode: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("mode", "scale"), [("default", "0.2 m across, 0.4"), ("paper", "0.5 m across, 0.5")]
+    ("mode", "scale"), [("default", "0.2 m across, 0.4"), ("paper", "0.25 m across, 0.5")]
 )
 def test_the_text_map_says_how_large_a_character_is(mode: str, scale: str) -> None:
     grid = build_grid(bsen(), changed(SITE, mode=mode))
@@ -71,6 +71,25 @@ def test_the_text_map_says_how_large_a_character_is(mode: str, scale: str) -> No
     across = float(scale.split()[0])
     width = grid.resolution * grid.shape[0]
     assert max(map(len, rows)) * across == pytest.approx(width, abs=3 * across)
+
+
+@given(st.integers(2, 400), st.integers(2, 400))
+def test_a_text_map_of_any_room_fits_a_terminal_in_proportion(nx: int, ny: int) -> None:
+    grid = replace(GRID, cells=np.full((nx, ny), Cell.OCCUPIED, dtype=np.int8))
+    rows = text_map(replace(bsen(), places=()), grid).split("\n\n")[0].splitlines()
+    across, up = max(map(len, rows)), len(rows)
+    assert across <= 80 and up <= 51
+    assert across / nx == pytest.approx(2.0 * up / ny, abs=4.0 / min(nx, ny))
+
+
+def test_the_text_map_shows_a_route_from_its_start_to_its_end() -> None:
+    route = ((10.55, 1.25), (10.55, 4.25), (3.05, 4.25))
+    plain, drawn = text_map(bsen(), GRID), text_map(bsen(), GRID, route)
+    assert "* path" in drawn and "*" not in plain
+    changed_ = [(a, b) for a, b in zip(plain, drawn, strict=False) if b == "*"]
+    assert len(changed_) > 35 and "H" in drawn and "E" in drawn
+    for a, b in zip(plain.splitlines()[:-3], drawn.splitlines()[:-3], strict=True):
+        assert all(one == two or two == "*" for one, two in zip(a, b, strict=True))
 
 
 @given(

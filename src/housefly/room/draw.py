@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import atan2, cos, degrees, hypot, sin
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import atan2, ceil, cos, degrees, hypot, sin
 from pathlib import Path
 from string import ascii_uppercase, digits
 from typing import Any
@@ -35,7 +37,8 @@ _UNLABELLED = frozenset(
     {"wall", "window", "decoration", "home pad", "carpet", "room door", "unexplored"}
 )
 _INCHES_PER_METRE = 0.92
-_TEXT_COLUMNS = 110
+_TEXT_COLUMNS, _TEXT_ROWS = 78, 50
+_ROUTE_MARK = "*"
 _SPARE_MARKS = ascii_uppercase + digits
 _LABEL_SPACING = 0.42
 """Labels closer than this to that of a larger thing are left out [m]."""
@@ -87,41 +90,94 @@ def draw_room(
         raise RoomError(f"{path} cannot be written: {error.strerror or error}") from error
 
 
-def text_map(room: Room, grid: OccupancyGrid) -> str:
+def text_map(room: Room, grid: OccupancyGrid, route: Sequence[Vec2] = ()) -> str:
     """Return the map as text, north (+y) up, with a legend below.
 
-    H is home, each other place has a capital letter of its own. Fine grids are thinned to about a
-    hundred columns; a character shows the worst cell it stands for, blocked before free.
+    H is home, each other place has a capital letter of its own, * is the route. It fits a terminal
+    of 80 columns, in proportion where a character is twice as high as wide: fine grids are thinned,
+    a character shows the worst cell it stands for, blocked before free; of a coarse grid each cell
+    is two characters.
+
+    Args:
+        room: what stands where.
+        grid: which cells are free.
+        route: waypoints of a path [m].
     """
-    nx, ny = grid.shape
-    step = max(1, -(-nx // _TEXT_COLUMNS))
-    rise = 2 * step if step > 1 else 1
-    rank = np.array([0, 4, 3, 2, 1])
-    cells = np.array(grid.cells)
-    canvas = [
-        [_worst(cells[i : i + step, j : j + rise], rank) for i in range(0, nx, step)]
-        for j in range(0, ny, rise)
-    ]
+    scale = _text_scale(grid)
+    canvas = _canvas(grid, scale)
+    on_route = 0
+    for point in _points_along(route, grid.resolution / 2.0):
+        on_route += _put(canvas, grid, scale, point, _ROUTE_MARK)
     marks = _marks([place.name for place in room.places])
     for place in reversed(room.places):
-        i, j = grid.cell_of(room.home if place.name == "home" else place.viewpoint)
-        if grid.contains((i, j)):
-            canvas[j // rise][i // step] = marks[place.name]
+        at_home = place.name == "home"
+        _put(canvas, grid, scale, room.home if at_home else place.viewpoint, marks[place.name])
     rows = ["".join(row).rstrip() for row in reversed(canvas)]
     while rows and not rows[0]:
         rows.pop(0)
     while rows and not rows[-1]:
         rows.pop()
+    looks = [(letter, words) for _, letter, words in _CELL_LOOK.values() if letter != " "]
     legend = "  ".join(
-        f"{letter} {words}"
-        for kind, (_, letter, words) in _CELL_LOOK.items()
-        if kind is not Cell.OUTSIDE
+        f"{letter} {words}" for letter, words in (*looks, *[(_ROUTE_MARK, "path")] * (on_route > 0))
     )
     names = "  ".join(f"{mark} {name}" for name, mark in marks.items())
-    edge = grid.resolution
-    scale = f"one character: {step * edge:g} m across, {rise * edge:g} m up"
-    cells_of = f" ({step} x {rise} cells of {edge:g} m)" if step > 1 else ""
-    return "\n".join([*rows, "", legend, scale + cells_of, names])
+    return "\n".join([*rows, "", legend, scale.words(grid.resolution), names])
+
+
+@dataclass(frozen=True, slots=True)
+class _TextScale:
+    """So many cells a character stands for, across and up; or so many characters a cell is wide."""
+
+    step: int
+    rise: int
+    width: int
+
+    def words(self, edge: float) -> str:
+        across, up = self.step * edge / self.width, self.rise * edge
+        cells = f" ({self.step} x {self.rise} cells of {edge:g} m)" if self.rise > 1 else ""
+        return f"one character: {across:g} m across, {up:g} m up{cells}"
+
+
+def _text_scale(grid: OccupancyGrid) -> _TextScale:
+    nx, ny = grid.shape
+    if 2 * nx <= _TEXT_COLUMNS and ny <= _TEXT_ROWS:
+        return _TextScale(1, 1, 2)
+    step = max(-(-nx // _TEXT_COLUMNS), -(-ny // (2 * _TEXT_ROWS)))
+    return _TextScale(step, 2 * step, 1)
+
+
+def _canvas(grid: OccupancyGrid, scale: _TextScale) -> list[list[str]]:
+    """Return a row of characters for each row of cells, south first."""
+    (nx, ny), cells = grid.shape, np.array(grid.cells)
+    rank = np.array([0, 4, 3, 2, 1])
+    return [
+        [
+            _worst(cells[i : i + scale.step, j : j + scale.rise], rank)
+            for i in range(0, nx, scale.step)
+            for _ in range(scale.width)
+        ]
+        for j in range(0, ny, scale.rise)
+    ]
+
+
+def _put(
+    canvas: list[list[str]], grid: OccupancyGrid, scale: _TextScale, point: Vec2, mark: str
+) -> bool:
+    """Put a mark where a point [m] is; return whether it is on the map."""
+    i, j = grid.cell_of(point)
+    if not grid.contains((i, j)):
+        return False
+    canvas[j // scale.rise][i // scale.step * scale.width] = mark
+    return True
+
+
+def _points_along(route: Sequence[Vec2], spacing: float) -> Iterator[Vec2]:
+    """Yield points of a route, at most so far apart [m]."""
+    for (x0, y0), (x1, y1) in pairwise(route):
+        count = max(1, ceil(hypot(x1 - x0, y1 - y0) / spacing))
+        for k in range(count + 1):
+            yield x0 + (x1 - x0) * k / count, y0 + (y1 - y0) * k / count
 
 
 def _marks(names: Sequence[str]) -> dict[str, str]:

@@ -55,7 +55,8 @@ def _run(options: Namespace) -> int:
         draw_room(loaded.room, loaded.grid, Path(options.png), route=route)
         console.print(f"drawn: {options.png}", markup=False)
     else:
-        console.print(text_map(loaded.room, loaded.grid), markup=False, soft_wrap=True)
+        drawn = text_map(loaded.room, loaded.grid, path.waypoints if path else ())
+        console.print(drawn, markup=False, soft_wrap=True)
     return 0 if path else 1
 
 
