@@ -5,18 +5,18 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from housefly.hub.api.answers import EventAnswer, PlacedThing, SensorAnswer, SourceAnswer
+from housefly.app.event_words import fact_words
 
-_HIDDEN_FACTS = ("noticed_at", "sigma", "lasted", "because")
-"""Facts that are for programs."""
+if TYPE_CHECKING:
+    from housefly.app.event_words import EventWords
+    from housefly.hub.api.answers import EventAnswer, PlacedThing, SensorAnswer, SourceAnswer
 
 
 def said_line(said: SourceAnswer) -> str:
     """Return what one source said of a thing."""
     place = "({:.2f}, {:.2f}, {:.2f}) m".format(*said.position) if said.position else ""
     inside = f"in {said.inside}" if said.inside else ""
-    facts = ", ".join(f"{key} {_plain(value)}" for key, value in said.facts.items())
+    facts = ", ".join(fact_words(key, value) for key, value in said.facts.items())
     doubt = "" if said.valid else "not valid"
     words = "  ".join(part for part in (place, inside, facts, doubt) if part)
     return f"  {said.source:<14} {_ago(said.age):<12} {words}"
@@ -31,12 +31,15 @@ def moved_line(thing: PlacedThing, now: float) -> str:
     return f"{clock_time(now, now)}  {thing.name}: {place}"
 
 
-def event_line(event: EventAnswer, now: float) -> str:
+def event_line(event: EventAnswer, now: float, words: EventWords) -> str:
     """Return what happened and when, given the time now [Unix time, s]."""
+    return f"{clock_time(event.at, now)}  {words.sentence(event)}"
+
+
+def detailed_event_line(event: EventAnswer, now: float) -> str:
+    """Return an event as it is kept: every fact by its key."""
     cause = f" by {event.cause}" if event.cause else ""
-    facts = ", ".join(
-        f"{key} {_plain(value)}" for key, value in event.facts.items() if key not in _HIDDEN_FACTS
-    )
+    facts = ", ".join(fact_words(key, value) for key, value in event.facts.items())
     sure = "" if event.confidence >= 0.995 else f" ({100 * event.confidence:.0f} % sure)"
     return (
         f"{clock_time(event.at, now)}  {event.thing}:"
@@ -58,14 +61,6 @@ def clock_time(at: float, now: float) -> str:
     """Return a Unix time [s] as local time, without the date when it is today."""
     when, today = datetime.fromtimestamp(at), datetime.fromtimestamp(now).date()
     return when.strftime("%H:%M:%S" if when.date() == today else "%Y-%m-%d %H:%M:%S")
-
-
-def _plain(value: str | float | bool) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, float):
-        return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"
-    return str(value)
 
 
 def _ago(age: float | None) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import hypot
@@ -17,6 +18,7 @@ from housefly.hub.things.thing import ThingKind
 from housefly.hub.things.words import age_words, seen_words
 from housefly.hub.things.world_model import WorldModel
 
+_SEAT = re.compile(r"\s+(seat|mattress)\b.*$")
 _POSTURES = (LYING, SITTING, STANDING, WALKING)
 _CARRIES = 0.5
 """Less sure than this, nobody is said to carry a thing."""
@@ -133,7 +135,7 @@ def _activity(
         return ""
     on = posture.facts.get("on", "")
     if on:
-        return "in bed" if is_bed(on) and posture.kind == LYING else f"on the {on}"
+        return "in bed" if is_bed(on) and posture.kind == LYING else f"on {spoken_seat(str(on))}"
     beside = _beside(world, position) if posture.kind == STANDING and position else ""
     return f"at {beside}" if beside else posture.kind.removeprefix("person ")
 
@@ -183,6 +185,12 @@ def lasting_words(seconds: float) -> str:
     """Return how long something lasts [s]: " for 12 s", " for 3 min"."""
     words = age_words(max(seconds, 0.0))
     return "" if words == "now" else f" for {words.removesuffix(' ago')}"
+
+
+def spoken_seat(on: str) -> str:
+    """Return what carries somebody, as people call it: "sofa seat 1" is "the sofa"."""
+    furniture = _SEAT.sub("", on)
+    return with_article(furniture or on)
 
 
 def spoken_name(name: str) -> str:

@@ -80,6 +80,8 @@ def test_what_happened_is_told_with_whose_word_it_is(capsys: pytest.CaptureFixtu
     memory.add(RoomEvent("door opened", "entrance", time.time() - 60.0, "situations/doors"))
     memory.close()
     assert main(["history", "--since", "10m"]) == 0
+    assert "the entrance was opened" in capsys.readouterr().out
+    assert main(["history", "--since", "10m", "--details"]) == 0
     assert "[situations/doors]" in capsys.readouterr().out
 
 

@@ -9,10 +9,19 @@ from typing import TYPE_CHECKING
 from housefly.app.commands.asked_room import add_asked_site, asked_room, found_room
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
-from housefly.app.room_words import clock_time, event_line, moved_line, said_line, sensor_row
+from housefly.app.room_words import (
+    clock_time,
+    detailed_event_line,
+    event_line,
+    moved_line,
+    said_line,
+    sensor_row,
+)
 from housefly.app.terminal import new_table, plain_console
 
 if TYPE_CHECKING:
+    from housefly.app.commands.asked_room import AnsweringRoom
+    from housefly.app.event_words import EventWords
     from housefly.hub.api.answers import News
 
 
@@ -34,6 +43,9 @@ def _add_history_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--kind", default="", help='only this, for example "door opened"')
     parser.add_argument(
         "--limit", type=int, default=200, metavar="N", help="the newest N (default: 200)"
+    )
+    parser.add_argument(
+        "--details", action="store_true", help="every fact as it is kept, with ids and sources"
     )
     parser.add_argument(
         "--way", action="store_true", help="where the thing was, not what happened to it"
@@ -63,6 +75,7 @@ def _where(options: Namespace) -> int:
 
 def _history(options: Namespace) -> int:
     """List what happened, or where a thing was."""
+    from housefly.app.event_words import worth_reading
     from housefly.hub.api.json import checked_question
     from housefly.hub.api.questions import EventsQuestion, TrajectoryQuestion
 
@@ -78,11 +91,21 @@ def _history(options: Namespace) -> int:
             return 0
         question = EventsQuestion(since, until, options.thing, options.kind, limit=options.limit)
         events = room.ask(checked_question(question)).events
-    for event in events:
-        plain_console.print(event_line(event, now), soft_wrap=True)
+        words = _words_of(room)
+    for event in events if options.details else worth_reading(events):
+        line = detailed_event_line(event, now) if options.details else event_line(event, now, words)
+        plain_console.print(line, soft_wrap=True)
     if not events:
         plain_console.print(f"nothing is kept since {clock_time(since, now)}")
     return 0
+
+
+def _words_of(room: AnsweringRoom) -> EventWords:
+    from housefly.app.event_words import EventWords
+    from housefly.hub.api.questions import CatalogueQuestion
+
+    things = room.ask(CatalogueQuestion()).things
+    return EventWords({one.thing: one.name for one in things})
 
 
 def _watch(options: Namespace) -> int:
@@ -93,16 +116,19 @@ def _watch(options: Namespace) -> int:
     plain_console.print(f"watching {place.site}; Ctrl-C ends")
     try:
         with RoomClient(place.address, place.key, socket=place.socket) as room:
+            words = _words_of(room)
             for news in room.watch():
-                _print_news(news, options.moves)
+                _print_news(news, words, options.moves)
     except KeyboardInterrupt:
         return 0
     return 0
 
 
-def _print_news(news: News, moves: bool) -> None:
-    for event in news.events:
-        plain_console.print(event_line(event, news.at), soft_wrap=True)
+def _print_news(news: News, words: EventWords, moves: bool) -> None:
+    from housefly.app.event_words import worth_reading
+
+    for event in worth_reading(news.events):
+        plain_console.print(event_line(event, news.at, words), soft_wrap=True)
     for thing in news.things if moves else ():
         plain_console.print(moved_line(thing, news.at), style="dim", soft_wrap=True)
 
