@@ -6,6 +6,7 @@ HouseflyError
 ├── EditsError         changes to the room are refused; names the item and what is allowed
 │   └── StaleEdits     somebody else saved in between
 ├── WireError          received bytes do not follow the protocol
+│   └── UnknownState   a device says a state that is not known, or that it does not know it
 ├── LinkError          a drone, tracking system or bus peer does not answer
 ├── RecordingError     a recording cannot be read or written
 ├── ThingError         a thing is not known, is ambiguous, or cannot be where somebody puts it
@@ -59,6 +60,10 @@ class StaleEdits(EditsError):
 
 class WireError(HouseflyError):
     """Bytes received do not follow the protocol."""
+
+
+class UnknownState(WireError):
+    """A device says a state that its kind does not know, or that it does not know its own."""
 
 
 class LinkError(HouseflyError):

@@ -148,6 +148,18 @@ def test_a_window_is_open_or_closed_and_is_asked_for_with_or_without_article(ask
     assert asked.words("kitchen-window", "shut").startswith("No: ")
 
 
+def test_a_window_whose_contact_is_not_understood_is_neither_open_nor_closed(asked: Asked) -> None:
+    asked.says("kitchen-window", 5.0, ("open", True), ("kind", "contact"))
+    at, refused = asked.house.now - 3.0, (("refused", "contact is 'ajar'; allowed: true"),)
+    asked.house.memory.add(
+        Observation("kitchen-window", "kitchen-window", at, at, valid=False, facts=refused)
+    )
+    assert asked.words("kitchen window", "open") == (
+        "I do not know: its sensor sent a state that is not understood, 3 s ago:"
+        " contact is 'ajar'; allowed: true"
+    )
+
+
 def test_a_thing_without_a_sensor_is_not_guessed(asked: Asked) -> None:
     assert asked.words("cup", "on") == (
         "I do not know: no sensor tells whether the red cup is on;"

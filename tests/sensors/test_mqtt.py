@@ -155,21 +155,23 @@ async def test_a_device_that_floods_is_held_to_its_rate_and_another_is_heard_all
 
 async def test_garbage_is_counted_and_named_and_others_are_unaffected(broker, listen, until):
     async with listen(broker.port) as heard, broker.client() as maker:
-        for payload in (b"\xff\xfe", b"open", door() + "}", '{"open": 1}'):
+        for payload in (b"\xff\xfe", b"open", door() + "}", '{"open": 3}'):
             await maker.publish(f"{DOOR}/state", payload)
         await maker.publish("housefly/bsen/toaster/t/state", "{}")
         await maker.publish("housefly/bsen/door/state", door())
         await maker.publish(f"{BELL}/event", json.dumps({"event": "pressed"}))
         await until(lambda: heard.events)
-        assert heard.counts("entrance-door") == {"malformed": 4}
+        assert heard.counts("entrance-door") == {"malformed": 3, "not understood": 1}
         assert (
             heard.health("entrance-door").problem
-            == f"{DOOR}/state.open is 1; allowed: true or false"
+            == f"{DOOR}/state.open is 3; allowed: true or false"
         )
         assert heard.counts("mqtt")["strange"] == 2
         assert "housefly/bsen/door/state is not of the form" in heard.sensors.problem
         assert heard.health("bell").problem == ""
-        assert heard.observations == []
+        assert [(seen.thing, seen.valid) for seen in heard.observations] == [
+            ("entrance-door", False)
+        ]
 
 
 async def test_a_message_larger_than_any_devices_never_reaches_us(broker, listen, until):

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Literal, Self
 
 from pydantic import Field, model_validator
 
+from housefly.config.json_path import JsonPath
 from housefly.config.section import Section, quantity
 
 _ID = r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$"
 _TOPIC = r"^([^\x00-\x20+#$][^\x00-\x1f+#]{0,199})?$"
-_FIELD = re.compile(r"[^\x00-\x1f.]{1,64}(\.[^\x00-\x1f.]{1,64}){0,7}")
 
 MeasuredKind = Literal["switch", "power", "temperature", "contact", "level"]
 
@@ -76,7 +75,8 @@ class MeasuredDeviceConfig(Section):
         default="",
         max_length=300,
         description=(
-            "key of the value in the JSON, with dots between nested keys; "
+            "key of the value in the JSON, with dots between nested keys, an element of an array by"
+            " its number: ENERGY.Power, ENERGY.Power.0, params[0].value; "
             '"" is state, power, temperature, contact or level, by the kind'
         ),
     )
@@ -102,14 +102,32 @@ class MeasuredDeviceConfig(Section):
         description="off, cold or empty below this [unit]; of power 5 W when not given",
     )
     payload_on: str = Field(
-        default="", max_length=40, description='what a switch says for on, if not "ON" or true'
+        default="",
+        max_length=80,
+        description=(
+            "what a switch says for on, or a contact for open, beside the words that are known;"
+            " several with commas between them"
+        ),
     )
     payload_off: str = Field(
-        default="", max_length=40, description='what a switch says for off, if not "OFF" or false'
+        default="", max_length=80, description="what it says for off, or for closed, likewise"
+    )
+    invert: bool = Field(
+        default=False, description="the other way round: what it says is open is closed, on is off"
     )
     heartbeat: float = quantity(
         0.0, 0.0, 86400.0, "s", "longest time between two states; 0 is that of its kind"
     )
+
+    @property
+    def on_words(self) -> tuple[str, ...]:
+        """What it says for on, or for open, in lower case, beside the words that are known."""
+        return _words_in(self.payload_on)
+
+    @property
+    def off_words(self) -> tuple[str, ...]:
+        """What it says for off, or for closed, likewise."""
+        return _words_in(self.payload_off)
 
     @property
     def value_unit(self) -> str:
@@ -138,17 +156,24 @@ class MeasuredDeviceConfig(Section):
             limit is not None for limit in (self.min, self.max, self.above, self.below)
         ):
             raise ValueError(f"{self.id}: min, max, above and below are not for a {self.kind}")
-        own = [name for name in ("field", "unit", "payload_on") if getattr(self, name)]
+        if known and (self.payload_on or self.payload_off or self.invert):
+            raise ValueError(
+                f"{self.id}: payload_on, payload_off and invert are for a switch or a contact, not"
+                f" for {self.kind}"
+            )
+        if both := set(self.on_words) & set(self.off_words):
+            raise ValueError(f"{self.id}: {min(both)!r} is in payload_on and in payload_off")
+        own = [name for name in ("field", "unit") if getattr(self, name)]
         if own and not self.state_topic:
             raise ValueError(
                 f"{self.id}: {own[0]} is given without state_topic; on our own topics devices"
                 " speak as docs/devices.md says"
             )
-        if self.field and not _FIELD.fullmatch(self.field):
-            raise ValueError(
-                f"{self.id}: field is {self.field!r}; allowed: keys with dots between them,"
-                " such as power or ENERGY.Power"
-            )
+        if self.field:
+            try:
+                JsonPath(self.field)
+            except ValueError as error:
+                raise ValueError(f"{self.id}: field: {error}") from error
         return self
 
     @model_validator(mode="after")
@@ -174,3 +199,7 @@ class MeasuredDeviceConfig(Section):
                 f" {self.value_unit}; in between the device stays as it was"
             )
         return self
+
+
+def _words_in(text: str) -> tuple[str, ...]:
+    return tuple(word.strip().lower() for word in text.split(",") if word.strip())

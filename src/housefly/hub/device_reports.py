@@ -6,13 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from housefly.hub.device_states import (
+    NO_VERDICT,
     DeviceProperty,
     DeviceVerdict,
     device_verdict,
     heartbeat_of,
+    refused_property,
     strength,
     telling_fact,
     tells,
+    weakest_fact,
 )
 from housefly.hub.person_status import RoomMoment, lasting_words, spoken_name
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
@@ -35,11 +38,18 @@ class LastReport:
     silent_for: float | None
     is_kept: bool
     is_offline: bool
+    refused: str = ""
+    """What the device says of the state that is not understood."""
 
     @property
     def is_fresh(self) -> bool:
-        """Whether it was heard in time, from a device that is there."""
-        return self.silent_for is None and not self.is_kept and not self.is_offline
+        """Whether it was heard in time and understood, from a device that is there."""
+        return (
+            self.silent_for is None
+            and not self.is_kept
+            and not self.is_offline
+            and not self.refused
+        )
 
 
 def reports_on(
@@ -64,6 +74,9 @@ def reports_on(
 def why_not_believed(report: LastReport, moment: RoomMoment, count: int) -> str:
     """Return why the newest report is not believed."""
     its = "its sensor" if count == 1 else "every sensor of it"
+    if report.refused:
+        ago = age_words(max(0.0, moment.at - report.sample.captured_at))
+        return f"{its} sent a state that is not understood, {ago}: {report.refused}"
     if report.is_kept:
         return (
             f"{its} was not heard yet; the broker kept that it {report.verdict.past} at some time"
@@ -112,13 +125,12 @@ def _report(
     """Return the last report of a device about itself; None when it tells nothing of a state."""
     if device not in {thing.id for thing in moment.world.things}:
         return None
-    sample = next(
-        (s for s in moment.world.latest_observations(device) if s.source == device and s.valid),
-        None,
-    )
+    sample = next((s for s in moment.world.latest_observations(device) if s.source == device), None)
     facts = dict(sample.facts) if sample is not None else {}
-    fact = telling_fact(wanted, facts)
-    if sample is None or not fact:
+    refused, fact = str(facts.get("refused", "")), telling_fact(wanted, facts)
+    if sample is not None and not fact and refused_property(refused) is wanted:
+        return LastReport(sample, NO_VERDICT, weakest_fact(wanted), None, False, False, refused)
+    if sample is None or not sample.valid or not fact:
         return None
     traits = traits_of(devices, device)
     verdict = device_verdict(wanted, fact, facts, traits)

@@ -41,6 +41,7 @@ class DeviceVerdict:
     lacks: str = ""
 
 
+NO_VERDICT = DeviceVerdict(None, "", "")
 DEVICE_STATES: dict[str, tuple[DeviceProperty, bool]] = {
     "on": (DeviceProperty.ON, True),
     "running": (DeviceProperty.ON, True),
@@ -77,6 +78,14 @@ _KIND_FACTS = {
     "level": "level_percent",
 }
 """The fact that each kind of measuring device reports."""
+_KEYS = {
+    "state": DeviceProperty.ON,
+    "contact": DeviceProperty.OPEN,
+    "open": DeviceProperty.OPEN,
+    "occupied": DeviceProperty.OCCUPIED,
+    "motion": DeviceProperty.MOTION,
+}
+"""The property that each key of a payload tells of."""
 _HEARTBEATS = {
     "power": KINDS["power"].heartbeat,
     "on": KINDS["switch"].heartbeat,
@@ -89,14 +98,32 @@ _HEARTBEATS = {
 """Longest time between two reports of a fact [s], where the site file does not say."""
 
 
+def refused_property(refusal: str) -> DeviceProperty | None:
+    """Return the property that a refused key of a device would have told of: "open is 'ajar'"."""
+    key = refusal.split(" ", 1)[0].split(".")[-1]
+    return _KEYS.get(key)
+
+
 def telling_fact(wanted: DeviceProperty, facts: _FactTable) -> str:
     """Return the fact of a report that speaks of a property, the strongest; "" for none."""
-    return next((name for name in _FACTS[wanted] if name in facts), "")
+    return next((name for name in _FACTS[wanted] if _is_telling(name, facts.get(name))), "")
+
+
+def _is_telling(name: str, value: Fact | None) -> bool:
+    """Return whether a fact has a value of its type: a number, or a truth value."""
+    if name in ("power", "temperature_c", "level_percent"):
+        return isinstance(value, int | float) and not isinstance(value, bool)
+    return isinstance(value, bool)
 
 
 def tells(kind: str, wanted: DeviceProperty) -> bool:
     """Return whether devices of a kind tell of a property."""
     return _KIND_FACTS.get(kind, "") in _FACTS[wanted]
+
+
+def weakest_fact(wanted: DeviceProperty) -> str:
+    """Return the fact that says least of a property."""
+    return _FACTS[wanted][-1]
 
 
 def strength(fact: str) -> int:

@@ -7,22 +7,22 @@ from collections.abc import Callable
 
 from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.message_rate import MessageRate, TokenBucket
-from housefly.wires.devices import DeviceAddress, DeviceKind, Reading
+from housefly.wires.devices import Channel, DeviceAddress, DeviceKind, Reading
 
 MAX_THINGS = 128
 """A device may speak of this many things; further ones are dropped ..."""
 _THINGS_KEPT = 3600.0
 """... until it has not spoken of others for this long [s]."""
 _RECENT = 5.0
-"""How long a flood, garbage or a wrong clock counts as a problem after it occurred [s]."""
+"""How long a flood or a wrong clock counts as a problem after it occurred [s]."""
 
 
 class DeviceMonitor:
     """Counts and judges the messages of one device.
 
     Attributes:
-        counts: messages by outcome: heard, malformed, flooded, clock refused, unknown keys, past
-            events, too many things.
+        counts: messages by outcome: heard, malformed, not understood, without a value, flooded,
+            clock refused, unknown keys, past events, too many things.
     """
 
     def __init__(self, address: DeviceAddress, kind: DeviceKind, rate_max_hz: float) -> None:
@@ -33,6 +33,8 @@ class DeviceMonitor:
         self._online: bool | None = None
         self._complaints: dict[str, tuple[float, str]] = {}
         self._last_state = b""
+        self._refusals: dict[Channel, str] = {}
+        self._partial = ""
 
     @property
     def kind(self) -> DeviceKind:
@@ -69,10 +71,25 @@ class DeviceMonitor:
         self._last_state = state
         return False
 
-    def record(self, reading: Reading, now: float, retained: bool) -> None:
+    def record(
+        self, reading: Reading, now: float, retained: bool, channel: Channel = Channel.STATE
+    ) -> None:
         """Record a decoded message; one that the broker retained is no sign of life."""
-        self.counts["heard"] += 1
+        if reading.absent:
+            self.counts["without a value"] += 1
+            if not self.counts["heard"]:  # a topic may carry other messages between the values
+                self._refusals[channel] = reading.absent
+            return
         self.counts["unknown keys"] += len(reading.unknown)
+        if reading.refused:
+            self.counts["not understood"] += 1
+        if not reading.is_understood:
+            self._refusals[channel] = reading.refused[0]
+            return
+        if channel is Channel.STATE:
+            self._partial = next(iter(reading.refused), "")
+        self.counts["heard"] += 1
+        self._refusals.pop(channel, None)
         if reading.online is not None:
             self._online = reading.online
         elif not retained:
@@ -90,14 +107,15 @@ class DeviceMonitor:
         """Record an event that the broker retained: it is over."""
         self.counts["past events"] += 1
 
-    def record_malformed(self, complaint: str, now: float) -> None:
-        """Record a message that could not be decoded."""
-        self._note("malformed", now, complaint)
+    def record_malformed(self, complaint: str, channel: Channel = Channel.STATE) -> None:
+        """Record a message that could not be decoded; it stays a problem until a good one comes."""
+        self.counts["malformed"] += 1
+        self._refusals[channel] = complaint
 
     def health(self, now: float, link_problem: str) -> SensorHealth:
         """Return the health of the device; it cannot be healthy without the broker."""
         problem = link_problem or self._problem(now)
-        quiet = self._is_silent(now) or self._online is False
+        quiet = self._is_silent(now) or self._online is False or Channel.STATE in self._refusals
         return SensorHealth(
             id=self._address.id,
             kind=self._kind.name,
@@ -114,6 +132,7 @@ class DeviceMonitor:
         """Return the most serious problem."""
         checks: tuple[Callable[[float], str], ...] = (
             self._absence,
+            self._refusal,
             self._latest_complaint,
             self._silence,
         )
@@ -125,6 +144,10 @@ class DeviceMonitor:
             if self._online is False
             else ""
         )
+
+    def _refusal(self, now: float) -> str:
+        """Return what of the last messages was refused; it stays until a good one comes."""
+        return next(iter(self._refusals.values()), self._partial)
 
     def _latest_complaint(self, now: float) -> str:
         recent = [(at, text) for at, text in self._complaints.values() if now - at <= _RECENT]

@@ -87,7 +87,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
     def problem(self) -> str:
         """Why the broker is not there, or what an unknown device sent, in words, or ""."""
         at, complaint = self._complaint
-        return self._problem or (complaint if self._clock.now() - at <= _RECENT else "")
+        return self._problem or (complaint if self._clock.now() - at <= _COMPLAINT_SHOWN else "")
 
     def health(self) -> tuple[SensorHealth, ...]:
         """Return the health of the link, then of each device."""
@@ -166,7 +166,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             return  # how one clears what the broker keeps: it says nothing about the device
         placement = self._placements.get(message.address.id, Placement(things=self._things))
         decode = partial(decode_reading, message, placement, self._bounds, monitor.kind)
-        self._record(decode, monitor, now, sink, message.retained)
+        self._record(decode, monitor, now, sink, message)
 
     def _take_measured(self, message: aiomqtt.Message, now: float, sink: SensorSink) -> None:
         """Handle a message on a topic that the site file names, for each device that it is of."""
@@ -179,7 +179,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
                 delivered = Delivered(
                     device.address, channel, payload, self._wall(), message.retain
                 )
-                self._record(partial(device.decode, delivered), monitor, now, sink, message.retain)
+                self._record(partial(device.decode, delivered), monitor, now, sink, delivered)
 
     def _record(
         self,
@@ -187,15 +187,15 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         monitor: DeviceMonitor,
         now: float,
         sink: SensorSink,
-        retained: bool,
+        message: Delivered,
     ) -> None:
         """Decode a message of one device, count it, and hand on what it says."""
         try:
             reading = decode()
         except WireError as error:
-            monitor.record_malformed(str(error), now)
+            monitor.record_malformed(str(error), message.channel)
             return
-        monitor.record(reading, now, retained)
+        monitor.record(reading, now, message.retained, message.channel)
         told: tuple[Observation | RoomEvent, ...] = (*reading.observations, *reading.events)
         for value in told:
             if monitor.admit_thing(value.thing, now):
@@ -223,5 +223,5 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         return monitor
 
 
-_RECENT = 5.0
+_COMPLAINT_SHOWN = 600.0
 """How long a message from an unknown device counts as a problem [s]."""

@@ -55,6 +55,17 @@ def test_a_meter_that_falls_silent_ends_what_it_said_without_saying_the_contrary
     assert ended.confidence == pytest.approx(0.5)
 
 
+def test_a_contact_that_says_what_is_not_understood_is_open_no_longer() -> None:
+    detector, contact = Appliances({}), ("kind", "contact")
+    say(detector, "window", 0.0, ("open", True), contact)
+    refused = (("refused", "contact is 'ajar'"),)
+    detector.add(Observation("window", "window", 1.0, 1.0, valid=False, facts=refused))
+    (ended,) = detector.update(1.0)
+    assert ended.kind == f"{CONTACT_OPEN} ended"
+    assert dict(ended.facts)["because"] == "not known any more"
+    assert say(detector, "window", 2.0, ("open", True), contact) == [(CONTACT_OPEN, "window", 2.0)]
+
+
 def test_a_contact_opens_and_closes_and_a_door_is_left_to_who_knows_doors() -> None:
     detector = Appliances({})
     contact = ("kind", "contact")

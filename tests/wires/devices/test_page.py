@@ -12,6 +12,7 @@ from housefly.config.measured_devices import UNITS, MeasuredDeviceConfig
 from housefly.config.site import site_from_tree
 from housefly.wires.devices import KINDS, Delivered, decode_reading, parse_topic
 from housefly.wires.devices.fields import RowsField
+from housefly.wires.devices.words import CONTACT_ROWS, SWITCH_ROWS, MakerWords
 
 PAGE = (Path(__file__).resolve().parents[3] / "docs" / "devices.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"^(housefly/\S+)\n(\{.*\})$", PAGE, flags=re.MULTILINE)
@@ -44,6 +45,14 @@ def test_every_kind_has_an_example_and_a_row_with_all_its_keys_and_its_heartbeat
 def test_every_key_of_a_measuring_device_and_every_unit_is_on_the_page() -> None:
     assert all(f"`{key}`" in PAGE for key in MeasuredDeviceConfig.model_fields)
     assert all(f"`{unit}`" in PAGE for units in UNITS.values() for unit in units)
+
+
+@pytest.mark.parametrize("rows", [SWITCH_ROWS, CONTACT_ROWS])
+def test_the_words_of_every_maker_are_on_the_page(rows: tuple[MakerWords, ...]) -> None:
+    for maker, yes, no in rows:
+        cells = (", ".join(f"`{word}`" for word in words) for words in (yes, no))
+        row = f"| {maker} | {' | '.join(cells)} |".replace("|  |", "| |")
+        assert row in PAGE.replace(" (true is contact)", ""), row
 
 
 def test_the_site_file_on_the_page_is_a_site_file() -> None:

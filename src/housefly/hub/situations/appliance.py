@@ -15,6 +15,7 @@ from housefly.hub.situations.situation import (
     Situation,
     fact,
     flag,
+    is_refused,
     is_undated,
     number,
 )
@@ -56,9 +57,10 @@ class Appliances:
 
     def add(self, item: DetectorInput) -> None:
         """Add what a switch, a power meter or a contact reports about itself."""
-        if not isinstance(item, Observation) or not item.valid or item.thing != item.source:
+        if not isinstance(item, Observation) or item.thing != item.source or is_undated(item):
             return
-        if is_undated(item):
+        if not item.valid:
+            self._forget(item)
             return
         traits, power = traits_of(self._devices, item.source), number(item, "power")
         kind, state = _state_in(item)
@@ -84,6 +86,12 @@ class Appliances:
     def active(self) -> tuple[Situation, ...]:
         """Return what is on or open."""
         return claimed_by(own.hysteresis for _, own in sorted(self._appliances.items()))
+
+    def _forget(self, item: Observation) -> None:
+        """Believe a device no longer that says what is not understood: its state is another now."""
+        own = self._appliances.get(item.source)
+        if own is not None and is_refused(item):
+            own.on = None
 
     def _appliance(self, device: str, traits: DeviceTraits, kind: str) -> _Appliance:
         heartbeat = traits.heartbeat or KINDS[_HEARTBEAT_OF[kind]].heartbeat

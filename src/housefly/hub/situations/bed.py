@@ -12,6 +12,7 @@ from housefly.hub.situations.situation import (
     DetectorInput,
     Situation,
     flag,
+    is_refused,
     number,
 )
 from housefly.messages import Observation, RoomEvent
@@ -44,9 +45,9 @@ class Beds:
         """Add what a bed reports about itself."""
         if (
             isinstance(item, Observation)
-            and item.valid
             and item.thing == item.source
             and item.source in self._beds
+            and (item.valid or is_refused(item))
         ):
             self._beds[item.source].add(item)
 
@@ -83,6 +84,7 @@ class _Bed:
         load = number(sample, "load")
         loaded = _loaded(load, self._loaded) if load is not None else flag(sample, "occupied")
         if loaded is None:
+            self._heard = None if is_refused(sample) else self._heard
             return
         if self._heard is None or loaded != self._loaded:
             self._since = sample.captured_at

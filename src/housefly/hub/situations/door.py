@@ -14,12 +14,13 @@ from housefly.hub.situations.situation import (
     Situation,
     fact,
     flag,
+    is_refused,
 )
 from housefly.messages import Observation, RoomEvent
 
-_TOO_LONG = "door open too long"
+OPEN_LONG = "door open too long"
 _SOURCE = SOURCE_PREFIX + "doors"
-OPEN_TOO_LONG = 60.0
+OPENOPEN_LONG = 60.0
 """How long a door may stand open unless the layout says otherwise [s]."""
 DOOR_HEARTBEAT = 60.0
 """Longest time between two messages of a contact [s]."""
@@ -27,7 +28,7 @@ _CONTACT_CONFIDENCE = 0.95
 """Confidence in a contact that reports."""
 _BOUNCE = 0.5
 """A door that opens again sooner than this was never closed [s]: contacts bounce."""
-_DWELL = {_TOO_LONG: 0.0, "": _BOUNCE}
+_DWELL = {OPEN_LONG: 0.0, "": _BOUNCE}
 """How long a door must be open too long, or closed, before it counts [s]."""
 _DOOR_EVENTS = {"door opened": True, "door closed": False}
 
@@ -65,6 +66,8 @@ class Doors:
     def add(self, item: DetectorInput) -> None:
         """Add what a device reports about its own door."""
         is_open = _DOOR_EVENTS.get(item.kind) if isinstance(item, RoomEvent) else flag(item, "open")
+        if is_open is None and is_refused(item) and item.source in self._doors:
+            self._doors[item.source].heard = float("-inf")
         if (
             is_open is None
             or fact(item, "kind") == "contact"  # a window may stand open all day
@@ -105,7 +108,7 @@ class Doors:
             )
         facts = (("open_since", door.since), ("open_for", now - door.since), ("limit", limit))
         return Assessment(
-            _TOO_LONG,
+            OPEN_LONG,
             confidence,
             door.since + limit,
             (f"{name}: open for more than {limit:g} s",),

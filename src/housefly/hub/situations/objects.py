@@ -15,13 +15,13 @@ from housefly.hub.situations.resting import RestingDetector
 from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, DetectorInput, Situation
 from housefly.messages import Facts, RoomEvent
 
-_MISSING = "object missing"
+MISSING = "object missing"
 _SOURCE = SOURCE_PREFIX + "objects"
 MISSING_AFTER = 300.0
 """A taken thing that nothing has seen for this long is missing [s]."""
 _MISSING_CONFIDENCE = 0.8
 """Confidence that it is missing."""
-_DWELL = {_MISSING: 0.0, "": 0.0}
+_DWELL = {MISSING: 0.0, "": 0.0}
 
 
 class Objects:
@@ -107,7 +107,7 @@ class Objects:
         by: Facts = (("taken_by", self._carrier[thing]),) if self._carrier[thing] else ()
         facts = (("last_seen", seen), *_where(taken, self._places), *by)
         return Assessment(
-            _MISSING,
+            MISSING,
             _MISSING_CONFIDENCE * taken.confidence,
             seen + MISSING_AFTER,
             words,

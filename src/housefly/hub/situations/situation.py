@@ -97,6 +97,11 @@ def is_undated(sample: Observation) -> bool:
     return flag(sample, "retained") is True and sample.captured_at == sample.received_at
 
 
+def is_refused(item: DetectorInput) -> bool:
+    """Return whether a device says of itself something that was not understood."""
+    return fact(item, "refused") is not None and item.thing == item.source
+
+
 def flag(item: DetectorInput, name: str) -> bool | None:
     """Return a fact that is a boolean, None if it is absent or something else."""
     value = fact(item, name)

@@ -8,6 +8,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
+from housefly.config.json_path import JsonPath
 from housefly.config.section import Section
 from housefly.config.tasks import ModeName
 from housefly.tasks.api.values import ParameterValue
@@ -96,6 +97,11 @@ class MqttPattern(Section):
     value: ParameterValue | None = None
     above: _Number | None = None
     below: _Number | None = None
+
+    @field_validator("field")
+    @classmethod
+    def _is_a_path(cls, field: str) -> str:
+        return str(JsonPath(field)) if field else ""
 
     @field_validator("mqtt")
     @classmethod
@@ -242,18 +248,39 @@ def _allowed(pattern: Pattern) -> str:
 def _when_words(pattern: Pattern) -> str:
     match pattern:
         case EventPattern():
-            return f"when {pattern.event}{f' ({pattern.thing})' if pattern.thing else ''}"
+            facts = " and ".join(f"{key} {_shown(value)}" for key, value in pattern.facts.items())
+            about = ", ".join(part for part in (pattern.thing, facts) if part)
+            return f"when {pattern.event}{f' ({about})' if about else ''}"
         case SituationPattern():
             what = f"{pattern.situation}{f' ({pattern.thing})' if pattern.thing else ''}"
             return f"when {what} {pattern.edge}"
         case MqttPattern():
-            return f"when MQTT says so on {pattern.mqtt}"
+            return f"when {_message_words(pattern)} on {pattern.mqtt} (MQTT)"
         case WebhookPattern():
             return f"when the webhook {pattern.webhook} is called"
         case TimePattern():
             days = "day" if len(pattern.days) == len(WEEKDAYS) else ", ".join(pattern.days)
             times = ", ".join(f"{at:%H:%M}" for at in pattern.at)
             return f"every {days} at {times}" if times else f"every {pattern.every:g} s"
+
+
+def _message_words(pattern: MqttPattern) -> str:
+    """Return what a message must say: "ENERGY.Power above 1000", "any message"."""
+    what = [pattern.field] if pattern.field else []
+    limits = [
+        *([f"is {_shown(pattern.value)}"] if pattern.value is not None else []),
+        *([f"above {pattern.above:g}"] if pattern.above is not None else []),
+        *([f"below {pattern.below:g}"] if pattern.below is not None else []),
+    ]
+    if not limits:
+        return f"a message with {pattern.field}" if what else "any message"
+    return " ".join([*(what or ["the value"]), " and ".join(limits)])
+
+
+def _shown(value: ParameterValue) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"{value:g}" if isinstance(value, float) else f'"{value}"'
 
 
 def _if_words(conditions: Conditions) -> str:

@@ -15,6 +15,7 @@ from housefly.config.validation import validated
 from housefly.errors import ConfigError, TaskError
 from housefly.tasks.api.values import ParameterInfo, ServiceInfo
 from housefly.tasks.document.marked_yaml import MarkedValue, read_marked_yaml
+from housefly.tasks.rules.impossible import impossibilities
 from housefly.tasks.rules.rule import Rule
 
 MAX_RULES = 200
@@ -65,7 +66,7 @@ def rules_of(path: Path | None) -> tuple[Rule, ...]:
 
 
 def rule_problems(rules: Iterable[Rule], services: Mapping[str, ServiceInfo]) -> tuple[str, ...]:
-    """Return what is wrong with what rules ask for, a sentence each."""
+    """Return what rules ask for or wait for that there is not, a sentence each."""
     return tuple(
         f"rule {rule.name}: {problem}" for rule in rules for problem in _problems(rule, services)
     )
@@ -81,6 +82,7 @@ def _plain(marked: MarkedValue) -> Any:
 
 
 def _problems(rule: Rule, services: Mapping[str, ServiceInfo]) -> Iterable[str]:
+    yield from impossibilities(rule)
     service = services.get(rule.then.service)
     if service is None:
         asked = rule.then.service

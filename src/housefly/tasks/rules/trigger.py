@@ -8,6 +8,7 @@ from math import isfinite
 
 import aiomqtt
 
+from housefly.config.json_path import JsonPath
 from housefly.hub.api.told_events import TOLD_EVENT_SOURCE
 from housefly.hub.situations.situation import SOURCE_PREFIX
 from housefly.messages import RoomEvent
@@ -20,7 +21,9 @@ from housefly.tasks.rules.rule import (
     TimePattern,
     WebhookPattern,
 )
+from housefly.wires.devices.fields import plain_number
 
+_TRUTHS = {"true": True, "on": True, "yes": True, "false": False, "off": False, "no": False}
 _OWN_SOURCES = frozenset({TOLD_EVENT_SOURCE, "pilot"})
 """Whoever flies because of a rule tells events; they set off no rule, unless it asks for them."""
 MAX_MQTT_PAYLOAD = 4096
@@ -155,7 +158,10 @@ def mqtt_value(pattern: MqttPattern, trigger: MqttTrigger) -> ParameterValue | N
     except (ValueError, RecursionError):
         tree = text
     if pattern.field:
-        tree = tree.get(pattern.field) if isinstance(tree, dict) else None
+        try:
+            tree = JsonPath(pattern.field).value_in(tree)
+        except LookupError:
+            return None
     return _checked(tree)
 
 
@@ -169,7 +175,7 @@ def _message_fits(pattern: MqttPattern, trigger: MqttTrigger) -> bool:
         return False
     if pattern.above is None and pattern.below is None:
         return True
-    number = value if isinstance(value, float) else None
+    number = _number_of(value)
     return (
         number is not None
         and (pattern.above is None or number > pattern.above)
@@ -178,8 +184,32 @@ def _message_fits(pattern: MqttPattern, trigger: MqttTrigger) -> bool:
 
 
 def _same(found: ParameterValue | None, wanted: ParameterValue) -> bool:
-    """Return whether two values are the same; true is not 1."""
-    return isinstance(found, bool) == isinstance(wanted, bool) and found == wanted
+    """Return whether two values mean the same, whatever their type: true, "true" and "ON"; 1 and "1".
+
+    True is not 1, and words are the same in any case.
+    """
+    if found is None:
+        return False
+    if isinstance(found, bool) or isinstance(wanted, bool):
+        return _truth_of(found) is not None and _truth_of(found) is _truth_of(wanted)
+    one, other = _number_of(found), _number_of(wanted)
+    if one is not None or other is not None:
+        return one == other
+    return str(found).strip().lower() == str(wanted).strip().lower()
+
+
+def _truth_of(value: ParameterValue) -> bool | None:
+    """Return a truth value, or what a word says; None for a number."""
+    if isinstance(value, bool):
+        return value
+    return _TRUTHS.get(value.strip().lower()) if isinstance(value, str) else None
+
+
+def _number_of(value: ParameterValue | None) -> float | None:
+    """Return a number, or the one that a text is; None for a truth value."""
+    if isinstance(value, bool) or value is None:
+        return None
+    return plain_number(value) if isinstance(value, str) else value
 
 
 def _checked(value: object) -> ParameterValue | None:

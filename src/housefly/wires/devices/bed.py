@@ -12,8 +12,9 @@ _OCCUPIED_LOAD = 15.0
 
 def _observe(state: JsonRecord, report: DeviceReport) -> list[Observation]:
     """Return the bed's observation."""
-    load = state.number("load")
-    occupied = state.flag("occupied") if "occupied" in state.values else load >= _OCCUPIED_LOAD
+    load, occupied = state.number_or_none("load"), state.flag("occupied")
+    if occupied is None and load is not None:
+        occupied = load >= _OCCUPIED_LOAD
     return [report.about_device(("load", load), ("occupied", occupied))]
 
 

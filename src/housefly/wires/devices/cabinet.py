@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from housefly.wires.devices.container import CONTAINED_ITEMS, TAKEN_OR_PUT, observe_contents
-from housefly.wires.devices.fields import FlagField, JsonRecord, NumberField
+from housefly.wires.devices.fields import FlagField, NumberField
 from housefly.wires.devices.kind import DeviceKind
 
 CABINET_KIND = DeviceKind(
@@ -16,13 +16,8 @@ CABINET_KIND = DeviceKind(
     },
     heartbeat=30.0,
     observe=lambda state, report: observe_contents(
-        state, report, ("load", state.number_or_none("load")), ("open", _is_open(state))
+        state, report, ("load", state.number_or_none("load")), ("open", state.flag("open"))
     ),
     events={"taken": "object taken", "put": "object put"},
     event=TAKEN_OR_PUT,
 )
-
-
-def _is_open(state: JsonRecord) -> bool | None:
-    """Return whether a door stands open, None when the device has no contact there."""
-    return state.flag("open") if "open" in state.values else None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Never
 
-from housefly.errors import WireError
+from housefly.errors import UnknownState, WireError
 from housefly.messages import Fact, Observation, RoomEvent
 from housefly.wires.devices.bed import BED_KIND
 from housefly.wires.devices.cabinet import CABINET_KIND
@@ -18,6 +18,7 @@ from housefly.wires.devices.measured import MEASURED_KINDS
 from housefly.wires.devices.refrigerator import REFRIGERATOR_KIND
 from housefly.wires.devices.switches import DOOR_KIND, DOORBELL_KIND, MOTION_KIND
 from housefly.wires.devices.topics import Channel, DeviceAddress, printable_topic
+from housefly.wires.devices.words import PRESENCE_WORDS
 
 KINDS: dict[str, DeviceKind] = {
     kind.name: kind
@@ -35,7 +36,6 @@ KINDS: dict[str, DeviceKind] = {
 """All kinds of devices, by their name in topics."""
 MAX_DEVICE_PAYLOAD = 16_384
 """Longest payload [bytes]."""
-_PRESENCE = {b"online": True, b"offline": False}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,11 +75,14 @@ class Reading:
     """What one message report.
 
     Attributes:
-        observations: of the device and of what it sees.
+        observations: of the device and of what it sees; one that is not valid when the device is in
+            a state that is not understood.
         events: that it reports.
         online: its availability; None in other messages.
         unknown: unknown keys.
         clock_error: how far a refused time was ahead [s]; None when it was not refused.
+        refused: what was not understood, in words; the rest was.
+        absent: why the message does not hold what the device measures, in words, or "".
     """
 
     observations: tuple[Observation, ...] = ()
@@ -87,6 +90,13 @@ class Reading:
     online: bool | None = None
     unknown: tuple[str, ...] = ()
     clock_error: float | None = None
+    refused: tuple[str, ...] = ()
+    absent: str = ""
+
+    @property
+    def is_understood(self) -> bool:
+        """Whether anything of the message was understood."""
+        return not self.refused or any(seen.valid for seen in self.observations)
 
 
 def device_kind(address: DeviceAddress) -> DeviceKind:
@@ -109,7 +119,9 @@ def decode_reading(
 
     A time outside the bounds is replaced by the time of arrival, and the observations carry the
     fact ``clock_error`` [s]. A retained state may have any age; it carries the fact ``retained``.
-    A retained event is over and yields nothing. ``kind`` replaces the one in the topic.
+    A retained event is over and yields nothing. ``kind`` replaces the one in the topic. A bad value
+    leaves the others alone, and is told by the fact ``refused``; a state that the kind does not
+    know makes an observation that is not valid, so that none before it goes on to hold.
 
     Raises:
         WireError: naming the topic, the key, the value and what is allowed.
@@ -120,13 +132,34 @@ def decode_reading(
         return Reading(online=_presence(message.payload, topic))
     is_event = message.channel is Channel.EVENT
     record = _parse(kind.event_spec() if is_event else kind.state_spec(), message.payload, topic)
+    if record.missing:
+        raise WireError(f"{topic}.{record.missing[0]} is missing")
     report, clock_error = _report(record, message, placement, bounds)
-    if not is_event:
-        return Reading(
-            tuple(kind.observe(record, report)), unknown=record.unknown, clock_error=clock_error
-        )
-    events = () if message.retained else (_event(kind, record, report),)
-    return Reading(events=events, unknown=record.unknown, clock_error=clock_error)
+    seen = () if is_event else tuple(_observed(kind, record, report, topic))
+    events = (_event(kind, record, report),) if is_event and not message.retained else ()
+    complaints = tuple(map(str, record.refused.values()))
+    return Reading(seen, events, None, record.unknown, clock_error, complaints)
+
+
+def refused_state(report: DeviceReport, refusal: str) -> Observation:
+    """Return the observation that a device says what is not understood: "open is 'ajar'"."""
+    return replace(report.about_device(("refused", refusal)), valid=False)
+
+
+def _observed(
+    kind: DeviceKind, record: JsonRecord, report: DeviceReport, topic: str
+) -> Iterable[Observation]:
+    """Return what is understood of a state; raises WireError when that is nothing."""
+    errors = [error for key, error in record.refused.items() if key in kind.state]
+    if not errors:
+        return kind.observe(record, report)
+    refusal = str(errors[0]).removeprefix(f"{topic}.")
+    if any(key in record.values for key in kind.state):
+        note = ("refused", refusal)
+        return kind.observe(record, replace(report, notes=(*report.notes, note)))
+    if not isinstance(errors[0], UnknownState):
+        raise errors[0]
+    return (refused_state(report, refusal),)
 
 
 def _parse(spec: JsonSpec, payload: bytes, topic: str) -> JsonRecord:
@@ -157,11 +190,12 @@ def encode_payload(values: Mapping[str, object]) -> bytes:
 
 
 def _presence(payload: bytes, topic: str) -> bool:
-    if payload not in _PRESENCE:
+    word = payload.decode(errors="replace").strip().strip('"').lower()
+    if word not in PRESENCE_WORDS:
         raise WireError(
             f"{topic} is {ascii(payload[:40])[1:]}; allowed: online or offline, without quotes"
         )
-    return _PRESENCE[payload]
+    return PRESENCE_WORDS[word]
 
 
 def _report(
@@ -171,9 +205,8 @@ def _report(
     now, told = message.received_at, record.number_or_none("time")
     error = None if told is None or _is_plausible(told, message, bounds) else told - now
     captured_at = now if told is None or error is not None else min(told, now)
-    notes: list[tuple[str, Fact]] = (
-        [("battery", record.number("battery"))] if "battery" in record.values else []
-    )
+    battery = record.number_or_none("battery")
+    notes: list[tuple[str, Fact]] = [("battery", battery)] if battery is not None else []
     notes += [("retained", True)] if message.retained else []
     notes += [("clock_error", error)] if error is not None else []
     return DeviceReport(message.address.id, captured_at, now, placement, tuple(notes)), error
@@ -189,6 +222,9 @@ def _is_plausible(told: float, message: Delivered, bounds: ClockBounds) -> bool:
 
 
 def _event(kind: DeviceKind, record: JsonRecord, report: DeviceReport) -> RoomEvent:
+    for key, error in record.refused.items():
+        if kind.event_spec()[key].required:
+            raise error
     tag = record.word("tag")
     weight = record.number_or_none("weight")
     facts: tuple[tuple[str, Fact], ...] = (

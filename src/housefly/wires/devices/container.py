@@ -24,10 +24,14 @@ TAKEN_OR_PUT: JsonSpec = {"tag": IdField(), "weight": NumberField(0.0, 200.0, "k
 def observe_contents(
     state: JsonRecord, report: DeviceReport, *facts: tuple[str, Fact | None]
 ) -> Iterator[Observation]:
-    """Yield one observation of the container with all its contents, and one per thing in it."""
+    """Yield one observation of the container with all its contents, and one per thing in it.
+
+    Where one thing was not understood, the others are there, and no list claims to be complete.
+    """
     items = state.rows("items")
     named = ",".join(sorted(report.placement.thing(item.word("tag")) for item in items))
-    yield report.about_device(*facts, ("contents", named))
+    all_named = None if "items" in state.incomplete else named
+    yield report.about_device(*facts, ("contents", all_named))
     for item in items:
         x, y, z = (item.number_or_none(axis) for axis in "xyz")
         position = (

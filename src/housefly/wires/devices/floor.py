@@ -25,7 +25,7 @@ _SPOT: JsonSpec = {
 def _observe(state: JsonRecord, report: DeviceReport) -> Iterator[Observation]:
     """Yield one observation of the sensor itself, and one per person and thing."""
     yield report.about_device(
-        ("people", float(len(state.rows("people")))), ("objects", float(len(state.rows("objects"))))
+        ("people", state.count("people")), ("objects", state.count("objects"))
     )
     for what, key in (("person", "people"), ("object", "objects")):
         for number, spot in enumerate(state.rows(key), start=1):

@@ -8,12 +8,8 @@ from __future__ import annotations
 
 from housefly.wires.devices.fields import NumberField, WordField
 from housefly.wires.devices.kind import DeviceKind
+from housefly.wires.devices.words import ON_WORDS, OPEN_WORDS
 
-ON_WORDS = {"on": True, "true": True, "1": True, "off": False, "false": False, "0": False}
-"""What a switch may say, in any case; JSON's true and false and the numbers too."""
-CLOSED_WORDS = {"true": True, "closed": True, "off": True, "false": False, "open": False,
-                "on": False}  # fmt: skip
-"""What a contact may say: true is closed as in Zigbee2MQTT, "ON" is open as in Home Assistant."""
 _BATTERY_POWERED, _MAINS_POWERED = 300.0, 60.0
 """Heartbeats of devices that sleep between two states, and of those that need not [s]."""
 
@@ -29,13 +25,19 @@ def _meter(name: str, title: str, field: NumberField, fact: str, heartbeat: floa
     )
 
 
+MEASURED_WORDS = {"switch": ON_WORDS, "contact": OPEN_WORDS}
+"""What the kinds without a number may say, and whether that is on or open."""
+MEASURED_ALLOWED = {
+    "switch": '"ON" or "OFF", true or false',
+    "contact": 'true or "closed", false or "open"',
+}
 _WATTS = NumberField(-100_000.0, 100_000.0, "W")
 _CELSIUS = NumberField(-100.0, 1000.0, "degrees Celsius")
 _KINDS = (
     DeviceKind(
         "switch",
         "Switch",
-        {"state": WordField(ON_WORDS, '"ON" or "OFF", true or false')},
+        {"state": WordField(ON_WORDS, MEASURED_ALLOWED["switch"])},
         heartbeat=_MAINS_POWERED,
         observe=lambda state, report: [report.about_device(("on", state.flag("state")))],
     ),
@@ -44,10 +46,10 @@ _KINDS = (
     DeviceKind(
         "contact",
         "Contact",
-        {"contact": WordField(CLOSED_WORDS, 'true or "closed", false or "open"')},
+        {"contact": WordField(OPEN_WORDS, MEASURED_ALLOWED["contact"])},
         heartbeat=_MAINS_POWERED,
         observe=lambda state, report: [
-            report.about_device(("open", not state.flag("contact")), ("kind", "contact"))
+            report.about_device(("open", state.flag("contact")), ("kind", "contact"))
         ],
     ),
     _meter(
