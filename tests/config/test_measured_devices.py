@@ -56,7 +56,11 @@ def test_every_unit_has_a_range() -> None:
         ({"above": 10.0, "below": 20.0}, "", "below (20) is more than above (10) W"),
         ({"state_topic": "zigbee2mqtt/#"}, "state_topic", "zigbee2mqtt/#"),
         ({"state_topic": "", "field": "power"}, "", "field is given without state_topic"),
-        ({"field": "a..b"}, "", "field is 'a..b'; allowed: keys with dots between them"),
+        (
+            {"field": "a..b"},
+            "",
+            "field: 'a..b' is no path to a value; allowed: up to 8",
+        ),
         ({"heartbeat": -1.0}, "heartbeat", "allowed: a number from 0 to 86400 s"),
         ({"thing": "The Stove"}, "thing", "The Stove"),
         ({"above": float("nan")}, "above", "nan"),

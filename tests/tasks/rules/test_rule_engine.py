@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC
 from itertools import pairwise
 
@@ -15,7 +16,7 @@ from housefly.tasks.rules.rule import Rule
 from housefly.tasks.rules.rule_engine import SLOT_GRACE, RuleDecision, RuleEngine
 from housefly.tasks.rules.rule_memory import RuleMemory, memory_from_json, memory_to_json
 from housefly.tasks.rules.rule_objection import MAX_AGE, MAX_DEPTH
-from housefly.tasks.rules.trigger import EventTrigger, MqttTrigger, Trigger, WebhookTrigger
+from housefly.tasks.rules.trigger import EventTrigger, MqttTrigger, Trigger, WebhookTrigger, fits
 
 HOME = HouseMode.HOME
 DAY = 86400.0
@@ -261,6 +262,37 @@ def test_a_message_fits_by_a_number_over_a_threshold() -> None:
         )
     ]
     assert codes == [None, ReasonCode.OK, None, None, None, None, None]
+
+
+@pytest.mark.parametrize(
+    ("when", "fitting", "others"),
+    [
+        ("{mqtt: t, field: ENERGY.Power, above: 1000}",
+         [b'{"ENERGY": {"Power": 1200}}', b'{"ENERGY": {"Power": "1200,5"}}'],
+         [b'{"ENERGY": {"Power": 900}}', b'{"ENERGY": {"Power": true}}', b'{"ENERGY": 1200}']),
+        ("{mqtt: t, field: 'params[0].value', below: 5}", [b'{"params": [{"value": 3}]}'],
+         [b'{"params": []}', b'{"params": {"value": 3}}']),
+        ("{mqtt: t, value: true}", [b"true", b"ON", b'"True"', b"yes"], [b"1", b"off", b"open"]),
+        ("{mqtt: t, value: on}", [b"ON", b"on", b"true"], [b"1", b"false", b"once"]),
+        ('{mqtt: t, value: "1"}', [b"1", b"1.0", b'"1"'], [b"true", b"11", b"one"]),
+        ("{mqtt: t, value: 21.5}", [b"21.5", b'"21,5"'], [b"21", b"true"]),
+        ("{mqtt: t, value: Double}", [b"double", b'"DOUBLE"'], [b"single", b"{}"]),
+        ("{mqtt: t, field: a.b}", [b'{"a": {"b": 1}}', b'{"a.b": 1}'], [b'{"a": 1}', b"1"]),
+    ],
+)  # fmt: skip
+def test_values_are_compared_by_what_they_mean(
+    when: str, fitting: list[bytes], others: list[bytes]
+) -> None:
+    pattern = make_rule(when=when).when
+    assert all(fits(pattern, MqttTrigger("t", payload, NOON), "r") for payload in fitting)
+    assert not any(fits(pattern, MqttTrigger("t", payload, NOON), "r") for payload in others)
+
+
+def test_facts_of_events_are_compared_by_what_they_mean() -> None:
+    pattern = make_rule(when='{event: door opened, facts: {by: "1", wide: on}}').when
+    told = RoomEvent("door opened", "door", NOON, "door", facts=(("by", 1.0), ("wide", True)))
+    assert fits(pattern, EventTrigger(told), "r")
+    assert not fits(pattern, EventTrigger(replace(told, facts=(("by", True),))), "r")
 
 
 def test_a_webhook_fits_by_its_name() -> None:

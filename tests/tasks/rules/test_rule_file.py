@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from housefly.errors import ConfigError
 from housefly.tasks.api.values import ParameterInfo, ServiceInfo
+from housefly.tasks.rules.impossible import impossibilities
 from housefly.tasks.rules.rule import MqttPattern, TimePattern
 from housefly.tasks.rules.rule_file import (
     parse_rules,
@@ -38,6 +39,50 @@ def test_a_rule_says_what_it_does_in_a_sentence() -> None:
     assert words["night-round"].startswith("every day at 23:30, if the house is in mode night")
 
 
+@pytest.mark.parametrize(
+    ("when", "words"),
+    [
+        ("{mqtt: tele/stove/SENSOR, field: ENERGY.Power, above: 1000}",
+         "when ENERGY.Power is above 1000 on the MQTT topic tele/stove/SENSOR: look after a yes"),
+        ("{mqtt: a, value: true}", "when the value is true on the MQTT topic a: look"),
+        ('{mqtt: a, value: "1"}', 'when the value is "1" on the MQTT topic a: look'),
+        ("{mqtt: a, field: b}", "when a message with b comes on the MQTT topic a: look"),
+        ("{mqtt: a/#}", "when any message comes on the MQTT topic a/#: look"),
+        ("{event: door opened, thing: door, facts: {by: cat}}",
+         'when door opened (door, by "cat"): look'),
+    ],
+)  # fmt: skip
+def test_what_a_rule_waits_for_is_said_with_field_and_value(when: str, words: str) -> None:
+    (rule,) = parse_rules(RULE.format(when=when))
+    assert rule.words().startswith(words)
+
+
+@pytest.mark.parametrize(
+    ("rule", "words"),
+    [
+        ("when: {mqtt: a, above: 20, below: 10}", "never above 20 and below 10 at once"),
+        ("when: {mqtt: a, field: b, value: open, above: 3}", "b is never 'open' and above or"),
+        ("when: {mqtt: a, value: 5, above: 9}", "value is 5.0, which is not within"),
+        ("when: {situation: window open}", "no situation 'window open'; there is: person present"),
+        ("when: {event: bell presed}", "did you mean 'bell pressed'?"),
+        ("when: {at: 07:30}\n    quiet: {from: 22:00, to: 08:00}", "only in its quiet hours"),
+        ("when: {at: 07:30}\n    if: {between: {from: 08:00, to: 09:00}}", "never comes in if"),
+        ("when: {webhook: a}\n    if: {between: {from: 08:00, to: 08:00}}", "is no time at all"),
+        ("when: {webhook: a}\n    if: {is: [{thing: door, state: opened}]}",
+         "nothing is ever 'opened'; did you mean 'open'?"),
+    ],
+)  # fmt: skip
+def test_what_can_never_come_is_said_by_the_check(rule: str, words: str) -> None:
+    look = ServiceInfo("look", "look", "", ())
+    text = f"rules:\n  - name: r\n    {rule}\n    then: {{service: look}}\n"
+    (problem,) = rule_problems(parse_rules(text), {"look": look})
+    assert problem.startswith("rule r: ") and words in problem
+
+
+def test_no_shipped_rule_waits_for_what_can_never_come() -> None:
+    assert not [problem for rule in shipped_rules() for problem in impossibilities(rule)]
+
+
 def test_on_is_a_text_and_a_time_of_day_is_no_number() -> None:
     rule = parse_rules(
         "rules:\n  - name: r\n    when: {at: 07:30, days: [sat, sun]}\n"
@@ -62,6 +107,7 @@ def test_on_is_a_text_and_a_time_of_day_is_no_number() -> None:
         (RULE.format(when="{at: 07:00, days: []}"), "no day"),
         (RULE.format(when="{mqtt: a/#/b}"), "# for the rest at the end"),
         (RULE.format(when="{mqtt: a/b+}"), "+ for one level"),
+        (RULE.format(when="{mqtt: a, field: 'b[x]'}"), "is no path to a value"),
         (RULE.format(when="{webhook: '../x'}"), "when"),
         (RULE.format(when="{event: a, speed: 3}"), "not a known key"),
         (RULE.format(when="{event: a}") * 1 + "    cooldown: never\n", "cooldown"),

@@ -20,7 +20,7 @@ from housefly.messages import Observation, RoomEvent
 
 OPEN_LONG = "door open too long"
 _SOURCE = SOURCE_PREFIX + "doors"
-OPENOPEN_LONG = 60.0
+OPEN_TOO_LONG = 60.0
 """How long a door may stand open unless the layout says otherwise [s]."""
 DOOR_HEARTBEAT = 60.0
 """Longest time between two messages of a contact [s]."""

@@ -16,7 +16,7 @@ from housefly.hub.situations.situation import (
 )
 from housefly.messages import RoomEvent
 
-AT_DOOR = "someone at the entrance"
+AT_ENTRANCE = "someone at the entrance"
 _SOURCE = SOURCE_PREFIX + "entrance"
 BELL_CONFIDENCE = 0.9
 """Confidence that somebody who has just rung stands there."""
@@ -32,7 +32,7 @@ MOTION_CONFIDENCE = 0.4
 """Confidence in the motion sensor alone; too low for a claim."""
 _MOTION_HEARTBEAT = 5.0
 """Heartbeat of the motion sensor [s]: motion counts fully for twice this time."""
-_DWELL = {AT_DOOR: 0.0, "": 2.0}
+_DWELL = {AT_ENTRANCE: 0.0, "": 2.0}
 """How long somebody, or nobody, must be there before it counts [s]."""
 _THING = "entrance"
 
@@ -105,7 +105,7 @@ class Entrance:
         since = min((at for _, at, _ in signs), default=now)
         if signs:
             return Assessment(
-                AT_DOOR, confidence, since, words, (("signs", float(len(signs))),), who
+                AT_ENTRANCE, confidence, since, words, (("signs", float(len(signs))),), who
             )
         return (
             Assessment("", _PERSON_CONFIDENCE, None, ("who stood there is gone",))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from housefly.hub.situations.appliance import APPLIANCE_ON, CONTACT_OPEN
 from housefly.hub.situations.bed import BED_OCCUPIED
 from housefly.hub.situations.door import OPEN_LONG
-from housefly.hub.situations.entrance import AT_DOOR
+from housefly.hub.situations.entrance import AT_ENTRANCE
 from housefly.hub.situations.fall import FALLEN
 from housefly.hub.situations.move import PUT, TAKEN
 from housefly.hub.situations.objects import MISSING
@@ -23,7 +23,7 @@ SITUATION_KINDS = (
     OPEN_LONG,
     APPLIANCE_ON,
     CONTACT_OPEN,
-    AT_DOOR,
+    AT_ENTRANCE,
     TAKEN,
     PUT,
     MISSING,

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from housefly.hub.api.answers import EventAnswer
-from housefly.tasks.intents.answer_people import AT_ENTRANCE, BELL
+from housefly.hub.situations.entrance import AT_ENTRANCE
+from housefly.tasks.intents.answer_people import BELL
 from housefly.tasks.intents.asking import Asking
 from housefly.tasks.intents.intent_reply import IntentReply
 from housefly.tasks.intents.time_span import TimeSpan, spans_of

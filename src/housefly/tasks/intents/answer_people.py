@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from housefly.hub.api.state_answers import NightAnswer, PersonAnswer
+from housefly.hub.situations.entrance import AT_ENTRANCE
 from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.asking import Asking
 from housefly.tasks.intents.intent_reply import IntentReply
 from housefly.tasks.intents.time_span import spans_of
 
-AT_ENTRANCE, BELL = "someone at the entrance", "bell pressed"
-"""Event kinds of the room."""
+BELL = "bell pressed"
+"""The event of a doorbell."""
 _DAY = 86400.0
 _NIGHTS_TOLD = 3
 _MOST_TIMES_UP = 5

@@ -9,6 +9,7 @@ from housefly.errors import HouseflyError, LinkError, ThingError
 from housefly.hub.client.room_queries import RoomQueries
 from housefly.hub.situations.appliance import APPLIANCE_ON, CONTACT_OPEN
 from housefly.hub.situations.bed import BED_OCCUPIED
+from housefly.hub.situations.entrance import AT_ENTRANCE
 from housefly.hub.situations.fall import FALLEN
 from housefly.hub.situations.hysteresis import ENDED_SUFFIX
 from housefly.hub.situations.posture import LYING
@@ -17,7 +18,6 @@ from housefly.tasks.api.questions import BoardQuestion, ClipsQuestion, SetMode
 from housefly.tasks.api.values import HouseMode, TaskRequest
 from housefly.tasks.intents.answer_past import answer_came_at, answer_what_happened
 from housefly.tasks.intents.answer_people import (
-    AT_ENTRANCE,
     BELL,
     answer_got_up,
     answer_nights,

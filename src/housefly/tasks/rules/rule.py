@@ -255,7 +255,7 @@ def _when_words(pattern: Pattern) -> str:
             what = f"{pattern.situation}{f' ({pattern.thing})' if pattern.thing else ''}"
             return f"when {what} {pattern.edge}"
         case MqttPattern():
-            return f"when {_message_words(pattern)} on {pattern.mqtt} (MQTT)"
+            return f"when {_message_words(pattern)}"
         case WebhookPattern():
             return f"when the webhook {pattern.webhook} is called"
         case TimePattern():
@@ -265,16 +265,17 @@ def _when_words(pattern: Pattern) -> str:
 
 
 def _message_words(pattern: MqttPattern) -> str:
-    """Return what a message must say: "ENERGY.Power above 1000", "any message"."""
-    what = [pattern.field] if pattern.field else []
+    """Return what must come: "ENERGY.Power is above 1000 on the MQTT topic tele/stove/SENSOR"."""
     limits = [
-        *([f"is {_shown(pattern.value)}"] if pattern.value is not None else []),
+        *([_shown(pattern.value)] if pattern.value is not None else []),
         *([f"above {pattern.above:g}"] if pattern.above is not None else []),
         *([f"below {pattern.below:g}"] if pattern.below is not None else []),
     ]
-    if not limits:
-        return f"a message with {pattern.field}" if what else "any message"
-    return " ".join([*(what or ["the value"]), " and ".join(limits)])
+    if limits:
+        what = f"{pattern.field or 'the value'} is {' and '.join(limits)}"
+    else:
+        what = f"a message with {pattern.field} comes" if pattern.field else "any message comes"
+    return f"{what} on the MQTT topic {pattern.mqtt}"
 
 
 def _shown(value: ParameterValue) -> str:

@@ -184,9 +184,9 @@ def _message_fits(pattern: MqttPattern, trigger: MqttTrigger) -> bool:
 
 
 def _same(found: ParameterValue | None, wanted: ParameterValue) -> bool:
-    """Return whether two values mean the same, whatever their type: true, "true" and "ON"; 1 and "1".
+    """Return whether two values mean the same: true is "true" and "ON", 1 is "1"; true is not 1.
 
-    True is not 1, and words are the same in any case.
+    Upper and lower case are the same.
     """
     if found is None:
         return False
