@@ -114,7 +114,7 @@ def test_the_picture_is_turned_so_that_y_points_to_its_top(tmp_path: Path) -> No
         ({"origin": [0, 0, 0.5]}, "yaw"),
         ({"origin": [0, 0]}, "origin"),
         ({"origin": "here"}, "origin"),
-        ({"mode": "raw"}, "mode"),
+        ({"mode": "colour"}, "mode"),
         ({"image": "gone.pgm"}, "gone.pgm"),
         ({"image": "map.yaml"}, "map.yaml"),
         ({"free_thresh": 0.9}, "free_thresh"),

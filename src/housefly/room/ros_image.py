@@ -4,28 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import yaml
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
-from housefly.config.text import read_text_file, shortened
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.reach import Mask
+from housefly.room.ros_yaml import RosMapFile, RosMapMode, read_ros_yaml
 
 _MAX_SIDE = 4096
 """Longest side of an image that is read [px]."""
-_NUMBER_MAX = 1e9
-"""Largest number that a key may have; what is larger, or not finite, is none."""
-_TEXT_MAX = 64 * 1024
-"""Longest yaml that is read [characters]; a real one has about 150."""
-_DEPTH_MAX = 8
-_BRACKETS_MAX = 40
-"""With a thousand of them nested the yaml library needs minutes."""
-_MODES = ("trinary",)
+_DEPTH_16 = 65535
+_UNSEEN = 50 / 255
+"""Darkness of grey 205, which map_saver writes for what was never seen."""
+_SPIKE = 4.0
+"""Grey 205 stands for that when it is so many times as frequent as the greys beside it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,128 +32,70 @@ class RosMap:
         resolution: edge of a pixel [m].
         occupied: shape (nx, ny), x to the right of the picture, y to its top.
         free: likewise; a pixel that is neither is unknown.
+        notes: what was read although it is unusual, a sentence each.
     """
 
     origin: Vec2
     resolution: float
     occupied: Mask
     free: Mask
-
-
-class _PlainLoader(yaml.SafeLoader):
-    """Reads what maps are made of.
-
-    With aliases a few lines would stand for gigabytes, and deep nesting takes the parser minutes.
-    """
-
-    def __init__(self, text: str) -> None:
-        super().__init__(text)
-        self._depth = 0
-
-    def compose_node(self, parent: Any, index: Any) -> Any:
-        """Compose a node that is no alias and not nested deeply."""
-        if self.check_event(yaml.AliasEvent):
-            raise yaml.YAMLError("aliases (*name) are not read")
-        if self._depth > _DEPTH_MAX:
-            raise yaml.YAMLError(f"it is nested deeper than {_DEPTH_MAX} levels")
-        self._depth += 1
-        node = super().compose_node(parent, index)
-        self._depth -= 1
-        return node
+    notes: tuple[str, ...] = ()
 
 
 def read_ros_map(yaml_path: Path) -> RosMap:
     """Read ``map.yaml`` and the picture that it names.
 
+    Occupancy is as in map_server, but for one thing: in mode trinary grey 205 is unknown whatever
+    free_thresh says. map_saver writes it for what was never seen, and nav2's usual 0.25 would call
+    it free.
+
     Raises:
         RoomError: saying which key or file is bad and what would be right.
     """
-    tree = _tree(yaml_path)
-    resolution = _number(tree, "resolution", 0.005, 1.0, "m per pixel", yaml_path)
-    origin = tree.get("origin")
-    if not (isinstance(origin, list) and len(origin) == 3 and all(_is_number(v) for v in origin)):
-        raise RoomError(
-            f"{yaml_path}: origin is {_shown(origin)}; allowed: a list x, y, yaw of three numbers"
-            " [m, m, rad]"
+    described = read_ros_yaml(yaml_path)
+    grey, is_known = _picture(described.picture)
+    occupancy = grey if described.negate else 1.0 - grey
+    occupied_from, free_to, notes = described.occupied_from, described.free_to, described.notes
+    if described.mode is RosMapMode.RAW:
+        # The grey is the percentage itself; beyond 100 it is unknown.
+        occupancy = np.round(grey * 255.0) / 100.0
+        is_known = is_known & (occupancy <= 1.0)
+        occupied, free = occupancy >= occupied_from, occupancy <= free_to
+    else:
+        occupied, free = occupancy > occupied_from, occupancy < free_to
+    unseen = _unseen(occupancy, described)
+    if (free & unseen).any():
+        free = free & ~unseen
+        notes += (
+            f"grey 205 counts as never seen, although free_thresh ({free_to:g}) calls it free:"
+            " map_saver writes it for that",
         )
-    if abs(origin[2]) > 1e-6:
-        raise RoomError(
-            f"{yaml_path}: origin has yaw {origin[2]} rad; only 0 can be imported: turn the picture"
-            " and set yaw to 0"
-        )
-    mode = tree.get("mode", "trinary")
-    if mode not in _MODES:
-        raise RoomError(
-            f"{yaml_path}: mode is {_shown(mode)}; allowed: {', '.join(_MODES)} (save the map again"
-            " in that mode)"
-        )
-    occupied_from = _number(tree, "occupied_thresh", 0.0, 1.0, "", yaml_path)
-    free_to = _number(tree, "free_thresh", 0.0, 1.0, "", yaml_path)
-    if free_to >= occupied_from:
-        raise RoomError(
-            f"{yaml_path}: free_thresh ({free_to}) must be below occupied_thresh ({occupied_from})"
-        )
-    image = tree.get("image")
-    if not isinstance(image, str) or not image:
-        raise RoomError(
-            f"{yaml_path}: image is {_shown(image)}; allowed: the name of a pgm or png file beside"
-            " the yaml"
-        )
-    grey, known = _picture(yaml_path.parent / image)
-    darkness = grey if tree.get("negate", 0) in (1, True) else 1.0 - grey
     return RosMap(
-        (float(origin[0]), float(origin[1])),
-        resolution,
-        _turned((darkness > occupied_from) & known),
-        _turned((darkness < free_to) & known),
+        described.origin,
+        described.resolution,
+        _turned(occupied & is_known),
+        _turned(free & is_known),
+        notes,
     )
+
+
+def _unseen(occupancy: NDArray[np.float64], described: RosMapFile) -> Mask:
+    """Return where the picture has the grey that stands for never seen.
+
+    In a picture with all greys, such as a map of probabilities, it is one grey of many.
+    """
+    near = np.rint((occupancy - _UNSEEN) * 255.0)
+    unseen = np.asarray(near == 0.0, dtype=np.bool_)
+    beside = np.count_nonzero(np.abs(near) <= 2.0) - np.count_nonzero(unseen)
+    stands_out = np.count_nonzero(unseen) > _SPIKE * beside
+    if described.mode is RosMapMode.TRINARY and stands_out:
+        return unseen
+    return np.zeros_like(unseen)
 
 
 def _turned(rows: Mask) -> Mask:
     """Return picture rows (top first) as cells (x, y)."""
     return np.ascontiguousarray(rows[::-1].T)
-
-
-def _tree(path: Path) -> dict[str, Any]:
-    try:
-        text = read_text_file(path)
-        if len(text) > _TEXT_MAX or text.count("[") + text.count("{") > _BRACKETS_MAX:
-            raise RoomError(
-                f"{path} is no map's yaml: allowed are {_TEXT_MAX} characters, and"
-                f" {_BRACKETS_MAX} brackets"
-            )
-        tree = yaml.load(text, _PlainLoader)
-    except (OSError, UnicodeDecodeError) as error:
-        raise RoomError(f"{path} cannot be read: {error}; give the map's yaml file") from error
-    except (yaml.YAMLError, ValueError, RecursionError) as error:
-        raise RoomError(f"{path} is not a yaml file: {error}") from error
-    if not isinstance(tree, dict):
-        raise RoomError(
-            f"{path} is not a map's yaml file: it has no keys image, resolution, origin"
-        )
-    return tree
-
-
-def _is_number(value: Any) -> bool:
-    return (
-        isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _NUMBER_MAX
-    )
-
-
-def _shown(value: Any) -> str:
-    return shortened(repr(value), 80)
-
-
-def _number(
-    tree: dict[str, Any], key: str, low: float, high: float, unit: str, path: Path
-) -> float:
-    value = tree.get(key)
-    if not _is_number(value) or not low <= float(value) <= high:  # type: ignore[arg-type]
-        raise RoomError(
-            f"{path}: {key} is {_shown(value)}; allowed: a number from {low:g} to"
-            f" {high:g} {unit}".rstrip()
-        )
-    return float(value)  # type: ignore[arg-type]
 
 
 def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
@@ -172,9 +109,21 @@ def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
                     f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {_MAX_SIDE} a"
                     " side can be imported"
                 )
-            pixels = np.asarray(image.convert("LA"), dtype=np.float64) / 255.0
+            return _brightness(image, path)
     except (OSError, UnidentifiedImageError, ValueError, Image.DecompressionBombError) as error:
         raise RoomError(
             f"the map's picture {path} cannot be read: {error}; allowed: pgm or png"
         ) from error
-    return pixels[:, :, 0], pixels[:, :, 1] > 0.5
+
+
+def _brightness(image: Image.Image, path: Path) -> tuple[NDArray[np.float64], Mask]:
+    if image.mode.startswith("I"):  # one channel of 16 bits
+        deep = np.asarray(image, dtype=np.float64)
+        if deep.min(initial=0) < 0 or deep.max(initial=0) > _DEPTH_16:
+            raise RoomError(f"{path} has more than 16 bits a pixel; save it as png or pgm with 8")
+        return deep / _DEPTH_16, np.ones(deep.shape, dtype=np.bool_)
+    if image.mode == "F":
+        raise RoomError(f"{path} has decimals for pixels; save it as png or pgm with 8 bits each")
+    pixels = np.asarray(image.convert("RGBA"))
+    # As map_server does: the mean of the colours, not what an eye takes for bright.
+    return pixels[:, :, :3].mean(axis=2) / 255.0, pixels[:, :, 3] > 127

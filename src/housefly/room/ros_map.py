@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -27,13 +28,20 @@ from housefly.room.spots import (
 _WALL_HEIGHT = 2.5
 _WALL_COLOUR: Colour = (0.86, 0.83, 0.77, 1.0)
 _UNEXPLORED_COLOUR: Colour = (0.60, 0.63, 0.66, 1.0)
+_UNEXPLORED = "unexplored"
 _MAX_SOLIDS = 20_000
 _MAX_AREA = 40_000.0
 """Largest room [m^2]."""
 
 
 def import_ros_map(
-    yaml_path: Path, out: Path, *, name: str = "", wall_height: float = _WALL_HEIGHT
+    yaml_path: Path,
+    out: Path,
+    *,
+    name: str = "",
+    wall_height: float = _WALL_HEIGHT,
+    unexplored_is_free: bool = False,
+    tell: Callable[[str], object] | None = None,
 ) -> Room:
     """Make a room of a ROS map and write ``room.toml`` and ``site.toml`` into a directory.
 
@@ -46,16 +54,20 @@ def import_ros_map(
         out: the directory to write; made when absent.
         name: of the room; the map's folder when empty.
         wall_height: how high the walls are [m].
+        unexplored_is_free: whether floor that was never seen may be flown over; the pad never lies
+            there.
+        tell: is told what was found and assumed, a sentence each.
 
     Raises:
         RoomError: the map cannot be read, or the drone fits nowhere in it.
     """
     ros_map, _ = cropped(read_ros_map(yaml_path), yaml_path)
     title = name or yaml_path.resolve().parent.name.replace("_", " ") or "map"
-    shell = Room(
-        title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0)
-    )
+    walls = _walls(ros_map, wall_height)
+    shell = Room(title[:60], _bounds(ros_map), wall_height, walls, (), (), (0.0, 0.0))
     manner, home = profile_and_home(shell, ros_map, yaml_path)
+    if unexplored_is_free:
+        shell = replace(shell, solids=tuple(wall for wall in walls if wall.thing != _UNEXPLORED))
     site = site_for(manner)
     grid = build_grid(replace(shell, home=home), site)
     places = (
@@ -63,13 +75,19 @@ def import_ros_map(
         *places_around(grid, home),
     )
     room = replace(shell, solids=(*shell.solids, *home_pad(home)), places=places, home=home)
+    if tell is not None:
+        for note in ros_map.notes:
+            tell(note)
     save_room(room, out)
     _write_site(out / "site.toml", room, manner, yaml_path)
     return room
 
 
 def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
-    """Return the part with free pixels and a border, moved to (0, 0), and where that was [m]."""
+    """Return the part with free pixels and a border, moved to (0, 0), and where that was [m].
+
+    Its notes say how much of it was never seen.
+    """
     columns, rows = (
         np.flatnonzero(ros_map.free.any(axis=1)),
         np.flatnonzero(ros_map.free.any(axis=0)),
@@ -79,6 +97,7 @@ def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
             f"{source}: the map has no free pixel; check negate (0 or 1) and free_thresh"
         )
     part = slice(max(columns[0] - 2, 0), columns[-1] + 3), slice(max(rows[0] - 2, 0), rows[-1] + 3)
+    note = _unexplored_note(ros_map.occupied[part] | ros_map.free[part], ros_map.resolution)
     occupied, free = np.pad(ros_map.occupied[part], 1), np.pad(ros_map.free[part], 1)
     if occupied.size * ros_map.resolution**2 > _MAX_AREA:
         raise RoomError(
@@ -86,7 +105,15 @@ def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
         )
     edge, (x, y) = ros_map.resolution, ros_map.origin
     corner = x + (part[0].start - 1) * edge, y + (part[1].start - 1) * edge
-    return RosMap((0.0, 0.0), edge, occupied, free), corner
+    return RosMap((0.0, 0.0), edge, occupied, free, (*ros_map.notes, note)), corner
+
+
+def _unexplored_note(seen: Mask, edge: float) -> str:
+    area, share = seen.size * edge**2, 100.0 * (1.0 - float(seen.mean()))
+    return (
+        f"{share:.0f} % of its {area:.1f} m^2 were never seen: unexplored, not flown over"
+        " (unexplored=free changes that)"
+    )
 
 
 def _bounds(ros_map: RosMap) -> tuple[float, float, float, float]:
@@ -99,7 +126,7 @@ def _walls(ros_map: RosMap, height: float) -> tuple[Solid, ...]:
     solids = (
         *_extruded("wall", ros_map.occupied, ros_map.resolution, height, _WALL_COLOUR),
         *_extruded(
-            "unexplored",
+            _UNEXPLORED,
             unknown & _beside(ros_map.free),
             ros_map.resolution,
             height,

@@ -33,13 +33,25 @@ def _show(options: Namespace) -> int:
 def _add_import_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("map", metavar="MAP.yaml", help="the map's YAML file")
     parser.add_argument("--out", required=True, metavar="DIR", help="folder to write")
+    parser.add_argument(
+        "--unexplored",
+        choices=("wall", "free"),
+        default="wall",
+        help="what floor counts as that was never seen (default: wall)",
+    )
 
 
 def _import(options: Namespace) -> int:
     from housefly.room.ros_map import import_ros_map
 
     out = Path(options.out)
-    room = import_ros_map(Path(options.map), out)
+
+    def tell(words: str) -> None:
+        console.print(words, markup=False)
+
+    room = import_ros_map(
+        Path(options.map), out, unexplored_is_free=options.unexplored == "free", tell=tell
+    )
     places = ", ".join(place.name for place in room.places)
     for words in (
         f"{room.name}: {len(room.solids)} solids, places: {places}",

@@ -16,6 +16,7 @@ from housefly.app.new_site.typed import (
     typed_numbers,
     typed_pair,
     unknown_words,
+    unquoted,
 )
 from housefly.config.profile import load_profile
 from housefly.config.text import expanded
@@ -45,6 +46,7 @@ Answer = tuple[SiteDraft, tuple[str, ...]]
 BODY_HEIGHT = 0.05
 """Where tracking sees a drone that stands on the floor [m]."""
 _UP_AXES: dict[str, Literal["auto", "y", "z"]] = {"auto": "auto", "y": "y", "z": "z"}
+_UNEXPLORED: dict[str, Literal["wall", "free"]] = {"wall": "wall", "free": "free"}
 
 
 def answered(draft: SiteDraft, step: DraftStep, text: str, folder: Path) -> Answer:
@@ -70,7 +72,7 @@ def _room(draft: SiteDraft, text: str, folder: Path) -> Answer:
     if size:
         length, width, height = (float(part) if part else 2.5 for part in size.groups())
         return with_size(draft, length, width, height), ()
-    name, keys = split_keys(text, ("unit", "up", "layers"))
+    name, keys = split_keys(text, ("unit", "up", "layers", "unexplored"))
     if not Path(name).suffix[1:2].isalpha():
         raise ConfigError(
             "room",
@@ -79,10 +81,14 @@ def _room(draft: SiteDraft, text: str, folder: Path) -> Answer:
     up = keys.get("up", "auto")
     if up not in _UP_AXES:
         raise ConfigError("up", f"is {up!r}; allowed: y, z")
+    unexplored = keys.get("unexplored", "wall")
+    if unexplored not in _UNEXPLORED:
+        raise ConfigError("unexplored", f"is {unexplored!r}; allowed: wall, free")
     hints = ImportHints(
         unit=typed_number(keys["unit"], "unit") if "unit" in keys else None,
         up=_UP_AXES[up],
         layers=tuple(part for part in keys.get("layers", "").split(",") if part),
+        unexplored=_UNEXPLORED[unexplored],
     )
     path = expanded(name, "room")
     found = imported(draft, path if path.is_absolute() else folder / path, hints)
@@ -175,12 +181,14 @@ def _tracking(draft: SiteDraft, text: str, _: Path) -> Answer:
     if text == "simulated":
         return replace(draft, hardware=False), ()
     rest, keys = split_keys(text, ("up", "transport"))
-    words = rest.split()
+    words = rest.split(maxsplit=2)  # a body's name may have spaces: Motive's own is "Rigid Body 1"
     kind, _colon, system = words[0].partition(":")
-    if kind not in get_args(TrackingKind) or len(words) not in (2, 3):
+    if kind not in get_args(TrackingKind) or len(words) < 2:
         kinds = ", ".join(get_args(TrackingKind))
         raise ConfigError(
-            "tracking", f"is {text!r}; allowed: simulated, or KIND ADDRESS, KIND one of {kinds}"
+            "tracking",
+            f"is {text!r}; allowed: simulated, or KIND ADDRESS BODY, KIND one of {kinds}, BODY the"
+            " drone's name in that software",
         )
     address, _colon, port = words[1].partition(":")
     if port and not port.isdigit():
@@ -189,7 +197,7 @@ def _tracking(draft: SiteDraft, text: str, _: Path) -> Answer:
         "kind": kind,
         "address": address,
         "port": int(port) if port else None,
-        "body": words[2] if len(words) == 3 else "ardrone",
+        "body": unquoted(words[2]) if len(words) == 3 else "ardrone",
     }
     plain |= {"bridge_system": system} if system else {}
     plain |= {"up_axis": keys["up"]} if "up" in keys else {}

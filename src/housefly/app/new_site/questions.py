@@ -91,7 +91,8 @@ A file ({_FILES}): a ROS map (its yaml), a 3-D scan, a floor plan.
   After the file may stand what it does not say itself:
     unit=0.001    metres per unit of the file (found out where it can be)
     up=y          axis of a scan that points up (z, or y as in glTF)
-    layers=A,B    words in the names of a plan's layers that hold the walls""",
+    layers=A,B    words in the names of a plan's layers that hold the walls
+    unexplored=free   floor that a map or scan never saw counts as free, not as walls""",
         keeps=lambda draft: draft.bounds is not None,
     ),
     Question(
@@ -146,7 +147,7 @@ remove somebody sits here          takes it out""",
         """\
 simulated               nothing real: the simulated drone in the simulated room
 vicon 10.0.0.5          Vicon Tracker; natnet: OptiTrack Motive; vrpn: VRPN
-natnet 10.0.0.5 drone1  ... and the drone's name in that software (default: ardrone)
+natnet 10.0.0.5 Rigid Body 1  ... and the drone's name in that software (default: ardrone)
 vicon 10.0.0.5:8010     ... and another port than usual
 bridge:qualisys 10.0.0.5   any system that PyPI motioncapture knows (extra mocap)
 up=y                    may stand behind it, where the system does not say which axis points up

@@ -11,7 +11,7 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
 _BY = r"\s*(?:m\s*)?(?:[x\u00d7]\s*|\s)"
 SIZE = re.compile(rf"({_NUMBER}){_BY}({_NUMBER})(?:{_BY}({_NUMBER}))?(?:\s*m)?")
 """LENGTHxWIDTH or LENGTHxWIDTHxHEIGHT; a comma may be a decimal one, and so parts nothing."""
-_KEYED = re.compile(r"\s([a-z]+)=(\S+)")
+_KEYED = re.compile(r"""\s([a-z]+)=("[^"]*"|'[^']*'|\S+)""")
 
 
 def after_word(word: str, text: str) -> str:
@@ -20,10 +20,16 @@ def after_word(word: str, text: str) -> str:
 
 
 def split_keys(text: str, known: tuple[str, ...]) -> tuple[str, dict[str, str]]:
-    """Return a text without its key=value words, and these."""
-    keys = {key: value for key, value in _KEYED.findall(f" {text}") if key in known}
+    """Return a text without its key=value words, and these; values with spaces have quotes."""
+    keys = {key: unquoted(value) for key, value in _KEYED.findall(f" {text}") if key in known}
     rest = _KEYED.sub(lambda match: "" if match[1] in known else match[0], f" {text}").strip()
     return rest, keys
+
+
+def unquoted(text: str) -> str:
+    """Return a text without the quotes around it."""
+    is_quoted = len(text) > 1 and text[0] == text[-1] and text[0] in "\"'"
+    return text[1:-1] if is_quoted else text
 
 
 def typed_number(text: str, key: str) -> float:

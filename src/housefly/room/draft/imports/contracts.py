@@ -19,11 +19,13 @@ class ImportHints:
         unit: metres per unit of the file; None is found out.
         up: the axis of a scan that points up; auto is found out.
         layers: words in the names of a plan's layers that hold walls; none is found out.
+        unexplored: what floor counts as that the file does not show; the pad never lies there.
     """
 
     unit: float | None = None
     up: Literal["auto", "y", "z"] = "auto"
     layers: tuple[str, ...] = ()
+    unexplored: Literal["wall", "free"] = "wall"
 
 
 @dataclass(frozen=True, slots=True)

@@ -90,4 +90,8 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
         notes = (*found.notes, "the drone fits nowhere: is the unit of the file right?")
         return Imported(draft, notes)
     draft = replace(draft, pad=pad)
+    if hints.unexplored == "free":
+        seen = tuple(box for box in draft.scanned if box.thing != "unexplored")
+        draft = replace(draft, scanned=seen)
+        found = replace(found, notes=(*found.notes, "unexplored floor counts as free, as you said"))
     return Imported(replace(draft, places=suggested_places(draft)), found.notes)

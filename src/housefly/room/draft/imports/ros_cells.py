@@ -24,6 +24,7 @@ def ros_cells(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
     refuse_too_many(boxes, path.name)
     length, width = round(nx * edge, 4), round(ny * edge, 4)
     notes = (
+        *ros_map.notes,
         f"{path.name}: {length:.2f} m x {width:.2f} m, {len(boxes)} boxes; a ROS map is flat, so"
         " its walls reach from the floor to the ceiling",
         f"the room begins at (0, 0), which the ROS map calls ({origin[0]:.2f}, {origin[1]:.2f}) m",
