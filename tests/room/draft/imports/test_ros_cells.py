@@ -31,7 +31,8 @@ def test_a_shipped_map_lacks_nothing_and_is_the_room_of_room_import(
     path = shared_data / "rooms" / name / "map.yaml"
     found = imported(SiteDraft(name), path)
     assert missing(found.draft) == ()
-    assert "which the ROS map calls" in found.notes[1]
+    assert "were never seen" in found.notes[0]
+    assert "which the ROS map calls" in found.notes[2]
     room = import_ros_map(path, tmp_path)
     draft = room_of_draft(found.draft)
     assert draft.bounds == room.bounds

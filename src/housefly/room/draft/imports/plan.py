@@ -1,9 +1,11 @@
-"""The lines of a floor plan as walls, whatever file they came from."""
+"""The shapes of a floor plan as walls, whatever file they came from."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import ceil, hypot
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+from math import ceil, dist, hypot
 
 import numpy as np
 
@@ -11,76 +13,79 @@ from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.draft.imports.cells import boxes_of_cells
 from housefly.room.draft.imports.contracts import USUAL_UNITS, Imported, ImportHints
+from housefly.room.draft.imports.drawing import (
+    LeftOut,
+    PlanDrawing,
+    PlanShape,
+    left_out_notes,
+)
+from housefly.room.draft.imports.strays import without_strays
+from housefly.room.draft.imports.units import likely_units
+from housefly.room.draft.imports.wall_words import names_any, names_wall
 from housefly.room.draft.model import DraftBox, DraftWall, SiteDraft
 from housefly.room.reach import flood
 
 _LINES_MAX = 2000
 _LINE_MIN = 0.02
-"""Shorter lines are left out [m]."""
-_LINE_THICKNESS = 0.03
-"""Walls in a plan are drawn by their faces; each face becomes so thick [m]."""
+"""Shapes that are not longer are left out [m]."""
+_LINE_THICKNESS, _WIDTH_MAX = 0.03, 0.6
+"""Walls in a plan are drawn by their faces; each face becomes so thick, and as thick as it is drawn
+up to that width, beyond which it is no wall's [m].
+"""
 _SIDES = (1.5, 80.0)
+"""Of a plan whose unit is guessed [m]."""
 _SAID_SIDES = (1.0, 200.0)
-"""Of a plan whose unit was said [m]."""
+"""Of a plan whose unit was said, by somebody or by the file [m]."""
+_SCALES = (10, 20, 25, 50, 100, 200)
+"""At which plans are drawn on paper."""
 _EDGE = 0.1
 """Of the cells that tell inside from outside [m]."""
 _INSIDE_SHARE = 0.4
 """With less of the floor inside, the outer walls have a hole."""
-WALL_WORDS = ("wall", "mauer", "wand", "mur", "muro", "pared", "parete")
-"""Words in the names of layers that hold walls."""
+_LAYERS_MAX = 20
 
 
-@dataclass(frozen=True, slots=True)
-class PlanLine:
-    """A straight line of a plan in the file's unit, y up, and the layer that it is on."""
-
-    start: Vec2
-    end: Vec2
-    layer: str
-
-
-def plan_draft(
-    draft: SiteDraft,
-    lines: list[PlanLine],
-    name: str,
-    hints: ImportHints,
-    declared: tuple[float, str] | None = None,
-) -> Imported:
-    """Return the draft with a plan's lines as walls.
+def plan_draft(draft: SiteDraft, drawing: PlanDrawing, name: str, hints: ImportHints) -> Imported:
+    """Return the draft with a plan's shapes as walls; what is left out is counted in the notes.
 
     Args:
         draft: what is known besides.
-        lines: of the plan.
+        drawing: of the plan.
         name: of the file.
         hints: what was said about it.
-        declared: metres per unit as the file says them, and its words for it.
 
     Raises:
-        RoomError: there are no lines or too many, or the unit cannot be told.
+        RoomError: there are no shapes or too many, or the unit cannot be told.
     """
-    if not lines:
+    if not drawing.shapes:
+        notes = (*drawing.notes, *left_out_notes(drawing.left_out))
+        why = "".join(f"; {note}" for note in notes)
         raise RoomError(
-            f"{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?"
+            f"{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?{why}"
         )
-    chosen, layer_note = _of_walls(lines, hints)
-    ends = np.array([[*line.start, *line.end] for line in chosen]).reshape(-1, 2)
-    if not np.isfinite(ends).all():
-        raise RoomError(f"{name} has a line with an end that is not finite")
+    on_walls, layer_note = _of_walls(drawing, hints)
+    chosen, strays = without_strays(on_walls)
+    for shape in strays:
+        drawing.leave_out(LeftOut.FAR, shape.kind)
+    ends = np.array([point for shape in chosen for point in shape.points])
     low, high = ends.min(axis=0), ends.max(axis=0)
-    unit, unit_note = _unit(high - low, name, hints, declared)
-    walls = tuple(wall for line in chosen if (wall := _wall(line, low, unit)) is not None)
+    unit, unit_note = _unit(
+        (float(high[0] - low[0]), float(high[1] - low[1])), name, hints, drawing
+    )
+    walls = tuple(_walls(chosen, (float(low[0]), float(low[1])), unit, drawing))
     if len(walls) > _LINES_MAX:
-        layers = sorted({line.layer for line in lines})
         raise RoomError(
             f"{name} has {len(walls)} lines, at most {_LINES_MAX} are read: say which layers hold"
-            f" the walls; it has: {', '.join(map(repr, layers[:20]))}"
+            f" the walls; it has: {_layers(drawing.shapes)}"
         )
     length, width = (float(side) * unit for side in high - low)
     outside, outside_note = _outside(walls, length, width, draft.height)
     notes = (
+        *drawing.notes,
         layer_note,
         unit_note,
         outside_note,
+        *left_out_notes(drawing.left_out),
         f"{name}: {length:.2f} m x {width:.2f} m, {len(walls)} lines became walls up to the ceiling"
         " (doors and windows too, where they are drawn on the same layer)",
     )
@@ -114,59 +119,94 @@ def _outside(
     )
 
 
-def _of_walls(lines: list[PlanLine], hints: ImportHints) -> tuple[list[PlanLine], str]:
-    words = hints.layers or WALL_WORDS
-    chosen = [line for line in lines if any(word.lower() in line.layer.lower() for word in words)]
-    if chosen:
-        taken = sorted({line.layer for line in chosen})
-        return chosen, f"walls are taken from the layers {', '.join(map(repr, taken[:10]))}"
+def _of_walls(drawing: PlanDrawing, hints: ImportHints) -> tuple[list[PlanShape], str]:
+    """Return the shapes on layers of walls, and which these are; others are left out."""
+    shapes = drawing.shapes
     if hints.layers:
-        layers = sorted({line.layer for line in lines})
-        raise RoomError(
-            f"no layer's name holds {' or '.join(map(repr, hints.layers))}; there are:"
-            f" {', '.join(map(repr, layers[:20]))}"
-        )
-    return lines, "every line is taken for a wall: no layer is called so"
+        are_walls = [names_any(shape.names or shape.layer, hints.layers) for shape in shapes]
+    else:
+        are_walls = [names_wall(shape.names or shape.layer) for shape in shapes]
+    if not any(are_walls):
+        if hints.layers:
+            raise RoomError(
+                f"no layer's name holds {' or '.join(map(repr, hints.layers))}; there are:"
+                f" {_layers(shapes)}"
+            )
+        words = "every line is taken for a wall: no layer is called so"
+        named = _layers(shapes) if any(shape.layer for shape in shapes) else ""
+        return shapes, f"{words}; say layers= if only some hold them: {named}" if named else words
+    chosen = [shape for shape, is_wall in zip(shapes, are_walls, strict=True) if is_wall]
+    for shape, is_wall in zip(shapes, are_walls, strict=True):
+        if not is_wall:
+            drawing.leave_out(LeftOut.NO_WALL_LAYER, repr(shape.layer))
+    return chosen, f"walls are taken from the layers {_layers(chosen)}"
+
+
+def _layers(shapes: list[PlanShape]) -> str:
+    names = sorted({shape.layer for shape in shapes})
+    more = f" and {len(names) - _LAYERS_MAX} more" if len(names) > _LAYERS_MAX else ""
+    return ", ".join(map(repr, names[:_LAYERS_MAX])) + more
 
 
 def _unit(
-    extent: np.ndarray[tuple[int], np.dtype[np.float64]],
-    name: str,
-    hints: ImportHints,
-    declared: tuple[float, str] | None,
+    sides: tuple[float, float], name: str, hints: ImportHints, drawing: PlanDrawing
 ) -> tuple[float, str]:
-    length, width = (float(side) for side in extent)
+    """Return metres per unit, and why: as somebody said, as the file says, as rooms are."""
+    length, width = sides
     if hints.unit is not None:
-        said = [hints.unit * side for side in (length, width)]
+        said = [hints.unit * side for side in sides]
         if not all(_SAID_SIDES[0] <= side <= _SAID_SIDES[1] for side in said):
             raise RoomError(
                 f"{name} is {said[0]:.4g} m x {said[1]:.4g} m with unit={hints.unit:g}; allowed:"
                 f" {_SAID_SIDES[0]:g} to {_SAID_SIDES[1]:g} m: say another unit"
             )
         return hints.unit, f"one unit is {hints.unit:g} m, as you said"
-    choices = ([declared] if declared else []) + [
-        (unit, f"taken for {words}") for unit, words in USUAL_UNITS.items()
-    ]
-    for unit, words in choices:
-        if all(_SIDES[0] <= unit * side <= _SIDES[1] for side in (length, width)):
-            return unit, (
-                f"its numbers ({length:.4g} x {width:.4g}) are {words}: measure one wall, and say"
-                " the unit if it is not so long"
-            )
-    raise RoomError(
-        f"{name} measures {length:.4g} x {width:.4g}: no room in any usual unit; say how many"
-        " metres one unit is"
+    declared = drawing.unit
+    if declared and all(_SAID_SIDES[0] <= declared * side <= _SAID_SIDES[1] for side in sides):
+        return declared, (
+            f"its numbers ({length:.4g} x {width:.4g}) are {drawing.unit_words}: measure one wall,"
+            " and say the unit if it is not so long"
+        )
+    drawn = {declared * scale: f"drawn at 1:{scale}" for scale in _SCALES} if declared else {}
+    words = drawn | {unit: f"taken for {named}" for unit, named in USUAL_UNITS.items()}
+    choices = likely_units(words, sides, _SIDES)
+    if not choices:
+        raise RoomError(
+            f"{name} measures {length:.4g} x {width:.4g}: no room in any usual unit; say how many"
+            " metres one unit is"
+        )
+    unit = choices[0]
+    found = f"{words[unit]}, a room of {unit * length:.3g} m x {unit * width:.3g} m"
+    said = f"cannot be {drawing.unit_words}, and were {found}" if declared else f"are {found}"
+    return unit, (
+        f"its numbers ({length:.4g} x {width:.4g}) {said}: measure one wall, and say the unit if it"
+        " is not so long"
     )
 
 
-def _wall(
-    line: PlanLine, low: np.ndarray[tuple[int], np.dtype[np.float64]], unit: float
-) -> DraftWall | None:
-    (x0, y0), (x1, y1) = line.start, line.end
-    start = round((x0 - low[0]) * unit, 4), round((y0 - low[1]) * unit, 4)
-    end = round((x1 - low[0]) * unit, 4), round((y1 - low[1]) * unit, 4)
-    if hypot(end[0] - start[0], end[1] - start[1]) < _LINE_MIN:
-        return None
-    return DraftWall(
-        (float(start[0]), float(start[1])), (float(end[0]), float(end[1])), _LINE_THICKNESS
-    )
+def _walls(
+    shapes: list[PlanShape], low: Vec2, unit: float, drawing: PlanDrawing
+) -> Iterator[DraftWall]:
+    """Yield the straight parts of shapes as walls, each once; what is too small is left out."""
+    seen = set[tuple[Vec2, Vec2]]()
+    for shape in shapes:
+        width = shape.width * unit
+        thickness = round(width, 4) if _LINE_THICKNESS < width <= _WIDTH_MAX else _LINE_THICKNESS
+        points = _thinned([((x - low[0]) * unit, (y - low[1]) * unit) for x, y in shape.points])
+        if len(points) < 2:
+            drawing.leave_out(LeftOut.TOO_SMALL, shape.kind)
+        for start, end in pairwise(points):
+            if (start, end) not in seen:
+                seen |= {(start, end), (end, start)}
+                yield DraftWall(start, end, thickness)
+
+
+def _thinned(points: list[Vec2]) -> list[Vec2]:
+    """Return points without those that are hardly away from the one before; the last one stays."""
+    kept = points[:1]
+    for point in points[1:]:
+        if dist(kept[-1], point) >= _LINE_MIN:
+            kept.append(point)
+    if len(kept) > 1:
+        kept[-1] = points[-1]
+    return [(round(x, 4), round(y, 4)) for x, y in kept]

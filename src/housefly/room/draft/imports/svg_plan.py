@@ -1,69 +1,79 @@
-"""A floor plan drawn as SVG, read by svgpathtools."""
+"""A floor plan drawn as SVG; paths and transforms are read by svgpathtools."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from xml.etree import ElementTree
 
-from housefly.config.text import read_text_file
+import numpy as np
+
+from housefly.config.text import read_file
 from housefly.errors import MissingPartError, RoomError
 from housefly.room.draft.imports.contracts import Imported, ImportHints
-from housefly.room.draft.imports.plan import PlanLine, plan_draft
+from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing, PlanShape
+from housefly.room.draft.imports.plan import plan_draft
+from housefly.room.draft.imports.svg_lengths import METRES_PER_PX, absolute_metres, view_box
+from housefly.room.draft.imports.svg_outlines import outlines
+from housefly.room.draft.imports.svg_walk import SvgWalk
 from housefly.room.draft.model import SiteDraft
 
-_TEXT_MAX = 20_000_000
-_CURVE_PARTS = 8
-"""A curve becomes so many straight lines."""
+_FILE_MAX = 20_000_000
+_FAR_MAX = 1e12
+"""Larger coordinates are none of a plan."""
 
 
 def svg_plan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
     """Return the draft with the walls of an SVG; raises RoomError or MissingPartError."""
-    return plan_draft(draft, list(_lines(path)), path.name, hints)
+    return plan_draft(draft, read_svg(path), path.name, hints)
 
 
-def _lines(path: Path) -> Iterator[PlanLine]:
+def read_svg(path: Path) -> PlanDrawing:
+    """Return what an SVG draws; raises RoomError or MissingPartError."""
     try:
-        from svgpathtools import Document
+        import svgpathtools  # noqa: F401
     except ImportError as error:
         raise MissingPartError(
             "the reader of SVG (svgpathtools)", "pip install 'housefly[import]'"
         ) from error
     try:
-        text = read_text_file(path)
-    except (OSError, UnicodeDecodeError) as error:
+        data = read_file(path, _FILE_MAX)
+    except OSError as error:
         raise RoomError(f"{path.name} cannot be read: {error}") from error
-    if len(text) > _TEXT_MAX or "<!ENTITY" in text:
-        raise RoomError(f"{path.name} is too long, or defines entities; save it as plain SVG")
+    if b"<!ENTITY" in data.replace(b"\0", b""):
+        raise RoomError(f"{path.name} defines entities; save it as plain SVG")
     try:
-        document = Document.from_svg_string(text)
-        paths = list(document.paths())
-    except Exception as error:  # a broken file makes its reader fail in any way
+        return _drawing(ElementTree.fromstring(data))
+    except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise RoomError(f"{path.name} cannot be read as SVG: {error}") from error
-    parents = {child: parent for parent in document.tree.iter() for child in parent}
-    for shape in paths:
-        layer = _layer(shape.element, parents)
-        for segment in shape:
-            yield from _straight(segment, layer)
 
 
-def _straight(segment: Any, layer: str) -> Iterator[PlanLine]:
-    parts = 1 if type(segment).__name__ == "Line" else _CURVE_PARTS
-    points = [segment.point(n / parts) for n in range(parts + 1)]
-    for a, b in pairwise(points):
-        yield PlanLine((a.real, -a.imag), (b.real, -b.imag), layer)
+def _drawing(root: ElementTree.Element) -> PlanDrawing:
+    drawing = PlanDrawing()
+    for placed in SvgWalk(root, drawing).placed():
+        try:
+            lines = [
+                np.column_stack([line, np.ones(len(line))]) @ placed.matrix[:2].T
+                for line in outlines(placed.element, placed.kind, placed.viewport)
+            ]
+        except Exception:  # whatever broken numbers make of their reader
+            lines = []
+        if not lines or not all(np.abs(line).max() < _FAR_MAX for line in lines):
+            drawing.leave_out(LeftOut.BROKEN, placed.kind)
+            continue
+        for line in lines:
+            points = tuple((float(x), -float(y)) for x, y in line)
+            drawing.shapes.append(
+                PlanShape(points, placed.layer, placed.kind, placed.names, placed.width)
+            )
+    drawing.unit, drawing.unit_words = _unit(root)
+    return drawing
 
 
-def _layer(element: Any, parents: dict[Any, Any]) -> str:
-    """Return the names of an element and of the groups around it."""
-    words = []
-    node = element
-    while node is not None:
-        words += [
-            value
-            for key, value in node.attrib.items()
-            if key in ("id", "class") or key.endswith("}label")
-        ]
-        node = parents.get(node)
-    return " ".join(reversed(words))
+def _unit(root: ElementTree.Element) -> tuple[float | None, str]:
+    """Return metres per unit where the picture has a size in metres, and the words for it."""
+    width = absolute_metres(root.get("width", ""))
+    if width is None:
+        return None, ""
+    box = view_box(root)
+    unit = METRES_PER_PX if box is None else width / box[2]
+    return unit, f"{unit:.4g} m each, as the file says"
