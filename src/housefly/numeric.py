@@ -2,14 +2,16 @@
 
 Compiled functions take and return plain floats and tuples, so the live pilot and a campaign over
 thousands of drones call the same code. They are cached on disk and release the interpreter lock. No
-``fastmath``: the same inputs must give the same bits.
+``fastmath``: the same inputs must give the same bits, on every processor.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from math import pi
+from collections.abc import Callable, Iterable
+from functools import reduce
+from math import pi, sqrt
+from operator import add
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
@@ -112,6 +114,31 @@ def boxed(value: Value) -> CompiledBox[Value]:
 def unboxed(box: CompiledBox[Value]) -> Value:
     """Return the value in a box, put together for Python."""
     return _unboxed(box)
+
+
+def elementwise(function: Callable[..., float], *arrays: FloatArray) -> FloatArray:
+    """Return a function of ``math`` at each element of arrays of one shape; the same shape.
+
+    numpy's own ``arctan2``, ``exp`` and their like take other code, with other last digits, on
+    processors with AVX-512 than on those without (``benchmarks/processors.py``).
+    """
+    columns = (array.ravel().tolist() for array in arrays)
+    values = np.fromiter(map(function, *columns), np.float64, arrays[0].size)
+    return values.reshape(arrays[0].shape)
+
+
+def running_sum(values: Iterable[float]) -> float:
+    """Return the sum, added from the first to the last; from Python 3.12 on ``sum`` adds otherwise.
+
+    There it carries what rounding loses, so the last digits would depend on the version.
+    """
+    return reduce(add, values, 0.0)
+
+
+def norm(vector: FloatArray) -> float:
+    """Return the length of a vector, shape (3,); numpy's own depends on the processor's BLAS."""
+    x, y, z = vector.tolist()
+    return sqrt(x * x + y * y + z * z)
 
 
 @compiled

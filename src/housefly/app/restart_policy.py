@@ -46,7 +46,7 @@ def restart_after(exit_code: int, uptime: float, failures: int) -> Restart:
     failures += 1
     if failures >= START_ATTEMPTS:
         return Restart(failures, None)
-    return Restart(failures, min(_LONGEST_PAUSE, _PAUSE * 2.0 ** (failures - 1)))
+    return Restart(failures, min(_LONGEST_PAUSE, _PAUSE * 2 ** (failures - 1)))
 
 
 @dataclass(frozen=True, slots=True)

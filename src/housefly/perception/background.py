@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from math import inf
+from math import cos, inf, sin
 from typing import Any
 
 import numpy as np
@@ -50,7 +50,7 @@ def _entry(row: Any, x: float, y: float, dx: float, dy: float) -> float:
 @compiled
 def _cast(rows: Any, x: float, y: float, angles: Any, out: Any) -> None:
     for n in range(angles.size):
-        dx, dy = np.cos(angles[n]), np.sin(angles[n])
+        dx, dy = cos(angles[n]), sin(angles[n])
         best = np.inf
         for k in range(rows.shape[0]):
             best = min(best, _entry(rows[k], x, y, dx, dy))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import cos, sin
 
 import numpy as np
 
 from housefly.config.laser import LaserConfig
 from housefly.messages import Scan
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 from housefly.perception.background import expected_ranges
 from housefly.perception.clusters import foreground_limit
 from housefly.room.model import Room
@@ -60,5 +61,7 @@ def background_of(room: Room, laser: LaserConfig, scan: BeamScan) -> BeamBackgro
     """Return the background of a scan in a room."""
     beams = len(scan.ranges)
     expected = expected_ranges(room.solids, laser, scan.first_angle, scan.step, beams)
-    angles = laser.yaw + scan.first_angle + np.arange(beams) * scan.step
-    return BeamBackground(foreground_limit(expected), np.cos(angles), np.sin(angles))
+    angles: FloatArray = laser.yaw + scan.first_angle + np.arange(beams) * scan.step
+    return BeamBackground(
+        foreground_limit(expected), elementwise(cos, angles), elementwise(sin, angles)
+    )

@@ -98,8 +98,8 @@ def cluster_of(points: FloatArray, origin: Vec2) -> Cluster:
 
 def _rectangle(points: FloatArray, yaw: float) -> Cluster:
     """Return the rectangle around all points, along the line from the first to the last."""
-    along = points @ np.array([cos(yaw), sin(yaw)])
-    across = points @ np.array([-sin(yaw), cos(yaw)])
+    along = points[:, 0] * cos(yaw) + points[:, 1] * sin(yaw)
+    across = points[:, 1] * cos(yaw) - points[:, 0] * sin(yaw)
     u, v = (along.max() + along.min()) / 2, (across.max() + across.min()) / 2
     position = (float(u * cos(yaw) - v * sin(yaw)), float(u * sin(yaw) + v * cos(yaw)))
     return Cluster(position, 0.0, (float(np.ptp(along)), float(np.ptp(across))), yaw, len(points))

@@ -46,7 +46,7 @@ def points_of(depth: FloatArray, camera: Intrinsics, pose: Pose) -> FloatArray:
             for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
         ]
     )
-    points: FloatArray = local @ axes + np.array(pose.position)
+    points: FloatArray = np.einsum("nk,km->nm", local, axes) + np.array(pose.position)
     return points
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from math import atan2
 
 import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2, distance
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 from housefly.perception.clusters import Cluster, cluster_of
 from housefly.perception.depth import occupied_cells
 from housefly.room.distance import clearance_field, footprints
@@ -79,7 +80,11 @@ def _cluster(points: FloatArray, origin: Vec2) -> Cluster:
     """Return the cluster of points, ordered from left to right as the camera sees them."""
     away = points - np.array(origin)
     ahead = away.mean(axis=0)
-    bearing = np.arctan2(ahead[0] * away[:, 1] - ahead[1] * away[:, 0], away @ ahead)
+    bearing = elementwise(
+        atan2,
+        ahead[0] * away[:, 1] - ahead[1] * away[:, 0],
+        ahead[0] * away[:, 0] + ahead[1] * away[:, 1],
+    )
     return cluster_of(points[np.argsort(bearing, kind="stable")], origin)
 
 

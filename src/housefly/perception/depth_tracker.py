@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import ceil, sqrt
+from operator import mul
 
 import numpy as np
 
 from housefly.config.depth import DepthCameraConfig
 from housefly.geometry import Vec2, normalized, rotate
 from housefly.messages import DepthImage, Obstacle, Pose
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, running_sum
 from housefly.perception.depth import MIN_DEPTH, Intrinsics, points_of
 from housefly.perception.depth_checks import DepthChecks
 from housefly.perception.depth_clusters import known_room, unexplained
@@ -49,7 +50,9 @@ class _DepthView:
     def sees_through(self, place: Vec2, height: float, radius: float) -> bool:
         """Return whether the camera sees through a place [m] at a height [m] with a radius [m]."""
         away = [a - b for a, b in zip((*place, height), self.pose.position, strict=True)]
-        x, y, z = (float(np.dot(rotate(self.pose.orientation, axis), away)) for axis in _AXES)
+        x, y, z = (
+            running_sum(map(mul, rotate(self.pose.orientation, axis), away)) for axis in _AXES
+        )
         if z <= MIN_DEPTH:
             return False
         u, v = (

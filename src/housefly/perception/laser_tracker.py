@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
-from math import hypot, isfinite
+from math import atan2, hypot, isfinite, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -224,8 +224,8 @@ def _foreground(
 def _sees_through(scan: BeamScan, laser: LaserConfig, place: Vec2, radius: float) -> bool:
     """Return whether the beams towards a place end behind it: nothing stands there."""
     dx, dy = place[0] - laser.x, place[1] - laser.y
-    bearing = (np.arctan2(dy, dx) - laser.yaw - scan.first_angle) % (2.0 * np.pi)
-    beam, away = round(bearing / scan.step), float(np.hypot(dx, dy))
+    bearing = (atan2(dy, dx) - laser.yaw - scan.first_angle) % (2.0 * pi)
+    beam, away = round(bearing / scan.step), hypot(dx, dy)
     if not 0 <= beam < len(scan.ranges):
         return False
     spread = max(1, int(0.5 * radius / max(away, 0.1) / scan.step))

@@ -48,8 +48,8 @@ class MotionState:
         """Return the state predicted to a later time [s]."""
         dt = max(0.0, at - self.at)
         q = _ACCELERATION_SIGMA * _ACCELERATION_SIGMA
-        pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * dt**4 / 4.0
-        pv = self.pv + dt * self.vv + q * dt**3 / 2.0
+        pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * (dt * dt) ** 2 / 4.0
+        pv = self.pv + dt * self.vv + q * dt * dt * dt / 2.0
         return MotionState(
             max(at, self.at),
             self.position_at(at),

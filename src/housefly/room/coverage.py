@@ -41,12 +41,12 @@ def _in_view(camera: TrackingCamera, points: FloatArray) -> Mask:
         for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))
     )
     rays = points - np.array(camera.position)
-    depth = rays @ ahead
+    depth = np.einsum("nk,k->n", rays, ahead)
     horizontal, vertical = (tan(angle / 2) for angle in camera.field_of_view)
     inside: Mask = (
         (depth > 0.0)
-        & (np.abs(rays @ right) <= depth * horizontal)
-        & (np.abs(rays @ down) <= depth * vertical)
+        & (np.abs(np.einsum("nk,k->n", rays, right)) <= depth * horizontal)
+        & (np.abs(np.einsum("nk,k->n", rays, down)) <= depth * vertical)
         & (np.linalg.norm(rays, axis=1) <= camera.reach)
     )
     return inside

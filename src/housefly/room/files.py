@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from math import sqrt
 from pathlib import Path
 from typing import Annotated, Any, Self
 
@@ -19,6 +20,7 @@ from housefly.config.toml import parse_toml
 from housefly.config.validation import dotted, explain
 from housefly.errors import ConfigError, RoomError
 from housefly.geometry import Quaternion, normalized
+from housefly.numeric import running_sum
 from housefly.room.bsen import bsen
 from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
 
@@ -236,7 +238,7 @@ def _camera(number: int, entry: _CameraEntry, source: str) -> TrackingCamera:
 
 
 def _unit(q: Quaternion, key: str, source: str) -> Quaternion:
-    length = sum(part * part for part in q) ** 0.5
+    length = sqrt(running_sum(part * part for part in q))
     if abs(length - 1.0) > 0.01:
         raise ConfigError(
             key,

@@ -128,7 +128,8 @@ def _stand(solids: tuple[Solid, ...], piece: FurnitureConfig) -> Stand:
     along, aside = np.array((cos(yaw), sin(yaw))), np.array((-sin(yaw), cos(yaw)))
     corners = np.array([corner for solid in touched for corner in outline(solid)])
     (low_u, high_u), (low_v, high_v) = (
-        (float((corners @ axis).min()), float((corners @ axis).max())) for axis in (along, aside)
+        (float(reach.min()), float(reach.max()))
+        for reach in (np.einsum("nk,k->n", corners, axis) for axis in (along, aside))
     )
     x, y = (along * (low_u + high_u) + aside * (low_v + high_v)) / 2.0
     length, width = high_u - low_u, high_v - low_v

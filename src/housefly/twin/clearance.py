@@ -68,7 +68,7 @@ class ClearanceMeter:
         bounds = self._lower_bounds(boxes)
         candidates = np.flatnonzero(bounds < within)
         nearest = within
-        for place in candidates[np.argsort(bounds[candidates])].tolist():
+        for place in candidates[np.argsort(bounds[candidates], kind="stable")].tolist():
             if bounds[place] >= nearest:
                 break
             nearest = min(nearest, self._gap(int(boxes.geoms[place]), min(nearest, _FAR)))

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from housefly.geometry import Vec3, distance
+from housefly.numeric import running_sum
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.people.motion import PersonMotion
 from housefly.twin.solids import SolidKind, SolidOwner
@@ -117,4 +118,4 @@ class ContactLog:
 
 def _into(point: TouchPoint, velocity: Vec3) -> float:
     """Return the part of a velocity that leads into what is touched [m/s]."""
-    return -sum(normal * part for normal, part in zip(point.outward, velocity, strict=True))
+    return -running_sum(normal * part for normal, part in zip(point.outward, velocity, strict=True))

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from housefly.config.site import Site
 from housefly.geometry import Quaternion, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
+from housefly.numeric import running_sum
 from housefly.room.model import Room
 from housefly.twin.ardrone.body import BODY, DRONE_MASS, INERTIA, STANDING_HEIGHT
 from housefly.twin.ardrone.inner_loops import Wrench
@@ -99,7 +100,7 @@ class Physics:
         of inertia; products of inertia are left out. The torque of its weight is an external one.
         """
         mass, offset = (payload.mass, payload.offset) if payload else (0.0, (0.0, 0.0, 0.0))
-        square = sum(part * part for part in offset)
+        square = running_sum(part * part for part in offset)
         self.model.body_mass[self.drone_id] = DRONE_MASS + mass
         self.model.body_inertia[self.drone_id] = [
             own + mass * (square - part * part) for own, part in zip(INERTIA, offset, strict=True)

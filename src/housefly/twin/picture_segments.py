@@ -44,7 +44,8 @@ class PictureSegments:
         """Return the share of the picture that each thing and person takes, by name, 0 to 1."""
         data = self._physics.data
         eye = np.array(data.cam_xpos[self._camera])
-        rays = self._rays @ data.cam_xmat[self._camera].reshape(3, 3).T
+        axes = data.cam_xmat[self._camera].reshape(3, 3)
+        rays = np.einsum("nk,mk->nm", self._rays, axes)
         counted: dict[str, int] = {}
         for geom in self._first_opaque(eye, rays).tolist():
             owner = self._owners[geom] if geom >= 0 else None

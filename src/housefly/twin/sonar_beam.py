@@ -75,7 +75,8 @@ def _built_cells(physics: Physics, echoes: list[bool]) -> frozenset[tuple[int, i
     for geom in np.flatnonzero(model.geom_bodyid == 0).tolist():
         if not echoes[geom] or model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE:
             continue
-        half = np.abs(data.geom_xmat[geom].reshape(3, 3)) @ model.geom_aabb[geom, 3:]
+        turned = np.abs(data.geom_xmat[geom].reshape(3, 3))
+        half = np.einsum("nk,k->n", turned, model.geom_aabb[geom, 3:])
         low, high = (data.geom_xpos[geom] + sign * (half + _RADIUS_MAX) for sign in (-1.0, 1.0))
         cells.update(
             (across, along)

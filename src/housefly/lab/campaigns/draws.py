@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable
-from math import inf, isfinite, log
+from math import exp, inf, isfinite, log
 from typing import Annotated, Self
 
 import numpy as np
@@ -16,7 +16,7 @@ from pydantic import Field, model_validator
 from housefly.config.section import Section
 from housefly.errors import ConfigError, MissingPartError
 from housefly.lab.experiments.cases import Parameter
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 
 try:
     from scipy.special import ndtr, ndtri
@@ -109,7 +109,7 @@ def _uniform(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) 
 
 def _loguniform(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) -> FloatArray:
     low, high = numbers
-    return np.clip(np.exp(log(low) + (log(high) - log(low)) * shares), low, high)
+    return np.clip(elementwise(exp, log(low) + (log(high) - log(low)) * shares), low, high)
 
 
 def _normal(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) -> FloatArray:

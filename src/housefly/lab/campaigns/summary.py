@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from itertools import pairwise, product
+from math import floor, log10
 from pathlib import Path
 from typing import Any
 
@@ -89,9 +90,7 @@ def estimate_text(measure: str, estimate: IntervalEstimate) -> str:
         return f"{100 * value:.0f} % ({100 * low:.0f} to {100 * high:.0f})"
     if not np.isfinite(estimate.half):
         return f"{value:.3g}"
-    decimals = (
-        min(max(1 - int(np.floor(np.log10(estimate.half))), 0), 6) if estimate.half > 0.0 else 3
-    )
+    decimals = min(max(1 - floor(log10(estimate.half)), 0), 6) if estimate.half > 0.0 else 3
     return f"{value:.{decimals}f} ± {estimate.half:.{decimals}f}"
 
 

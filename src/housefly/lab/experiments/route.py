@@ -153,6 +153,7 @@ def _drawn(curve: FloatArray) -> FloatArray:
 
 def _off_chord(points: FloatArray, a: FloatArray, b: FloatArray) -> FloatArray:
     leg = b - a
-    share = np.clip((points - a) @ leg / max(float(leg @ leg), 1e-18), 0.0, 1.0)
+    along = np.einsum("nk,k->n", points - a, leg)
+    share = np.clip(along / max(float((leg * leg).sum()), 1e-18), 0.0, 1.0)
     off: FloatArray = np.linalg.norm(points - a - share[:, None] * leg, axis=1)
     return off

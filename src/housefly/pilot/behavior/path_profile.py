@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import inf, sin
+from math import atan2, inf, sin
 from typing import NamedTuple
 
 import numpy as np
 
 from housefly.geometry import Vec2, distance, heading_to, wrap_angle
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 
 CORNER_VELOCITY_JUMP = 0.12
 """Largest sudden change of the reference velocity at a corner [m/s]."""
@@ -55,7 +55,7 @@ def path_profile(waypoints: tuple[Vec2, ...]) -> PathProfile:
         marks=np.concatenate(([0.0], np.cumsum(lengths))),
         speeds=np.array([0.0, *corners, 0.0][: len(points)]),
         along=along,
-        headings=np.arctan2(along[:, 1], along[:, 0]),
+        headings=elementwise(atan2, along[:, 1], along[:, 0]),
         waypoints=np.array(waypoints, dtype=float),
         motion=NO_MOTION,
     )

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import atan2
 
 import numpy as np
 
 from housefly.geometry import Vec3
 from housefly.messages.steering import Path
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.yaw_reference import YAW_REFERENCE_RATE
 from housefly.pilot.planning.trajectory.heading import headings
@@ -79,7 +80,7 @@ def trajectory_profile(
         marks=TICK * shown.astype(float),
         speeds=np.linalg.norm(rows[shown, 3:6], axis=1),
         along=steps / lengths[:, None],
-        headings=np.arctan2(steps[:, 1], steps[:, 0]),
+        headings=elementwise(atan2, steps[:, 1], steps[:, 0]),
         waypoints=points,
         motion=np.ascontiguousarray(np.column_stack((rows, yaws))),
     )

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import hypot, isfinite
+from math import cos, exp2, hypot, isfinite, sin
 
 import numpy as np
 
@@ -80,7 +80,7 @@ def obstacle_fault(obstacle: Obstacle, now: float, extent: MapExtent) -> str:
 def certainty_now(obstacle: Obstacle, now: float) -> float:
     """Return how far an obstacle is believed now, 0 to 1."""
     age = max(0.0, now - obstacle.seen_at)
-    return float(obstacle.confidence * 0.5 ** (age / CERTAINTY_HALF_LIFE))
+    return float(obstacle.confidence * exp2(-age / CERTAINTY_HALF_LIFE))
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,8 +155,8 @@ def obstacle_row(
         y,
         length / 2,
         width / 2,
-        float(np.cos(obstacle.yaw)),
-        float(np.sin(obstacle.yaw)),
+        cos(obstacle.yaw),
+        sin(obstacle.yaw),
         obstacle.radius + grown,
         0.0,
         0.0,

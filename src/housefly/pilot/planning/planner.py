@@ -9,6 +9,7 @@ import numpy as np
 from housefly.geometry import Vec2, distance
 from housefly.messages.order_fault import COORDINATE_MAX
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.numeric import running_sum
 from housefly.pilot.planning.dijkstra import (
     UNREACHED,
     FreeMask,
@@ -68,7 +69,7 @@ def plan(
 
 def path_length(waypoints: tuple[Vec2, ...]) -> float:
     """Return the sum of the legs [m]."""
-    return sum(distance(a, b) for a, b in pairwise(waypoints))
+    return running_sum(distance(a, b) for a, b in pairwise(waypoints))
 
 
 def path_clearance(grid: OccupancyGrid, waypoints: tuple[Vec2, ...]) -> float:

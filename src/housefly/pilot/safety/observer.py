@@ -9,6 +9,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import DroneStatus
+from housefly.numeric import running_sum
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget, EnergyMonitor
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.timers import Stopwatch, Window
@@ -244,4 +245,4 @@ def _added_up(spans: Window[float], now: float, dt: float) -> float:
     """Take in a span of this length [s], and return the sum of those of late."""
     if dt:
         spans.add(now, dt)
-    return sum(spans.values(now))
+    return running_sum(spans.values(now))

@@ -9,11 +9,12 @@ systems" (ECOM-7043, 1975).
 
 from __future__ import annotations
 
+import math
 from math import tan
 
 import numpy as np
 
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 from housefly.tasks.vantage.camera import FRONT_CAMERA
 
 _PICTURE_WIDTH = 640
@@ -38,6 +39,6 @@ def detection_probability(distances: FloatArray, size: float = THING_SIZE) -> Fl
     """
     per_metre = _PICTURE_WIDTH / (2.0 * tan(FRONT_CAMERA.width / 2.0))
     pairs = 0.5 * size * per_metre / np.maximum(distances, 0.1) / _HALF_RECOGNISED
-    raised = np.power(pairs, 2.7 + 0.7 * pairs)
+    raised = elementwise(math.pow, pairs, 2.7 + 0.7 * pairs)
     result: FloatArray = _ATTENTION * raised / (1.0 + raised)
     return result

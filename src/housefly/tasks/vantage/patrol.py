@@ -17,7 +17,7 @@ import numpy as np
 
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, running_sum
 from housefly.pilot.planning.dijkstra import CellDistances, distances
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.reach import Mask
@@ -174,7 +174,7 @@ def _far(grid: OccupancyGrid, moves: CellDistances, place: Vec2) -> float:
 
 
 def _length(ways: FloatArray, order: list[int]) -> float:
-    return float(sum(ways[a, b] for a, b in pairwise([*order, order[0]])))
+    return float(running_sum(ways[a, b] for a, b in pairwise([*order, order[0]])))
 
 
 def _viewpoint(views: CameraViews, row: int, fresh: Mask, name: str, visible: int) -> Viewpoint:

@@ -45,7 +45,7 @@ def chosen_looks(
     left, at, spent = probability.copy(), -1, 0.0
     chosen: list[int] = []
     while len(chosen) < most and len(detection):
-        gains, times = detection @ left, times_from(at)
+        gains, times = np.einsum("mn,n->m", detection, left), times_from(at)
         worth = np.where((gains >= least) & (spent + times <= budget), gains / times, 0.0)
         best = int(np.argmax(worth))
         if worth[best] <= 0.0:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
-from math import exp, isfinite
+from math import cos, exp, exp2, isfinite, sin
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from housefly.hub.api.answers import WhereAnswer
 from housefly.hub.things.carrying import with_article
 from housefly.hub.things.surfaces import Surface
 from housefly.hub.things_of_room import surfaces_of
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise, running_sum
 from housefly.room.grid import Cell
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.vantage.camera_views import lattice
@@ -83,7 +83,7 @@ def laying_places(viewing: ViewingRoom) -> LayingPlaces:
         points.append((x, y, _ABOVE))
         weight.append(_FLOOR * _FLOOR_EDGE**2)
         place.append(len(things) - 1)
-    shares = np.array(weight) / max(sum(weight), 1e-9)
+    shares = np.array(weight) / max(running_sum(weight), 1e-9)
     shape = np.array(points, dtype=np.float64).reshape(-1, 3)
     return LayingPlaces(shape, shares, np.array(place), (*names.values(), _FLOOR_WORDS), things)
 
@@ -100,7 +100,7 @@ def belief_of(
     """
     lying = laying_places(viewing)
     hints = () if answer is None else _hints(answer, {one.id: one for one in people})
-    known = sum(hint.share for hint in hints)
+    known = running_sum(hint.share for hint in hints)
     points, chance = [lying.points], (1.0 - known) * (1.0 - _HIDDEN) * lying.weight
     place, places = [lying.place], list(lying.places)
     own = list[float]()
@@ -132,12 +132,12 @@ class _Hint:
 
 def _hints(answer: WhereAnswer, people: dict[str, SeenPerson]) -> tuple[_Hint, ...]:
     age = answer.age or 0.0
-    trust = (1.0 - _ANYWHERE) * 0.5 ** (max(0.0, age) / _HALF_MOVED)
+    trust = (1.0 - _ANYWHERE) * exp2(-max(0.0, age) / _HALF_MOVED)
     holder = answer.inside[0] if answer.inside else ""
     first = "where it was last" if not holder else f"in or on {with_article(holder)}"
     named = [(answer.confidence, answer.position, holder, first)]
     named += [(o.confidence, o.position, o.thing, o.words) for o in answer.alternatives]
-    total = max(1.0, sum(share for share, *_ in named))
+    total = max(1.0, running_sum(share for share, *_ in named))
     found = []
     for share, position, thing, words in named:
         carrier = people.get(thing)
@@ -152,7 +152,7 @@ def _hints(answer: WhereAnswer, people: dict[str, SeenPerson]) -> tuple[_Hint, .
 def _around(hint: _Hint, lying: LayingPlaces) -> FloatArray:
     """Return the shares of the points around a hint, sum 1, or 0 when it has none."""
     away = np.linalg.norm(lying.points[:, :2] - np.array(hint.position[:2]), axis=1)
-    near = np.exp(-0.5 * (away / _SPREAD) ** 2) * (away < 3.0 * _SPREAD)
+    near = elementwise(exp, -0.5 * (away / _SPREAD) ** 2) * (away < 3.0 * _SPREAD)
     if hint.thing in lying.things[:-1]:
         near = near * (lying.place == lying.things.index(hint.thing))
     total = float(near.sum())
@@ -170,7 +170,7 @@ def _place_index(hint: _Hint, lying: LayingPlaces, places: list[str]) -> int:
 
 def _points_on(surface: Surface) -> list[Vec3]:
     """Return points on a top, inside its edge [m]."""
-    c, s = np.cos(surface.yaw), np.sin(surface.yaw)
+    c, s = cos(surface.yaw), sin(surface.yaw)
     spans = [_span(half) for half in surface.half]
     found = []
     for along in spans[0]:

@@ -90,7 +90,8 @@ class ThingSearch:
         self._grid, self._free = there.grid, (there.grid.cells == Cell.FREE) & there.free
         self._first, self._now = belief, belief
         self._views = camera_views(viewing, there, belief.points, known)
-        self._detection = self._views.shown * detection_probability(self._distances())
+        self._detection = np.zeros(self._views.shown.shape)
+        self._detection[self._views.shown] = detection_probability(self._distances())
         self._missed = np.ones(len(belief.points))
         self._unanswered = np.ones(len(belief.points))
 
@@ -160,9 +161,11 @@ class ThingSearch:
         )
 
     def _distances(self) -> FloatArray:
-        places, points = self._views.places, self._views.points
-        flat = np.linalg.norm(places[:, None, :] - points[None, :, :2], axis=2)
-        away: FloatArray = np.hypot(flat, points[None, :, 2] - self._viewing.height)
+        """Return the distance of each point from each view that shows it [m], shape (n,)."""
+        view, point = np.nonzero(self._views.shown)
+        places, points = self._views.places[view], self._views.points[point]
+        flat = np.linalg.norm(places - points[:, :2], axis=1)
+        away: FloatArray = np.hypot(flat, points[:, 2] - self._viewing.height)
         return away
 
     def _times(self, place: Vec2) -> FloatArray:
@@ -186,7 +189,7 @@ class ThingSearch:
         shares = np.bincount(self._now.place, weights=caught, minlength=len(self._now.places))
         order = [int(n) for n in np.argsort(-shares, kind="stable")][:_PLACES_NAMED]
         places = tuple(self._now.places[n] for n in order if shares[n] >= _NAMED * total)
-        mx, my, mz = (caught @ self._views.points / total).tolist()
+        mx, my, mz = (np.einsum("n,nk->k", caught, self._views.points) / total).tolist()
         away = max(1.0, distance((x, y), (mx, my)))
         look_at = (round(x + away * cos(heading), 3), round(y + away * sin(heading), 3), mz)
         name = " and ".join(places)

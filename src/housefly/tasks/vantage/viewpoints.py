@@ -7,14 +7,14 @@ weighed first; lines of sight are cast for the best only, until no other cell ca
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import hypot
+from math import atan2, cos, hypot
 
 import numpy as np
 
 from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise, norm
 from housefly.room.reach import Mask
 from housefly.room.sight import in_sight
 from housefly.tasks.api.values import ReasonCode
@@ -101,7 +101,7 @@ def viewpoint_at(
     """
     look_at, points = np.array(subject.look_at), np.array(subject.points)
     eyes = FRONT_CAMERA.eyes(np.array([[*place, viewing.height]]), look_at)
-    away = float(np.linalg.norm(eyes[0] - look_at))
+    away = norm(eyes[0] - look_at)
     hiding = viewing.hiding(subject.own, obstacles, subject.look_at[:2], _OWN_RADIUS)
     seen = FRONT_CAMERA.frames(eyes, look_at, points) & in_sight(hiding, eyes, points)
     if away > _STAY_RANGE or not _shows(seen)[0]:
@@ -204,7 +204,7 @@ def _cheap_worth(
     worth += _LANDABLE * there.can_land(flat)
     if subject.front is not None:
         x, y = (flat - np.array(subject.look_at[:2])).T
-        ahead = np.cos(np.arctan2(y, x) - subject.front)
+        ahead = elementwise(cos, elementwise(atan2, y, x) - subject.front)
         worth += _FRONT * np.maximum(0.0, ahead)
     result: FloatArray = worth
     return result

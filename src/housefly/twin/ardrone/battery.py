@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from itertools import pairwise
+from math import sqrt
 
 from housefly.twin.disturbance import Disturbances
 
@@ -45,7 +46,7 @@ class Battery:
             seconds: how long [s].
             load: thrust over weight; rotor power grows as its 3/2 power (momentum theory).
         """
-        rotors = load**1.5 if load > 0.0 else 0.0
+        rotors = load * sqrt(load) if load > 0.0 else 0.0
         used = seconds / _ENDURANCE * (_IDLE_SHARE + (1.0 - _IDLE_SHARE) * rotors)
         self.charge = max(0.0, self.charge - used)
 

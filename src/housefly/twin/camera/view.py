@@ -6,7 +6,7 @@ Importing this module needs a working GL library; only the camera's child proces
 
 from __future__ import annotations
 
-from math import cos, radians, sin, tan
+from math import atan, cos, radians, sin, tan
 from typing import Any
 
 import mujoco
@@ -108,14 +108,15 @@ class _Frustum:
             model.geom_rbound > 0, model.geom_rbound, np.inf
         )  # planes have no bounding sphere
         self._up = radians(float(model.cam_fovy[self._camera])) / 2
-        self._side = np.arctan(tan(self._up) * aspect)
+        self._side = atan(tan(self._up) * aspect)
 
     def groups(self, data: Any) -> NDArray[np.int32]:
         """Return the geom groups with everything out of sight in a hidden one."""
-        right, up, back = (
-            (data.geom_xpos - data.cam_xpos[self._camera])
-            @ data.cam_xmat[self._camera].reshape(3, 3)
-        ).T
+        right, up, back = np.einsum(
+            "nk,km->mn",
+            data.geom_xpos - data.cam_xpos[self._camera],
+            data.cam_xmat[self._camera].reshape(3, 3),
+        )
         beside = np.abs(right) * cos(self._side) + back * sin(self._side) > self._radii
         above = np.abs(up) * cos(self._up) + back * sin(self._up) > self._radii
         groups: NDArray[np.int32] = np.where(beside | above, _OUT_OF_SIGHT, self._groups)

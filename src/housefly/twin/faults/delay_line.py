@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import Generic, TypeVar
 
+from housefly.numeric import running_sum
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.vocabulary import FaultKind
 
@@ -20,7 +21,7 @@ class DelayLine(Generic[Late]):
 
     def put(self, item: Late, active: tuple[Fault, ...], now: float) -> None:
         """Let something leave now [s]; the delays of the faults that are active add up."""
-        delay = sum(fault.size for fault in active if fault.kind is FaultKind.DELAYED)
+        delay = running_sum(fault.size for fault in active if fault.kind is FaultKind.DELAYED)
         behind = self._waiting[-1][0] if self._waiting else now
         self._waiting.append((max(behind, now + delay), now, item))
 

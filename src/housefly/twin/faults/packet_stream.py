@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from random import Random
 from typing import Generic, TypeVar
 
+from housefly.numeric import running_sum
 from housefly.twin.faults.fault import Fault, FaultSchedule
 from housefly.twin.faults.slots import Slots
 from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
@@ -59,7 +60,7 @@ class PacketStream(Generic[Packet]):
             self._before = packet
         if changed is None:
             return ()
-        delay = sum(fault.size for fault in active if fault.kind is FaultKind.DELAYED)
+        delay = running_sum(fault.size for fault in active if fault.kind is FaultKind.DELAYED)
         self._last_due = max(self._last_due, now + delay)
         return tuple((self._last_due, each) for each in self._ordered(changed, active))
 

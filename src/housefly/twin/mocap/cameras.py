@@ -67,7 +67,7 @@ class MocapCameras:
         Args:
             rays: from marker to camera [m], shape (cameras, markers, 3).
         """
-        local = rays @ self._backward_axes
+        local = np.einsum("cmk,cka->cma", rays, self._backward_axes)
         inside = np.abs(local[:, :, :2]) < local[:, :, 2:] * self._slopes
         near = np.einsum("cmk,cmk->cm", rays, rays) < self._reach_squared
         result: NDArray[np.bool_] = inside[:, :, 0] & inside[:, :, 1] & near

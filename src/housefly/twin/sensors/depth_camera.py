@@ -64,7 +64,7 @@ class DepthCamera:
             ]
         )
         self._along = away[:, 2]
-        self._rays = (away @ axes).ravel()
+        self._rays = np.einsum("nk,km->nm", away, axes).ravel()
         self._geoms = np.zeros(DEPTH_WIDTH * DEPTH_HEIGHT, np.int32)
         self._reached = np.zeros(DEPTH_WIDTH * DEPTH_HEIGHT)
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from math import cos, sin
 
 import numpy as np
 
 from housefly.geometry import Vec2
+from housefly.numeric import running_sum
 from housefly.twin.people import Act, PersonState, Posture, Scene, SceneEvent, SceneState
 from housefly.twin.people.script import DeviceScript, SceneScript
 from housefly.wires.devices import KINDS, Channel, DeviceAddress, encode_payload
@@ -217,7 +219,7 @@ def _cabinet(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
 
 def _bed(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     lying = (p for p in state.people if p.posture is Posture.LYING and _covers(device, p.position))
-    return {"load": sum(facts.weights[person.name] for person in lying)}
+    return {"load": running_sum(facts.weights[person.name] for person in lying)}
 
 
 def _door(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
@@ -274,7 +276,7 @@ def _covers(device: DeviceScript, at: Vec2) -> bool:
 
 def _local(device: DeviceScript, at: Vec2) -> _Values:
     """Return a point of the world in the device's frame [m]."""
-    turn = complex(np.cos(device.yaw), -np.sin(device.yaw))
+    turn = complex(cos(device.yaw), -sin(device.yaw))
     point = complex(at[0] - device.position[0], at[1] - device.position[1]) * turn
     return {"x": point.real, "y": point.imag}
 

@@ -6,7 +6,7 @@ at one moment; a real mirror takes three quarters of a turn.
 
 from __future__ import annotations
 
-from math import asin, atan2, ceil, floor, hypot, pi, tau
+from math import asin, atan2, ceil, cos, floor, hypot, pi, sin, tau
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from housefly.config.laser import LaserConfig
 from housefly.config.twin import TwinConfig
-from housefly.numeric import FloatArray, compiled
+from housefly.numeric import FloatArray, compiled, elementwise
 from housefly.twin.movable import AWAY_POSE
 from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
@@ -125,10 +125,12 @@ class Scanner:
         self._origin = np.array([config.x, config.y, config.z])
         self._longest = self._parameters.longest / 1000.0
         beams = self._parameters.beams
-        angles = (
+        angles: FloatArray = (
             config.yaw + self._parameters.first_angle + np.arange(beams) * self._parameters.step
         )
-        self._rays = np.stack([np.cos(angles), np.sin(angles), np.zeros(beams)], axis=1)
+        self._rays = np.stack(
+            [elementwise(cos, angles), elementwise(sin, angles), np.zeros(beams)], axis=1
+        )
         self._beams = _Beams(
             config.x, config.y, config.z, float(angles[0]), self._parameters.step, self._longest
         )

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from math import atan2, ceil, pi
+from math import atan2, ceil, cos, pi, sin
 
 import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import wrap_angle
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 from housefly.pilot.planning.space.oriented_hull import OrientedHull, oriented_clearances
 from housefly.pilot.planning.space.voxels import CLEARANCE_CAP
 
@@ -80,8 +80,8 @@ def _best_heading(motion: FloatArray, rows: FloatArray, hull: OrientedHull) -> f
     clear = oriented_clearances(rows, poses.reshape(-1, 4), hull, CLEARANCE_CAP)
     nearest = clear.reshape(len(yaws), -1).min(axis=1)
     # Of equals the middle: the air is the same on both sides of it.
-    good = np.exp(1j * 2.0 * yaws[nearest >= nearest.max() - 1e-3]).sum()
-    best = 0.5 * float(np.angle(good))
+    good = 2.0 * yaws[nearest >= nearest.max() - 1e-3]
+    best = 0.5 * atan2(elementwise(sin, good).sum(), elementwise(cos, good).sum())
     moved = motion[-1, :2] - motion[0, :2]
     ahead = atan2(moved[1], moved[0])
     return best if abs(wrap_angle(best - ahead)) <= pi / 2 else wrap_angle(best + pi)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import inf
+from math import ceil, inf, log2
 from typing import Any
 
 import numpy as np
@@ -89,7 +89,7 @@ class CellSearch:
             raised = np.zeros(grid.shape)
             raised[self._inside()] = self.weights.reshape(self._inner())
             self._weights = raised.ravel()
-        buckets = 2 ** int(np.ceil(np.log2(2.0 * SQRT3 * (1.0 + most) / BUCKET + 4.0)))
+        buckets = 2 ** ceil(log2(2.0 * SQRT3 * (1.0 + most) / BUCKET + 4.0))
         self._heads = np.empty(buckets, dtype=np.int32)
 
     def _inner(self) -> tuple[int, ...]:

@@ -15,7 +15,7 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.geometry import GRAVITY, Vec3
 from housefly.messages.obstacles import Obstacle
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, norm
 from housefly.pilot.planning.people import ObservedPeople, is_walking, may_be_person
 from housefly.pilot.planning.space.answer import (
     SpaceAnswer,
@@ -284,7 +284,7 @@ class SpaceMap:
             why = objection(voxels, self._open_air, "start", (x, y, z))
             return SpaceAnswer(None, why, nearest_free(voxels, moment.free, (x, y, z)))
         end, clearance = moment.kept(goal), moment.clearance(start.place)
-        if np.linalg.norm(end - start.place) < ARRIVED and _stands(start):
+        if norm(end - start.place) < ARRIVED and _stands(start):
             return SpaceAnswer(_staying(start, clearance))
         if not moment.is_free(start.place) or clearance < voxels.keep - CLEARANCE_GIVE:
             return self._escaping(moment, start, end)
@@ -341,7 +341,7 @@ class SpaceMap:
 
 
 def _stands(start: KinematicState) -> bool:
-    return float(np.linalg.norm(start.velocity)) < STANDING
+    return norm(start.velocity) < STANDING
 
 
 def _staying(start: KinematicState, clearance: float) -> Trajectory:

@@ -42,11 +42,11 @@ def _shares(per_span: int) -> tuple[tuple[FloatArray, FloatArray], ...]:
     """
     u = np.arange(per_span) / per_span
     one, nil = np.ones(per_span), np.zeros(per_span)
-    powers = np.stack((one, u, u**2, u**3), axis=1)
+    powers = np.stack((one, u, u**2, u * u * u), axis=1)
     slopes = np.stack((nil, one, 2.0 * u, 3.0 * u**2), axis=1)
     bends = np.stack((nil, nil, 2.0 * one, 6.0 * u), axis=1)
     return tuple(
-        (inside @ _POWERS, end @ _POWERS)
+        (np.einsum("uk,kn->un", inside, _POWERS), np.einsum("k,kn->n", end, _POWERS))
         for inside, end in zip((powers, slopes, bends), _AT_END, strict=True)
     )
 

@@ -7,7 +7,7 @@ from math import ceil
 
 import numpy as np
 
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, norm
 from housefly.pilot.planning.trajectory.bounded_points import bounded_points
 
 _SHARED = 3
@@ -50,7 +50,7 @@ def control_points(
 
 def _between(start: FloatArray, end: FloatArray, stride: float) -> int:
     """Return how many control points go between two places."""
-    return max(0, ceil(float(np.linalg.norm(end - start)) / stride) - _SHARED + 1)
+    return max(0, ceil(norm(end - start) / stride) - _SHARED + 1)
 
 
 def _put(lows: list[FloatArray], highs: list[FloatArray], box: FloatArray, count: int) -> None:

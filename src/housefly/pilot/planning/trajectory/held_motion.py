@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from housefly.config.limits import LimitsConfig
-from housefly.numeric import FloatArray, clipped, compiled
+from housefly.numeric import FloatArray, clipped, compiled, norm
 from housefly.pilot.planning.trajectory.kinematic_state import TICK, KinematicState
 
 ACCELERATION_MAX = 1.0
@@ -60,7 +60,7 @@ def held_limits(limits: LimitsConfig) -> HeldLimits:
 
 def held_velocity(wish: FloatArray, limits: HeldLimits) -> FloatArray:
     """Return a velocity that was asked for within the limits [m/s], shape (3,)."""
-    length = float(np.linalg.norm(wish))
+    length = norm(wish)
     within = wish * min(1.0, limits.speed / max(length, 1e-9))
     within[2] = clipped(float(within[2]), limits.climb)
     return within

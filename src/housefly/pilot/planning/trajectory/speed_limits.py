@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from math import cbrt
 from typing import NamedTuple
 
 import numpy as np
 
-from housefly.numeric import FloatArray, compiled_with_arrays
+from housefly.numeric import FloatArray, compiled_with_arrays, elementwise
 from housefly.pilot.planning.trajectory.curve import ArcCurve
 
 
@@ -59,7 +60,9 @@ def speed_limits(
     fastest = np.minimum(
         fastest, np.sqrt(limits.vertical_acceleration / np.maximum(vertical_bend, 1e-9))
     )
-    fastest = np.minimum(fastest, np.cbrt(limits.jerk / np.maximum(_bend_change(curve), 1e-9)))
+    fastest = np.minimum(
+        fastest, elementwise(cbrt, limits.jerk / np.maximum(_bend_change(curve), 1e-9))
+    )
     return np.where(curve.stands > 0.0, 0.0, fastest)
 
 
@@ -74,7 +77,7 @@ def _bend_change(curve: ArcCurve) -> FloatArray:
 def _turning_speed(bend: FloatArray, acceleration: float, drag: float) -> FloatArray:
     """Return the speed at which a bend [1/m] and the drag take all the acceleration [m/s]."""
     # Of the two ways to write the root of the quadratic, the one that does not cancel.
-    root = np.sqrt(drag**4 + 4.0 * bend**2 * acceleration**2)
+    root = np.sqrt((drag * drag) ** 2 + 4.0 * bend**2 * acceleration**2)
     speeds: FloatArray = np.sqrt(2.0 * acceleration**2 / (drag**2 + root))
     return speeds
 

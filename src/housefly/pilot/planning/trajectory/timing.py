@@ -6,7 +6,7 @@ from math import inf
 
 import numpy as np
 
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, norm
 from housefly.pilot.planning.trajectory.curve import ArcCurve
 from housefly.pilot.planning.trajectory.kinematic_state import TICK as TICK
 from housefly.pilot.planning.trajectory.kinematic_state import KinematicState as KinematicState
@@ -86,8 +86,8 @@ def _motion_within(
     an acceleration whose average is the start's.
     """
     window = 2.0 * limits.acceleration / limits.jerk
-    speed = float(np.linalg.norm(start.velocity))
-    push = float(start.acceleration @ start.velocity) / speed if speed > STANDING else 0.0
+    speed = norm(start.velocity)
+    push = float((start.acceleration * start.velocity).sum()) / speed if speed > STANDING else 0.0
     lead = 0.5 * speed * window + push * window**2 / 12.0
     raw_speed = speed + 0.5 * push * window
     fastest = lowered_around(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, norm
 from housefly.pilot.planning.space.any_angle import in_voxel_edges
 from housefly.pilot.planning.space.clearance import hull_clearances
 from housefly.pilot.planning.space.voxels import CLEARANCE_CAP, VoxelMap, VoxelMask
@@ -85,7 +85,7 @@ def trajectory_along(
     boxes = boxes * voxels.resolution + np.array(voxels.origin)
     boxes[0] = np.minimum(boxes[0, 0], corners[0]), np.maximum(boxes[0, 1], corners[0])
     boxes[-1] = np.minimum(boxes[-1, 0], corners[-1]), np.maximum(boxes[-1, 1], corners[-1])
-    is_standing = bool(np.linalg.norm(start.velocity) < STANDING)
+    is_standing = norm(start.velocity) < STANDING
     if not is_standing and _bend_of(start) > _BEND_MAX:
         return None
     is_chain = bool((boxes[1:, 0] <= boxes[:-1, 1]).all() and (boxes[:-1, 0] <= boxes[1:, 1]).all())
@@ -112,14 +112,14 @@ def trajectory_along(
 
 def _bend_of(start: KinematicState) -> float:
     """Return the bend of the curve on which a state moves [1/m]."""
-    speed = float(np.linalg.norm(start.velocity))
-    return float(np.linalg.norm(np.cross(start.velocity, start.acceleration))) / speed**3
+    speed = norm(start.velocity)
+    return norm(np.cross(start.velocity, start.acceleration)) / (speed * speed * speed)
 
 
 def _first_points(start: KinematicState, stride: float) -> FloatArray:
-    speed = float(np.linalg.norm(start.velocity))
+    speed = norm(start.velocity)
     if speed < STANDING:
         return np.repeat(start.place[None, :], 3, axis=0)
     along = start.velocity / speed
-    aside = start.acceleration - (start.acceleration @ along) * along
+    aside = start.acceleration - (start.acceleration * along).sum() * along
     return moving_start(start.place, along, aside / speed**2, stride)
