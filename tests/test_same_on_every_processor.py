@@ -7,6 +7,7 @@ numpy, its BLAS and its sorts choose code by processor: last digits differ, or t
 from __future__ import annotations
 
 import ast
+import json
 import os
 import subprocess
 import sys
@@ -14,8 +15,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+import processor_flights
 import pytest
-from processor_flights import flown_digests
 
 import housefly
 
@@ -61,12 +62,13 @@ USE = "use math, or elementwise, norm or einsum (housefly.numeric)"
 
 
 def deciding_files() -> list[Path]:
-    """Every source that has a part in what is flown."""
+    """Every source that has a part in what is flown and computes with arrays."""
     free = tuple(PACKAGE / name for name in FREE)
     return [
         path
         for path in sorted(PACKAGE.rglob("*.py"))
         if not any(path == each or each in path.parents for each in free)
+        and any(word in path.read_text(encoding="utf-8") for word in ("numpy", "numeric", "scipy"))
     ]
 
 
@@ -137,3 +139,75 @@ def _foreign(node: ast.Import | ast.ImportFrom) -> Iterator[tuple[int, str]]:
         is_scipy = name.split(".")[0] == "scipy" and name not in FOREIGN
         if is_scipy or (name.startswith("numpy") and name != "numpy.typing"):
             yield node.lineno, f"{name} hides what is called"
+
+
+def test_nothing_that_differs_by_processor_decides_a_flight() -> None:
+    found = [
+        f"{path.relative_to(PACKAGE)}:{line}: {why}"
+        for path in deciding_files()
+        for line, why in objections(path.read_text(encoding="utf-8"))
+    ]
+    assert found == []
+
+
+def test_every_folder_that_is_left_out_is_there() -> None:
+    assert [name for name in FREE if not (PACKAGE / name).exists()] == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "np.arctan2(y, x)",
+        "each = np.cos",
+        "a @ b",
+        "a @= b",
+        "a.dot(b)",
+        "np.linalg.norm(a)",
+        "np.linalg.solve(a, b)",
+        "np.argsort(a)",
+        "a.argsort(kind='quicksort')",
+        "a**3",
+        "a**b",
+        "0.5**a",
+        "from scipy.linalg import expm",
+        "from numpy.linalg import norm",
+        "import numpy.fft",
+    ],
+)
+def test_the_check_refuses_what_differs(line: str) -> None:
+    assert list(objections(line))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "np.linalg.norm(a, axis=1)",
+        "np.hypot(a, b)",
+        "np.einsum('nk,k->n', a, b)",
+        "a.sum()",
+        "np.argsort(a, kind='stable')",
+        "a**2 + b**0.5 + 2**c",
+        "math.pow(a, b)",
+        "import numpy as np",
+        "@compiled\ndef cube(a):\n    return a**3",
+    ],
+)
+def test_the_check_lets_pass_what_is_the_same(line: str) -> None:
+    assert not list(objections(line))
+
+
+@pytest.mark.slow
+def test_an_older_processor_replays_and_flies_the_same_bits() -> None:
+    """All of numpy's newer instructions off, and the linear algebra of 2008."""
+    older = {
+        "NPY_DISABLE_CPU_FEATURES": " ".join(processor_flights.enabled()),
+        "OPENBLAS_CORETYPE": "Nehalem",
+    }
+    command = [sys.executable, processor_flights.__file__]
+    with subprocess.Popen(command, env=os.environ | older, stdout=subprocess.PIPE) as process:
+        here = processor_flights.flights()
+        told = json.loads(process.communicate()[0])
+    assert told["features"] == []
+    assert told["replays"] == {"default": "", "paper": "", "troubles": ""}
+    assert told["flights"] == here
+    assert all(here[name].startswith("completed") for name in processor_flights.MODES)
