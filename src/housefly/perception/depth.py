@@ -39,14 +39,14 @@ def points_of(depth: FloatArray, camera: Intrinsics, pose: Pose) -> FloatArray:
     believable = np.isfinite(depth) & (depth >= MIN_DEPTH) & (depth <= _MAX_DEPTH)
     v, u = np.nonzero(believable)
     z = depth[v, u]
-    local = np.stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z], axis=1)
+    local = np.stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z])
     axes = np.array(
         [
             rotate(pose.orientation, axis)
             for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
         ]
     )
-    points: FloatArray = np.einsum("nk,km->nm", local, axes) + np.array(pose.position)
+    points: FloatArray = np.einsum("km,kn->mn", axes, local).T + np.array(pose.position)
     return points
 
 

@@ -60,9 +60,9 @@ def speed_limits(
     fastest = np.minimum(
         fastest, np.sqrt(limits.vertical_acceleration / np.maximum(vertical_bend, 1e-9))
     )
-    fastest = np.minimum(
-        fastest, elementwise(cbrt, limits.jerk / np.maximum(_bend_change(curve), 1e-9))
-    )
+    cubes = limits.jerk / np.maximum(_bend_change(curve), 1e-9)
+    slower = np.flatnonzero(cubes < fastest * fastest * fastest)
+    fastest[slower] = elementwise(cbrt, cubes[slower])
     return np.where(curve.stands > 0.0, 0.0, fastest)
 
 
