@@ -68,7 +68,7 @@ class ClusterFleet:
         self._client.close()  # type: ignore[no-untyped-call]
 
     def foreign_processors(self) -> set[str]:
-        """Return the workers' processor types that differ from this machine's.
+        """Return the workers' kinds of processor that differ from this machine's.
 
         On such processors the last bits of the results may differ.
         """
