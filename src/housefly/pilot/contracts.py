@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -12,6 +13,7 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.messages.steering import PlanAnswer, Setpoint
+from housefly.pilot.behavior.blind_landing import BlindPlan
 from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.mission import (
     PEOPLE_SILENCE_MAX,
@@ -72,11 +74,11 @@ class Map(Protocol):
         """Return the way from a start to a goal [m]."""
         ...
 
-    def clear_floor(self, place: Vec2, height: float, least: float = 0.0) -> Vec2 | None:
+    def clear_floor(self, place: Vec2, height: float, found: Collection[Vec2] = ()) -> Vec2 | None:
         """Return where to land beside a place over furniture or people [m], at a height [m].
 
-        At least ``least`` metres away. None where the place itself is clear, unless it is to be
-        left, or nothing better can be reached.
+        Away from where the sonar found something. None where the place itself is clear and nothing
+        was found, or nothing better can be reached.
         """
         ...
 
@@ -104,8 +106,13 @@ class Missions(Protocol):
         """Whether the drone makes way for somebody: it may be far from where it flies to."""
         ...
 
-    def is_above_something(self, now: float) -> bool:
-        """Return whether the drone's own sensor shows something below that no map does."""
+    def found_below(self, vehicle: VehicleStatus) -> tuple[Vec2, ...]:
+        """Return where the drone's own sensor found something below [m], if it shows some now."""
+        ...
+
+    @property
+    def blind_landing(self) -> BlindPlan:
+        """Why not to land without tracking where the drone is, and what to fly instead."""
         ...
 
     @property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from math import isinf
 
@@ -283,14 +284,14 @@ class RoomNavigator:
             return comfortable
         return self._way(self._grid(self._kept[1]), start, goal)
 
-    def clear_floor(self, place: Vec2, height: float, least: float = 0.0) -> Vec2 | None:
+    def clear_floor(self, place: Vec2, height: float, found: Collection[Vec2] = ()) -> Vec2 | None:
         """Return where to land beside a place over furniture or people [m], at a height [m].
 
-        At least ``least`` metres away. None where the place itself is clear, unless it is to be
-        left, or nothing better can be reached.
+        Away from where the sonar found something. None where the place itself is clear and nothing
+        was found, or nothing better can be reached.
         """
         people = self.people
-        return people.clear_floor(place, height, self._refreshed, BESIDE_MAX, BESIDE_SPEED, least)
+        return people.clear_floor(place, height, self._refreshed, BESIDE_MAX, BESIDE_SPEED, found)
 
     def way(self, start: KinematicState, goal: Vec2, yaw: float, lead: float = 0.0) -> SpaceAnswer:
         """Return the trajectory in space from a state, at a heading [rad], to rest at a goal.

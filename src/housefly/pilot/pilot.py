@@ -32,7 +32,6 @@ from housefly.messages.steering import (
     SafetyMode,
 )
 from housefly.numeric import boxed, wrapped
-from housefly.pilot.behavior.braking import UNSEEN_DISTANCE
 from housefly.pilot.behavior.mission import PeopleSilence, TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
@@ -41,8 +40,10 @@ from housefly.pilot.behavior.steered_landing import MOVES_MAX, SteeredLanding
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
+from housefly.pilot.control.flow_hold import FlowHold, climb_to
 from housefly.pilot.control.landing_aim import landing_drift
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
+from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.estimation_report import (
     NOTHING_ESTIMATED,
     EstimationReport,
@@ -115,6 +116,7 @@ class Pilot:
         self._maneuvering = self._was_free = self._in_space = False
         self._height = settings.flight_height
         self._landing: SteeredLanding | None = None
+        self._flow_hold: FlowHold | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -257,7 +259,20 @@ class Pilot:
             tracking_disproved=self._reported.status in AIRBORNE_STATUSES and is_disproved(known),
             origin_known=inputs.origin_known,
             silence=PeopleSilence(now - inputs.people_seen_at, self._settings.people_silence),
+            reckoned=self._reckoned(now),
+            landing_waits=self._gate.landing_waits,
         )
+
+    def _reckoned(self, now: float) -> ReckonedPose | None:
+        """Return where the drone is by its own motion, while the gate leaves it to that."""
+        is_left = self._gate.landing_waits or not is_flown_in(self._stepped.gate)
+        if (
+            self._estimator is None
+            or not is_left
+            or self._reported.status is not DroneStatus.FLYING
+        ):
+            return None
+        return self._estimator.monitor.reckoned(now)
 
     def _trajectory_reference(self) -> TrajectoryReference | None:
         if not self._in_space or self._target is None:
@@ -279,7 +294,8 @@ class Pilot:
         now, state = vehicle.now, self._missions.state
         assessment = self._gate.assess(inputs)
         guidance = self._guidance(now, vehicle.estimate, assessment)
-        override = self._override(now, vehicle.estimate)
+        blind = self._blind_override(now, assessment)
+        override = blind or self._override(now, vehicle.estimate)
         self._stepped, output = boxed_step(
             self._boxed_step,
             self._estimator.box,
@@ -296,9 +312,10 @@ class Pilot:
         )
         self._target = output.target if guidance.active else None
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
-        verdict = released(self._action(output, guidance), output.command, assessment)
+        action = Action.FLY if blind else self._action(output, guidance)
+        verdict = released(action, output.command, assessment)
         self._sent = verdict.command
-        self._maneuvering, self._height = override.active, output.target.z
+        self._maneuvering, self._height = override.active and not blind, output.target.z
         self._in_space = guidance.active and guidance.following and is_in_space(self._profile)
         return verdict
 
@@ -363,9 +380,10 @@ class Pilot:
             beside = self._map.clear_floor(here, height)
             return SteeredLanding(here, height, now, beside or here)
         may_move = landing.moves < MOVES_MAX and landing.sinks(now, here)
-        if not (may_move and self._missions.is_above_something(now)):
+        found = self._missions.found_below(self._vehicle) if may_move and self._vehicle else ()
+        if not found:
             return landing
-        beside = self._map.clear_floor(here, height, UNSEEN_DISTANCE)
+        beside = self._map.clear_floor(here, height, found)
         return landing.moved(here, now, beside) if beside else landing
 
     def _landing_aim(self, spot: Vec2) -> Vec2:
@@ -377,6 +395,25 @@ class Pilot:
         brake = self._params.estimator.model.hover_drag
         x, y = landing_drift(push, height, brake)
         return spot[0] - x, spot[1] - y
+
+    def _blind_override(self, now: float, assessment: GateAssessment) -> Override | None:
+        """Return the setpoint that holds a drone without tracking above what stands below."""
+        plan = self._missions.blind_landing
+        if plan.here is None or not assessment.waits:
+            self._flow_hold = None
+            return None
+        (x, y, _), (vx, vy) = plan.here.position, plan.here.velocity
+        error = plan.target[0] - x, plan.target[1] - y
+        hold = self._flow_hold = (self._flow_hold or FlowHold(now)).pushed(error, now)
+        setpoint = hold.setpoint(
+            error,
+            (plan.velocity[0] - vx, plan.velocity[1] - vy),
+            climb_to(plan.height, plan.here.position, plan.may_sink),
+            plan.here.yaw,
+            self._params.gains.gain,
+            self._params.gains.tilt_max,
+        )
+        return Override(True, setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate)
 
     def _override(self, now: float, estimate: Estimate | None) -> Override:
         """Return the setpoint of the maneuver, while the drone holds a place."""
@@ -432,6 +469,7 @@ class Pilot:
             silence=vehicle.silence,
             home_time=self._way_home.duration,
             has_way_home=self._way_home.exists,
+            below=self._missions.blind_landing.fault,
         )
 
     # --- answer ---

@@ -18,8 +18,6 @@ BESIDE_MAX = 1.2
 """A landing that the gate asks for is steered no farther beside its place than this [m] ..."""
 BESIDE_SPEED = 0.4
 """... at this speed [m/s]."""
-UNSEEN_DISTANCE = 0.9
-"""Something that only the drone's own sensor shows is left behind by at least this [m]."""
 
 
 def sink_height(height: float, lowest: float = LAST_HEIGHT) -> float:

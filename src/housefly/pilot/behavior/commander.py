@@ -13,6 +13,7 @@ from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, Prefligh
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.charge import charge_refusal
+from housefly.pilot.behavior.found_below import FoundBelow
 from housefly.pilot.behavior.height_gap import SonarMonitor
 from housefly.pilot.behavior.mission import (
     STAY,
@@ -41,6 +42,8 @@ class Commander:
     Attributes:
         origin: whether tracking and map agree on where the pad is.
         sonar: whether something stands below that only the drone's own sensor shows.
+        found: where that was so when a landing was tried.
+        insists: somebody has ordered a landing that waits to go on.
     """
 
     def __init__(
@@ -52,6 +55,8 @@ class Commander:
         home = navigator.home()
         self.origin = OriginMonitor(home.goal or (0.0, 0.0), home.yaw or 0.0)
         self.sonar = SonarMonitor()
+        self.found = FoundBelow()
+        self.insists = False
         self._state = MissionState()
         self._task = TrackingTask()
         self._handlers: dict[Response, Callable[[Order, VehicleStatus], Refused | None]] = {
@@ -330,6 +335,27 @@ class Commander:
             self._state = self._state.entering(Phase.RETURNING, vehicle.now, here)
         elif self._state.phase is not Phase.LANDING:
             self.land_here(vehicle)
+        elif vehicle.landing_waits and not order.sender.startswith(TASK_SENDER):
+            self.insists = True
+
+    def look_below(self, vehicle: VehicleStatus) -> None:
+        """Take in what the drone's own sensor shows below it."""
+        self.sonar.step(vehicle)
+        if vehicle.status is not DroneStatus.FLYING:
+            self.found.forget()
+            self.insists = False
+        elif vehicle.position is not None and not self.sonar.found:
+            self.found.look(vehicle.position, vehicle.now)
+
+    def fault_below(self, place: Vec2, vehicle: VehicleStatus) -> str:
+        """Return what the drone's own sensor shows below a landing at a place [m], or "".
+
+        What it shows is remembered, because a landing is tried.
+        """
+        if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
+            self.found.show(vehicle.position)
+            return self.sonar.words
+        return "something was found below here" if self.found.is_near(place) else ""
 
     def _must_wait_to_land(self, order: Order, vehicle: VehicleStatus) -> bool:
         """Return whether somebody or something is below; a second order lands all the same.
@@ -348,6 +374,7 @@ class Commander:
             or people.ground_fault(vehicle.place)
             or (rest is not None and people.ground_fault(rest))
             or self.sonar.found
+            or self.found.is_near(vehicle.place)
         )
 
     def _stop(self, order: Order, vehicle: VehicleStatus) -> None:

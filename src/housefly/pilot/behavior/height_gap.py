@@ -7,6 +7,7 @@ from math import dist, inf, isfinite, nan
 from housefly.geometry import Vec3
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.pad_floor import PadFloor
 
 HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
@@ -31,6 +32,7 @@ class SonarMonitor:
         self._has_worked = False
         self._since = self._until = inf
         self._found = 0.0
+        self._pad = PadFloor()
         self._told = nan
         self._way, self._passed = 0.0, (0.0, 0.0, 0.0)
 
@@ -39,14 +41,22 @@ class SonarMonitor:
         """How high above the floor something seems to stand below [m]; 0 while nothing does."""
         return self._found
 
+    @property
+    def words(self) -> str:
+        """What seems to stand below, in words."""
+        if self._found > HEIGHT_GAP_MAX:
+            return f"something {self._found:.1f} m high seems to stand below"
+        return f"something {self._found:.2f} m high seems to lie on the pad: is it clear?"
+
     def is_sure(self, now: float) -> bool:
         """Return whether it has seemed so for long enough, now [s]."""
         return now - self._since >= GAP_TIME
 
     def step(self, vehicle: VehicleStatus) -> None:
         """Take in what the drone says and where tracking sees it."""
+        self._pad.step(vehicle)
         gap = self._gap(vehicle)
-        if gap > HEIGHT_GAP_MAX:
+        if gap > 0.0:
             self._found = gap
             self._since = min(self._since, vehicle.now)
             self._until = vehicle.now + AGREEMENT_TIME
@@ -54,17 +64,19 @@ class SonarMonitor:
             self._found, self._since, self._until = 0.0, inf, inf
 
     def _gap(self, vehicle: VehicleStatus) -> float:
-        """Return how high the ground below the drone is [m], at least; 0 where unknown."""
-        report, estimate = vehicle.telemetry, vehicle.estimate
-        if report is None or estimate is None or vehicle.status is not DroneStatus.FLYING:
+        """Return how high what stands below is [m], at least; 0 for nothing, or unknown."""
+        report, position = vehicle.telemetry, vehicle.position
+        if report is None or position is None or vehicle.status is not DroneStatus.FLYING:
             self._has_worked = False
             return 0.0
         if vehicle.telemetry_age > REPORT_AGE_MAX or not isfinite(report.height):
             return 0.0
         self._has_worked |= report.height > FLOOR_READING
-        if not self._has_worked or self._is_stuck(report.height, estimate.position):
+        if not self._has_worked or self._is_stuck(report.height, position):
             return 0.0
-        return estimate.position[2] - max(report.height, RANGE_MIN)
+        floor = self._pad.offset_at(position[:2])
+        gap = position[2] - floor - max(report.height, RANGE_MIN)
+        return gap if gap > HEIGHT_GAP_MAX else self._pad.height
 
     def _is_stuck(self, told: float, position: Vec3) -> bool:
         """Return whether the sonar has told the same [m] for the whole of a long way."""

@@ -18,7 +18,7 @@ from math import inf
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
-from housefly.pilot.behavior.braking import UNSEEN_DISTANCE, sink_height
+from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
@@ -126,10 +126,7 @@ class LandingMonitor:
             return ""
         fault = self._people.landing_fault(vehicle.place, vehicle.now)
         fault = fault or self._people.ground_fault(vehicle.place)
-        sonar = self._commander.sonar
-        if not fault and sonar.is_sure(vehicle.now):
-            return f"something {sonar.found:.1f} m high seems to stand below"
-        return fault
+        return fault or self._commander.fault_below(vehicle.place, vehicle)
 
     def _is_guided(self, vehicle: VehicleStatus) -> bool:
         """Return whether the pilot sinks itself."""
@@ -168,8 +165,8 @@ class LandingMonitor:
         place = vehicle.place
         if place is None:
             return []
-        least = UNSEEN_DISTANCE if self._commander.sonar.is_sure(vehicle.now) else 0.0
-        spot = self._people.landing_spot(place, vehicle.now, least, self._unreachable)
+        found = tuple(self._commander.found)
+        spot = self._people.landing_spot(place, vehicle.now, found, self._unreachable)
         if spot is None:
             self._unreachable.clear()
             return self._nowhere(vehicle)

@@ -13,6 +13,7 @@ from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
+from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.planning.trajectory.time_scale import TimeScale
 
 PEOPLE_SILENCE_MAX = 1.0
@@ -215,6 +216,9 @@ class VehicleStatus:
         origin_known: tracking and map were found to agree before this pilot began.
         silence: of the sensors that look for people.
         gauge_stuck: the charge stood still in the flight before, and has not changed since.
+        reckoned: where it is by its own motion, while the gate holds or lands it; None where it
+            does not tell how it moves.
+        landing_waits: the landing of the gate waits for the floor below to be clear.
     """
 
     now: float
@@ -234,6 +238,15 @@ class VehicleStatus:
     origin_known: bool = False
     silence: PeopleSilence = NO_SILENCE
     gauge_stuck: bool = False
+    reckoned: ReckonedPose | None = None
+    landing_waits: bool = False
+
+    @property
+    def position(self) -> Vec3 | None:
+        """Place and height [m]; by its own motion while the gate holds or lands it."""
+        if self.reckoned is not None:
+            return self.reckoned.position
+        return self.estimate.position if self.estimate else None
 
     @property
     def place(self) -> Vec2 | None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
+from housefly.pilot.behavior.blind_landing import BlindLanding, BlindPlan
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.faster_way import FasterWayMonitor
@@ -38,6 +40,7 @@ class MissionManager:
         self._separation = SeparationMonitor(self._commander, navigator, paper)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)
         self._landings = LandingMonitor(self._commander, navigator, paper, limits)
+        self._blind = BlindLanding(self._commander, navigator, paper, limits)
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
         )
@@ -74,9 +77,15 @@ class MissionManager:
         """Whether the drone makes way for somebody."""
         return self._separation.is_yielding
 
-    def is_above_something(self, now: float) -> bool:
-        """Return whether the drone's own sensor shows something below that no map does."""
-        return self._commander.sonar.is_sure(now)
+    def found_below(self, vehicle: VehicleStatus) -> tuple[Vec2, ...]:
+        """Return where the drone's own sensor found something below [m], if it shows some now."""
+        commander, place = self._commander, vehicle.place
+        return tuple(commander.found) if place and commander.fault_below(place, vehicle) else ()
+
+    @property
+    def blind_landing(self) -> BlindPlan:
+        """Why not to land without tracking where the drone is, and what to fly instead."""
+        return self._blind.plan
 
     def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
         """Return what the pre-flight checks find now."""
@@ -99,12 +108,13 @@ class MissionManager:
         """
         events: list[Event] = []
         self._commander.origin.step(vehicle)
-        self._commander.sonar.step(vehicle)
+        self._commander.look_below(vehicle)
         for order in orders:
             answer = self._commander.obey(order, vehicle)
             events.extend(self._nudges.heard(order, answer, vehicle.now))
         events.extend(self._monitor.step(vehicle, target, facing))
         events.extend(self._landings.step(vehicle))
+        events.extend(self._blind.step(vehicle))
         is_yielding = self._separation.is_yielding
         is_paused = is_yielding or self._passing.is_waiting
         events.extend(self._collisions.step(vehicle, target, paused=is_paused))

@@ -63,7 +63,7 @@ class MissionMonitor:
         self._paper = paper
         self._task = commander.task
         self._timers = SignalTimers()
-        self._late_since = -1.0
+        self._late_since = self._waited_until = -1.0
 
     def step(
         self, vehicle: VehicleStatus, target: TrajectorySetpoint | None, facing: bool
@@ -180,7 +180,10 @@ class MissionMonitor:
 
     def _late_landing(self, vehicle: VehicleStatus) -> list[Event]:
         state, timeout = self._commander.state, self._limits.landing_timeout
-        late = state.phase is Phase.LANDING and vehicle.now - state.since > timeout
+        if vehicle.landing_waits:
+            self._waited_until = vehicle.now
+        since = max(state.since, self._waited_until)
+        late = state.phase is Phase.LANDING and vehicle.now - since > timeout
         if not late or self._late_since == state.since:
             return []
         self._late_since = state.since

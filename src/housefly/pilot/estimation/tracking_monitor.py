@@ -7,7 +7,7 @@ Numbers are compiled; here are states, and what a drone on the ground may do.
 
 from __future__ import annotations
 
-from math import hypot, inf, isfinite, nan
+from math import hypot, inf, isfinite, nan, sqrt
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from housefly.numeric import wrapped
 from housefly.pilot.estimation.carrying import CarryDetector
 from housefly.pilot.estimation.climb_odometry import ClimbOdometry
 from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
 from housefly.pilot.estimation.onboard_odometry import (
@@ -26,6 +27,7 @@ from housefly.pilot.estimation.onboard_odometry import (
     REPORT_GAP_MAX,
     OdometryAt,
     OnboardReport,
+    flow_bias_variance,
     odometry_advanced,
     odometry_at,
     odometry_headed,
@@ -184,6 +186,28 @@ class TrackingMonitor:
     def vouches(self, at: float) -> bool:
         """Return whether the odometry leads from the last believed pose to a time [s]."""
         return self._last is not None and self._is_covered(self._last[0].captured_at, at)
+
+    def reckoned(self, now: float) -> ReckonedPose | None:
+        """Return where the drone is by its own motion since the last believed pose, now [s].
+
+        None where it has not told its motion all the while.
+        """
+        if self._last is None or not self._is_covered(self._last[0].captured_at, now):
+            return None
+        last, then = self._last
+        here, (x, y, z) = odometry_at(self._odometry, self._motion, now), last.pose.position
+        bias = flow_bias_variance(max(now - last.captured_at, 0.0))
+        way_error = self._tolerance.way_error * (here.way - then.way)
+        return ReckonedPose(
+            position=(
+                x + here.x - then.x,
+                y + here.y - then.y,
+                z + self._climb.climbed - self._climbed_then,
+            ),
+            velocity=(here.vx, here.vy),
+            yaw=wrapped(last.pose.yaw + here.psi - then.psi),
+            deviation=sqrt(max(here.variance - then.variance, 0.0) + bias) + way_error,
+        )
 
     @property
     def refusing(self) -> bool:

@@ -60,12 +60,11 @@ def column_fault(
     return f"{name} stands there" if distance < hull + THING_MARGIN else ""
 
 
-def spots_around(place: Vec2, least: float) -> tuple[Vec2, ...]:
-    """Return other places to land, nearest first, at least so far and at most 2 m away [m]."""
+def spots_around(place: Vec2) -> tuple[Vec2, ...]:
+    """Return other places to land, nearest first, at most 2 m away [m]."""
     return tuple(
         (place[0] + far * cos(bearing), place[1] + far * sin(bearing))
         for far in _SPOT_DISTANCES
-        if far >= least
         for bearing in _SPOT_BEARINGS
     )
 

@@ -37,6 +37,8 @@ UNMOVED_RADIUS = 0.1
 """... which is not to leave this distance from a place [m] ..."""
 UNMOVED_DISTANCE = 0.25
 """... but no nearer to the hull than this [m]."""
+UNSEEN_DISTANCE = 0.9
+"""Something that only the drone's own sensor shows is left behind by at least this [m]."""
 SPOT_APART = 0.35
 """Where no way leads to one place to land, those within this distance of it are left out [m]."""
 
@@ -153,27 +155,35 @@ class PeopleMap:
         return "" if is_clear else "furniture or a wall stands below or beside it"
 
     def landing_spot(
-        self, place: Vec2, now: float, least: float = 0.0, unreachable: Collection[Vec2] = ()
+        self,
+        place: Vec2,
+        now: float,
+        found: Collection[Vec2] = (),
+        unreachable: Collection[Vec2] = (),
     ) -> Vec2 | None:
         """Return the nearest place within 2 m where a landing hurts nobody and nothing [m].
 
-        It is at least ``least`` metres away, and not beside those to which no way was found.
+        It is far enough from where the sonar found something, and not beside those to which no
+        way was found.
         """
         return next(
             (
                 spot
-                for spot in self._landing_spots(place, now, least)
+                for spot in self._landing_spots(place, now, found)
                 if all(distance(spot, other) >= SPOT_APART for other in unreachable)
             ),
             None,
         )
 
-    def _landing_spots(self, place: Vec2, now: float, least: float = 0.0) -> Iterator[Vec2]:
+    def _landing_spots(
+        self, place: Vec2, now: float, found: Collection[Vec2] = ()
+    ) -> Iterator[Vec2]:
         """Yield where a landing hurts nobody and nothing, nearest first [m]."""
         grid, wide = self._things(None), self.hull + HULL_MARGIN
-        for spot in spots_around(place, least):
+        for spot in spots_around(place):
             is_open = grid.is_free(grid.cell_of(spot)) and self._static.clearance(spot) > wide
-            if is_open and not self.landing_fault(spot, now):
+            is_new = all(distance(spot, other) >= UNSEEN_DISTANCE for other in found)
+            if is_open and is_new and not self.landing_fault(spot, now):
                 yield spot
 
     def clear_floor(
@@ -183,19 +193,19 @@ class PeopleMap:
         now: float,
         farthest: float,
         speed: float,
-        least: float = 0.0,
+        found: Collection[Vec2] = (),
     ) -> Vec2 | None:
         """Return the nearest clear floor straight beside a place over furniture or people [m].
 
-        It is at least ``least`` metres away. None where the place itself is clear, unless it is to
-        be left in any case, and where the drone would meet something, or somebody, on the straight
-        way at its height [m] and a speed [m/s].
+        It is far enough from where the sonar found something. None where the place itself is clear,
+        unless something was found, and where the drone would meet something, or somebody, on the
+        straight way at its height [m] and a speed [m/s].
         """
         is_clear = not (self.ground_fault(place) or self.landing_fault(place, now))
-        if is_clear and not least:
+        if is_clear and not found:
             return None
         grid = self._things(height)
-        for spot in self._landing_spots(place, now, least):
+        for spot in self._landing_spots(place, now, found):
             far = distance(place, spot)
             if far > farthest:
                 return None
@@ -206,6 +216,12 @@ class PeopleMap:
             if keeps_away and _is_open_way(grid, place, spot):
                 return spot
         return None
+
+    def open_air(self, place: Vec2, height: float) -> float:
+        """Return how far things are from a place at a height of the drone [m]; 0 outside."""
+        grid = self._things(height)
+        cell = grid.cell_of(place)
+        return grid.clearance_at(place) if grid.kind(cell) is not Cell.VIRTUAL else 0.0
 
     def take_off_fault(self, place: Vec2, now: float) -> str:
         """Return why not to take off from a place [m], in words, or ""."""

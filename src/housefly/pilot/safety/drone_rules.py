@@ -215,6 +215,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
             f" (limit {HELD_TIME_MAX:g} s): landing"
         ),
         clears=Clearing.GROUND,
+        waits=True,
     ),
     SafetyRule(
         code="stopped",

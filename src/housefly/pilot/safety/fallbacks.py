@@ -50,6 +50,13 @@ def can_steer_landing(c: RuleContext) -> bool:
     return is_free and is_high and is_in_time and is_near and knows_place(c)
 
 
+def can_wait_to_land(c: RuleContext) -> bool:
+    """Return whether a landing without tracking waits, because something stands below."""
+    is_heard = not too_old(c.now.telemetry_age, c.limits.telemetry_age)
+    is_flying = c.now.status is DroneStatus.FLYING and is_heard
+    return is_flying and bool(c.now.below) and not c.seen.late_steps
+
+
 def knows_height(c: RuleContext) -> bool:
     """Return whether the drone can be trusted to find the floor by itself."""
     return DEAF_SONAR not in c.now.faults and not seems_low(c)

@@ -14,7 +14,11 @@ from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
-from housefly.pilot.safety.fallbacks import can_steer_landing, possible_mode
+from housefly.pilot.safety.fallbacks import (
+    can_steer_landing,
+    can_wait_to_land,
+    possible_mode,
+)
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.observer import FlightObserver
@@ -70,6 +74,7 @@ class BrokenRule:
         words: for people.
         steered: the pilot steers the landing.
         clears: what ends the answer.
+        waits: the landing waits for the floor below to be clear.
     """
 
     code: str
@@ -77,6 +82,7 @@ class BrokenRule:
     words: str
     steered: bool = False
     clears: Clearing = Clearing.ITSELF
+    waits: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +113,11 @@ class GateAssessment:
         return self.mode is SafetyMode.LAND and any(rule.steered for rule in self.broken[:1])
 
     @property
+    def waits(self) -> bool:
+        """Whether the landing that is under way waits, and the pilot holds the drone."""
+        return self.mode is SafetyMode.LAND and any(rule.waits for rule in self.broken[:1])
+
+    @property
     def motion(self) -> SafetyMode:
         """What the drone may do now: one that is called home waits for whatever holds it."""
         is_held = any(rule.mode is SafetyMode.HOLD for rule in self.broken)
@@ -122,8 +133,9 @@ class GateAssessment:
 
     @property
     def severity(self) -> int:
-        """What the compiled gate is told: a landing that is steered is flown."""
-        return MODE_SEVERITY[SafetyMode.RETURN if self.steered else self.motion]
+        """What the compiled gate is told: a landing that is steered, or waits, is flown."""
+        is_flown = self.steered or self.waits
+        return MODE_SEVERITY[SafetyMode.RETURN if is_flown else self.motion]
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +181,7 @@ class Gate:
         self._limits = limits
         self._fence = fence
         self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
+        self._waiting = frozenset(rule.code for rule in rules if rule.waits)
         self._observer = FlightObserver(limits)
         self._since: dict[str, float] = {}
         self._until: dict[str, float] = {}
@@ -182,6 +195,11 @@ class Gate:
     def landing(self) -> bool:
         """Whether a forced landing is under way."""
         return self._landing is not None
+
+    @property
+    def landing_waits(self) -> bool:
+        """Whether that landing waits for the floor below to be clear."""
+        return self._landing is not None and self._landing.waits
 
     @property
     def returning(self) -> bool:
@@ -209,7 +227,8 @@ class Gate:
         worst = broken[0] if broken else None
         is_called_home = worst is not None and worst.mode is SafetyMode.RETURN
         self._returning = inputs.airborne and (is_called_home or self._returning)
-        self._held = any(rule.mode is SafetyMode.HOLD for rule in broken)
+        is_held = any(rule.mode is SafetyMode.HOLD for rule in broken)
+        self._held = is_held and not self.landing_waits
         if worst is None:
             return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
         return GateAssessment(worst.mode, worst.code, worst.words, inputs.status, broken)
@@ -221,9 +240,17 @@ class Gate:
         landing = due[0] if broken and broken[0] in due else before
         if landing is None:
             return broken
-        is_steered = all(rule.steered for rule in (landing, *due, *filter(None, (before,))))
-        landing = replace(landing, steered=is_steered and can_steer_landing(c))
+        reasons = (landing, *due, *filter(None, (before,)))
+        is_steered = all(rule.steered for rule in reasons)
+        may_wait = all(rule.code in self._waiting for rule in reasons)
+        landing = replace(
+            landing,
+            steered=is_steered and can_steer_landing(c),
+            waits=may_wait and can_wait_to_land(c),
+        )
         self._landing = landing
+        if landing.waits:
+            landing = replace(landing, words=f"{landing.words}, once it can: {c.now.below}")
         if landing.code not in (rule.code for rule in due):
             landing = replace(landing, mode=possible_mode(SafetyMode.LAND, c))
         others = (rule for rule in broken if rule.code != landing.code)
@@ -232,7 +259,7 @@ class Gate:
         )
 
     def _context(self, inputs: GateInputs) -> RuleContext:
-        seen = self._observer.observe(inputs, self._held, self.landing)
+        seen = self._observer.observe(inputs, self._held, self.landing, self.landing_waits)
         self._standing_height = seen.standing_height
         self._gauge_stuck = seen.energy.gauge_stuck
         return RuleContext(inputs, seen, self._limits, self._fence)
@@ -277,9 +304,10 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
     mode, code, reason = assessment.mode, assessment.code, assessment.words
     motion = assessment.motion
     is_finite = gated.mode == assessment.severity
-    if assessment.steered and action is Action.FLY and is_finite and gated.flown:
+    is_flown = assessment.steered or assessment.waits
+    if is_flown and action is Action.FLY and is_finite and gated.flown:
         return GateVerdict(_flown(gated), mode, code, reason, assessment.broken)
-    if not (is_finite or assessment.steered):
+    if not (is_finite or is_flown):
         mode = motion = SafetyMode.HOLD
         code = "not_finite"
         reason = "the command was not a number: the drone holds itself"

@@ -41,6 +41,8 @@ class GateInputs:
         home_time: how long the way home takes from here [s].
         has_way_home: the planner has a way home from here.
         silence: of the sensors that look for people.
+        below: why a drone that can hold its place without tracking is not to land there, in words;
+            "" to land.
     """
 
     now: float
@@ -63,6 +65,7 @@ class GateInputs:
     home_time: float = 0.0
     has_way_home: bool = True
     silence: PeopleSilence = NO_SILENCE
+    below: str = ""
 
     @property
     def airborne(self) -> bool:

@@ -119,13 +119,16 @@ class FlightObserver:
         self._tilted: Window[float] = Window(HOLD_SPAN)
         self._late: Window[float] = Window(LATE_SPAN)
 
-    def observe(self, inputs: GateInputs, held: bool, landing: bool) -> FlightObservations:
+    def observe(
+        self, inputs: GateInputs, held: bool, landing: bool, waits: bool = False
+    ) -> FlightObservations:
         """Take one step in.
 
         Args:
             inputs: of the step.
             held: a rule made the drone hold in the step before.
-            landing: the gate is landing the drone.
+            landing: the gate is landing the drone ...
+            waits: ... once the floor below is clear.
         """
         now = inputs.now
         elapsed = max(now - self._now, 0.0)
@@ -136,7 +139,8 @@ class FlightObserver:
         tilt_error = self._tilt_error(inputs)
         is_tilted = inputs.cruising and tilt_error > TILT_ERROR_MAX
         steady = self._steady_for(inputs)
-        wants_down = inputs.airborne and (landing or inputs.phase is Phase.LANDING)
+        is_landing = landing or inputs.phase is Phase.LANDING
+        wants_down = inputs.airborne and is_landing and not waits
         return FlightObservations(
             cruising_for=self._cruising.update(inputs.cruising, now),
             climbing_for=self._climbing_for(inputs),

@@ -56,6 +56,8 @@ class SafetyRule:
         lasts: it goes on counting for this long [s].
         clears: what ends the answer; it says so to people, and a test holds the gate to it.
         steered: the pilot may steer the landing, because what is wrong is not what it knows.
+        waits: the landing may wait for the floor below to be clear: the drone's own motion is not
+            what is wrong.
     """
 
     code: str
@@ -68,6 +70,7 @@ class SafetyRule:
     lasts: float = 0.0
     clears: Clearing = Clearing.ITSELF
     steered: bool = False
+    waits: bool = False
 
 
 COUNTED: dict[Counting, Callable[[RuleContext], bool]] = {

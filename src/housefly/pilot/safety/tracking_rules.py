@@ -94,6 +94,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: too_old(c.now.pose_age, c.limits.pose_age_land),
         words=lambda c: f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_land)}: landing",
         clears=Clearing.GROUND,
+        waits=True,
     ),
     SafetyRule(
         code="poses_refused_long",
@@ -106,6 +107,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
             f" (limit {REFUSED_LAND:g} s): landing"
         ),
         clears=Clearing.GROUND,
+        waits=True,
     ),
     SafetyRule(
         code="tracking_drift",

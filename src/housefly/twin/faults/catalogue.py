@@ -78,6 +78,12 @@ def _one(
     )
 
 
+def _lost_above(aspect: str, name: str) -> FaultVariant:
+    """Return the loss of tracking for good above somebody whom only the sonar shows."""
+    somebody = Fault(_C.PEOPLE, _K.WRONG, aspect)
+    return FaultVariant(name, (somebody, _mocap("", _K.OFF, start=1.0)), unscanned=True)
+
+
 FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     FaultRow(
         "F01", "no tracking for 0.2 s",
@@ -91,10 +97,13 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F03", "no tracking for 5 s, or for good",
-        "hovers, then lands where it is; never returns", _TWIN,
+        "hovers, then lands where it is, or beside somebody below; never returns",
+        _TWIN,
         (
             FaultVariant("5s", (_mocap("", _K.OFF, lasting=5.0),)),
             FaultVariant("for_good", (_mocap("", _K.OFF),)),
+            _lost_above("below", "above_child"),
+            _lost_above("lying", "above_lying"),
         ), True,
     ),
     FaultRow(
@@ -429,6 +438,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             _one(_C.OBSTACLES, _K.WRONG, "pad", name="stool"),
             _one(_C.PEOPLE, _K.WRONG, "pad", name="child"),
             _one(_C.PEOPLE, _K.WRONG, "pad", name="unscanned_child", unscanned=True),
+            _one(_C.OBSTACLES, _K.WRONG, "flat", name="flat_box", unscanned=True),
+            _one(_C.OBSTACLES, _K.WRONG, "pole", name="pole", unscanned=True),
         ), True,
     ),
     FaultRow(

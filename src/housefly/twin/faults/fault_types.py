@@ -218,6 +218,14 @@ FAULT_TYPES: tuple[FaultType, ...] = (
     ),
     FaultType(_C.OBSTACLES, "pad", _K.WRONG, "a stool stands on the pad, once the drone is away"),
     FaultType(
+        _C.OBSTACLES, "flat", _K.WRONG,
+        "a box, 0.12 m high, lies on the pad, once the drone is away",
+    ),
+    FaultType(
+        _C.OBSTACLES, "pole", _K.WRONG,
+        "a thin pole stands 0.2 m beside the pad's middle, once the drone is away",
+    ),
+    FaultType(
         _C.PEOPLE, "", _K.WRONG, "somebody stands so far ahead of the drone", "m", 1.5, 0.0, 20.0
     ),
     FaultType(
@@ -229,6 +237,10 @@ FAULT_TYPES: tuple[FaultType, ...] = (
         "somebody crosses 1.5 m ahead of the drone, from 2 m to its left", "m/s", 1.0, 0.05, 3.0,
     ),
     FaultType(_C.PEOPLE, "pad", _K.WRONG, "a child stands on the pad, once the drone is away"),
+    FaultType(
+        _C.PEOPLE, "below", _K.WRONG, "a child comes to stand below the drone, once it hovers"
+    ),
+    FaultType(_C.PEOPLE, "lying", _K.WRONG, "somebody comes to lie below the drone, likewise"),
 )  # fmt: skip
 """Every fault that the simulated room can have; the first of a pair is meant without an aspect."""
 

@@ -36,7 +36,7 @@ class FreeFloor:
     def free_length(self, start: Vec2, direction: float, most: float) -> float:
         """Return how far somebody can walk straight on from a place, up to ``most`` [m]."""
         for n in range(1, int(most / _STRIDE + 1e-9) + 1):
-            if not self._is_free(along(start, direction, n * _STRIDE)):
+            if not self.is_free(along(start, direction, n * _STRIDE)):
                 return (n - 1) * _STRIDE
         return most
 
@@ -55,6 +55,7 @@ class FreeFloor:
         ]
         return wanted + _TURNS[int(np.argmax(np.array(lengths) - 1e-6 * np.arange(len(_TURNS))))]
 
-    def _is_free(self, place: Vec2) -> bool:
+    def is_free(self, place: Vec2) -> bool:
+        """Return whether somebody can stand at a place [m]."""
         x, y = (np.array([number]) for number in place)
         return bool(clearance_field(self._standing, x, y, 1.0)[0, 0] > WALKER_HALF_WIDTH)

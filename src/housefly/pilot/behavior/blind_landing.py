@@ -1,0 +1,193 @@
+"""A landing without tracking that would come down on somebody: held, moved aside, let go.
+
+    tracking lost ──floor below clear──► the drone's own landing
+        └──the sonar shows something──► holds by optical flow, moves aside, looks again
+
+The place is the last believed pose, carried on by the drone's own motion. It is good enough for
+seconds to a minute, and says itself how far it may be off; where a wall may be that near, where the
+drone does not tell how it moves, and where somebody insists, it lands as it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot, inf
+
+from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2, distance
+from housefly.messages.flight import Event, Severity
+from housefly.messages.sensing import DroneStatus
+from housefly.pilot.behavior.braking import BESIDE_SPEED
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.steered_landing import SteeredLanding
+from housefly.pilot.estimation.dead_reckoning import ReckonedPose
+
+FARTHEST = 2.0
+"""It moves no farther aside at a time [m]."""
+WALL_MARGIN, SIGMAS = 0.1, 3.0
+"""The hull keeps this from walls [m], and so many deviations of the place."""
+DOUBTED_DRIFT = 0.05
+"""The drone's own motion counts for nothing once it has left the tracked one by this [m]."""
+REST_SPEED = 0.12
+"""It lands only when slower than this [m/s]."""
+CLEAR_TIME = 0.5
+"""The floor below must have shown for so long before the drone lands [s]."""
+LOOK_PERIOD = 1.0
+"""How often another place is looked for [s]."""
+LOWEST = 1.0
+"""It holds no lower than this: the sonar's beam is a cone [m]."""
+NOWHERE = "no clear place to land within 2 m: holding by the drone's own motion"
+_STEP = 0.1
+"""Over so long the velocity of the setpoint is taken [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class BlindPlan:
+    """What to do in place of a landing without tracking.
+
+    Attributes:
+        fault: why the floor below is not to be landed on, in words; "" to land.
+        target, velocity: where to be, and how fast to move there [m, m/s].
+        height: [m].
+        here: where the drone is by its own motion; None while there is nothing to fly.
+        may_sink: nothing stands below.
+    """
+
+    fault: str = ""
+    target: Vec2 = (0.0, 0.0)
+    velocity: Vec2 = (0.0, 0.0)
+    height: float = 0.0
+    here: ReckonedPose | None = None
+    may_sink: bool = False
+
+
+LAND = BlindPlan()
+
+
+class BlindLanding:
+    """Watches the floor below a drone that the gate holds, or lands, without tracking.
+
+    Args:
+        commander: whose drone; it knows what the sonar shows.
+        navigator: who knows walls, people and things.
+        paper: in mode paper the drone lands where it is.
+        limits: how high to hold.
+    """
+
+    def __init__(
+        self, commander: Commander, navigator: Navigator, paper: bool, limits: LimitsConfig
+    ) -> None:
+        self._commander, self._people, self._paper = commander, navigator.people, paper
+        self._highest = limits.height_max
+        self._landing: SteeredLanding | None = None
+        self._blocked_at = self._look_at = -inf
+        self._told = ""
+        self.plan = LAND
+
+    def step(self, vehicle: VehicleStatus) -> list[Event]:
+        """Look below once, and say what is done about it."""
+        here = vehicle.reckoned
+        if self._paper or here is None or vehicle.status is not DroneStatus.FLYING:
+            return self._end(vehicle, "the drone does not tell how it moves")
+        below = self._below(vehicle, here)
+        fault = below or self._unsettled(vehicle, here)
+        if not fault:
+            return self._end(vehicle, "")
+        if why := self._must_land(vehicle, here):
+            return self._end(vehicle, why)
+        events = self._tell(vehicle, fault)
+        landing = self._landing or self._held(vehicle, here)
+        if below and self._may_look(vehicle, here, landing):
+            landing, moved = self._aside(vehicle, here, landing)
+            events.extend(moved)
+        self._landing = landing
+        self.plan = self._planned(vehicle, here, landing, fault)
+        return events
+
+    def _below(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
+        """Return who or what stands below, in words, or ""."""
+        place = here.position[:2]
+        near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
+        fault = f"{near.name} is below" if near.now < 0.0 else ""
+        fault = fault or self._commander.fault_below(place, vehicle)
+        if fault:
+            self._blocked_at = vehicle.now
+        return fault
+
+    def _unsettled(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
+        """Return why a drone with nothing below does not land yet, in words, or ""."""
+        if self._landing is None:
+            return ""
+        is_there = self._landing.sinks(vehicle.now, here.position[:2])
+        if not is_there or hypot(*here.velocity) > REST_SPEED:
+            return "moving aside"
+        return "looking below" if vehicle.now - self._blocked_at < CLEAR_TIME else ""
+
+    def _must_land(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
+        """Return why it cannot be held where it is, in words, or ""."""
+        if self._commander.insists:
+            return "ordered to"
+        if vehicle.consistency.drift > DOUBTED_DRIFT:
+            return "its own motion is in doubt"
+        x, y, z = here.position
+        spare = self._people.open_air((x, y), z) - self._people.hull
+        return "a wall may be near" if spare < WALL_MARGIN + SIGMAS * here.deviation else ""
+
+    def _held(self, vehicle: VehicleStatus, here: ReckonedPose) -> SteeredLanding:
+        """Return the landing that stays where the drone is."""
+        x, y, z = here.position
+        height = min(max(z, LOWEST), max(self._highest, LOWEST))
+        return SteeredLanding((x, y), height, vehicle.now, (x, y))
+
+    def _may_look(
+        self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding
+    ) -> bool:
+        """Return whether another place is to be looked for: the drone is landing, and at rest."""
+        is_due = vehicle.landing_waits and vehicle.now >= self._look_at
+        return is_due and landing.sinks(vehicle.now, here.position[:2])
+
+    def _aside(
+        self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding
+    ) -> tuple[SteeredLanding, list[Event]]:
+        """Return the landing at another place, where there is one, and what is said."""
+        self._look_at = vehicle.now + LOOK_PERIOD
+        (x, y, z), found = here.position, (*self._commander.found, here.position[:2])
+        spot = self._people.clear_floor((x, y), z, vehicle.now, FARTHEST, BESIDE_SPEED, found)
+        if spot is None:
+            return landing, self._nowhere(vehicle)
+        text = f"moving {distance((x, y), spot):.1f} m aside by the drone's own motion, to land"
+        event = Event(vehicle.now, Severity.INFO, "landing_elsewhere", text)
+        return landing.moved((x, y), vehicle.now, spot), [event]
+
+    def _planned(
+        self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding, fault: str
+    ) -> BlindPlan:
+        target, later = landing.setpoint(vehicle.now), landing.setpoint(vehicle.now + _STEP)
+        velocity = (later[0] - target[0]) / _STEP, (later[1] - target[1]) / _STEP
+        may_sink = not self._commander.sonar.found
+        return BlindPlan(fault, target, velocity, landing.height, here, may_sink)
+
+    def _tell(self, vehicle: VehicleStatus, fault: str) -> list[Event]:
+        if self._told or not vehicle.landing_waits:
+            return []
+        self._told = fault
+        text = f"not landing: {fault}. Press Land to land here all the same"
+        return [Event(vehicle.now, Severity.WARNING, "landing_blocked", text)]
+
+    def _nowhere(self, vehicle: VehicleStatus) -> list[Event]:
+        if self._told == NOWHERE:
+            return []
+        self._told = NOWHERE
+        return [Event(vehicle.now, Severity.WARNING, "landing_blocked", NOWHERE)]
+
+    def _end(self, vehicle: VehicleStatus, why: str) -> list[Event]:
+        """Let the drone land, or go on; told where the floor below is not what lets it."""
+        was_told, self._told = self._told, ""
+        self.plan, self._landing, self._blocked_at = LAND, None, -inf
+        is_flying = vehicle.status is DroneStatus.FLYING
+        if not (why and was_told and vehicle.landing_forced and is_flying):
+            return []
+        text = f"landing all the same: {why}"
+        return [Event(vehicle.now, Severity.WARNING, "landing_insisted", text)]
