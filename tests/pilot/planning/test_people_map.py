@@ -102,7 +102,7 @@ def test_over_clear_floor_a_landing_keeps_its_place(navigator: RoomNavigator) ->
 def test_clear_floor_that_is_to_be_left_is_left_by_so_much(navigator: RoomNavigator) -> None:
     navigator.update((), (), 0.0)
     place = (3.5, 4.2)
-    spot = navigator.clear_floor(place, ABOVE_SOFA, 0.9)
+    spot = navigator.clear_floor(place, ABOVE_SOFA, (place,))
     assert spot is not None and 0.9 <= distance(place, spot) <= BESIDE_MAX
 
 

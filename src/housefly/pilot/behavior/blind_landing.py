@@ -19,6 +19,7 @@ from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.braking import BESIDE_SPEED
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.steered_landing import SteeredLanding
@@ -34,6 +35,8 @@ REST_SPEED = 0.12
 """It lands only when slower than this [m/s]."""
 CLEAR_TIME = 0.5
 """The floor below must have shown for so long before the drone lands [s]."""
+GONE_AFTER = FORGOTTEN_AFTER + 0.3
+"""So long after something showed last its place counts as taken all the same [s]."""
 LOOK_PERIOD = 1.0
 """How often another place is looked for [s]."""
 LOWEST = 1.0
@@ -82,7 +85,7 @@ class BlindLanding:
         self._commander, self._people, self._paper = commander, navigator.people, paper
         self._highest = limits.height_max
         self._landing: SteeredLanding | None = None
-        self._blocked_at = self._look_at = -inf
+        self._blocked_at = self._shown_at = self._look_at = -inf
         self._told = ""
         self.plan = LAND
 
@@ -110,10 +113,12 @@ class BlindLanding:
         """Return who or what stands below, in words, or ""."""
         place = here.position[:2]
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
-        fault = f"{near.name} is below" if near.now < 0.0 else ""
-        fault = fault or self._commander.fault_below(place, vehicle)
+        person = f"{near.name} is below" if near.now < 0.0 else ""
+        fault = person or self._commander.fault_below(place, vehicle)
         if fault:
             self._blocked_at = vehicle.now
+        if person or self._commander.sonar.found:
+            self._shown_at = vehicle.now
         return fault
 
     def _unsettled(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
@@ -144,9 +149,14 @@ class BlindLanding:
     def _may_look(
         self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding
     ) -> bool:
-        """Return whether another place is to be looked for: the drone is landing, and at rest."""
+        """Return whether another place is to be looked for.
+
+        The drone is landing, and at rest; what showed a moment ago may have gone.
+        """
+        since = vehicle.now - self._shown_at
+        is_shown = since == 0.0 or since > GONE_AFTER
         is_due = vehicle.landing_waits and vehicle.now >= self._look_at
-        return is_due and landing.sinks(vehicle.now, here.position[:2])
+        return is_due and is_shown and landing.sinks(vehicle.now, here.position[:2])
 
     def _aside(
         self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding
