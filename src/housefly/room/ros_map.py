@@ -97,7 +97,7 @@ def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
             f"{source}: the map has no free pixel; check negate (0 or 1) and free_thresh"
         )
     part = slice(max(columns[0] - 2, 0), columns[-1] + 3), slice(max(rows[0] - 2, 0), rows[-1] + 3)
-    note = _unexplored_note(ros_map.occupied[part] | ros_map.free[part], ros_map.resolution)
+    note = unexplored_note(ros_map.occupied[part] | ros_map.free[part], ros_map.resolution)
     occupied, free = np.pad(ros_map.occupied[part], 1), np.pad(ros_map.free[part], 1)
     if occupied.size * ros_map.resolution**2 > _MAX_AREA:
         raise RoomError(
@@ -108,7 +108,8 @@ def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
     return RosMap((0.0, 0.0), edge, occupied, free, (*ros_map.notes, note)), corner
 
 
-def _unexplored_note(seen: Mask, edge: float) -> str:
+def unexplored_note(seen: Mask, edge: float) -> str:
+    """Return how much of a floor was never seen; ``edge`` of a cell [m]."""
     area, share = seen.size * edge**2, 100.0 * (1.0 - float(seen.mean()))
     return (
         f"{share:.0f} % of its {area:.1f} m^2 were never seen: unexplored, not flown over"

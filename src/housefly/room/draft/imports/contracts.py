@@ -7,8 +7,14 @@ from typing import Literal
 
 from housefly.room.draft.model import SiteDraft
 
-USUAL_UNITS = {1.0: "metres", 0.01: "centimetres", 0.001: "millimetres", 0.0254: "inches"}
-"""Names by metres per unit, in the order in which a file without a unit is tried."""
+USUAL_UNITS = {
+    1.0: "metres",
+    0.01: "centimetres",
+    0.001: "millimetres",
+    0.0254: "inches",
+    0.3048: "feet",
+}
+"""Names by metres per unit."""
 
 
 @dataclass(frozen=True, slots=True)

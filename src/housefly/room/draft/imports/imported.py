@@ -11,6 +11,7 @@ from housefly.errors import ConfigError, RoomError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.dxf_plan import dxf_plan
+from housefly.room.draft.imports.point_cloud import SCAN_SUFFIXES
 from housefly.room.draft.imports.ros_cells import ros_cells
 from housefly.room.draft.imports.scan import scan
 from housefly.room.draft.imports.svg_plan import svg_plan
@@ -21,6 +22,7 @@ from housefly.room.draft.suggestions import suggested_pad
 FILE_SIZE_MAX = 500_000_000
 """Largest file that is read [bytes]."""
 
+_MOSTLY = 0.5
 _UNITS = (1e-6, 1000.0)
 """Metres per unit that may be said."""
 
@@ -28,16 +30,20 @@ _Importer = Callable[[SiteDraft, Path, ImportHints], Imported]
 _IMPORTERS: dict[str, _Importer] = {
     ".yaml": ros_cells,
     ".yml": ros_cells,
-    ".ply": scan,
-    ".obj": scan,
-    ".glb": scan,
-    ".gltf": scan,
-    ".stl": scan,
+    **dict.fromkeys(SCAN_SUFFIXES, scan),
     ".svg": svg_plan,
     ".dxf": dxf_plan,
 }
 IMPORT_SUFFIXES = tuple(_IMPORTERS)
 """Ends of file names that are read."""
+_WAYS_OUT = {
+    (".pgm", ".png"): "give the map's yaml file, which names the picture",
+    (".pdf", ".ai", ".vsdx"): "export the plan as .svg or .dxf",
+    (".dwg", ".skp", ".rvt", ".ifc"): "export the walls as .dxf",
+    (".usdz", ".fbx", ".dae", ".3ds", ".blend", ".off"): "export the scan as .glb or .ply",
+    (".xyz", ".txt", ".csv", ".pts", ".asc", ".rcp", ".fls"): "export the scan as .ply or .e57",
+}
+"""What to do with files that are often at hand, and not read."""
 
 
 def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> Imported:
@@ -60,8 +66,10 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
         )
     read = _IMPORTERS.get(path.suffix.lower())
     if read is None:
+        end = path.suffix.lower()
+        way_out = next((f"{words}; " for ends, words in _WAYS_OUT.items() if end in ends), "")
         raise RoomError(
-            f"{shortened(path.name)}: no room is read from such a file; allowed:"
+            f"{shortened(path.name)}: no room is read from such a file; {way_out}allowed:"
             f" {', '.join(IMPORT_SUFFIXES)}"
         )
     if not is_file(path):
@@ -87,11 +95,21 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
     draft = draft_from_json(draft_to_json(found.draft), path.name)
     pad = suggested_pad(draft)
     if pad is None:
-        notes = (*found.notes, "the drone fits nowhere: is the unit of the file right?")
-        return Imported(draft, notes)
+        return Imported(draft, (*found.notes, _why_nowhere(draft)))
     draft = replace(draft, pad=pad)
     if hints.unexplored == "free":
         seen = tuple(box for box in draft.scanned if box.thing != "unexplored")
         draft = replace(draft, scanned=seen)
         found = replace(found, notes=(*found.notes, "unexplored floor counts as free, as you said"))
     return Imported(replace(draft, places=suggested_places(draft)), found.notes)
+
+
+def _why_nowhere(draft: SiteDraft) -> str:
+    """Return why the drone fits nowhere, by what covers the floor."""
+    assert draft.bounds is not None
+    x_min, y_min, x_max, y_max = draft.bounds
+    unseen = sum(box.length * box.width for box in draft.scanned if box.thing == "unexplored")
+    share = unseen / ((x_max - x_min) * (y_max - y_min))
+    if share > _MOSTLY:
+        return f"the drone fits nowhere: {100 * share:.0f} % of the floor were never seen"
+    return "the drone fits nowhere: is the unit of the file right?"

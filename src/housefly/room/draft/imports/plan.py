@@ -175,7 +175,7 @@ def _unit(
             f"{name} measures {length:.4g} x {width:.4g}: no room in any usual unit; say how many"
             " metres one unit is"
         )
-    unit = choices[0]
+    unit = 1.0 if 1.0 in choices and not declared else choices[0]
     found = f"{words[unit]}, a room of {unit * length:.3g} m x {unit * width:.3g} m"
     said = f"cannot be {drawing.unit_words}, and were {found}" if declared else f"are {found}"
     return unit, (

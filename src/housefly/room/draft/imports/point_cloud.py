@@ -1,16 +1,21 @@
-"""The points of a scan, read by trimesh; surfaces of a mesh become points 2 cm apart."""
+"""The points of a scan in metres, z up; surfaces of a mesh become points 2 cm apart."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Protocol
 
 import numpy as np
 
-from housefly.errors import MissingPartError, RoomError
+from housefly.errors import HouseflyError, RoomError
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.contracts import USUAL_UNITS, ImportHints
+from housefly.room.draft.imports.mesh_file import read_mesh
+from housefly.room.draft.imports.point_file import read_e57, read_las, read_pcd
+from housefly.room.draft.imports.scan_part import ScanFile, ScanPart, without_broken_points
+from housefly.room.draft.imports.units import likely_units
 
 SPACING = 0.02
 _COARSE_POINTS = 50_000
@@ -18,15 +23,26 @@ _COARSE_POINTS = 50_000
 _POINTS_MAX = 4_000_000
 _SAMPLES_MAX = 8_000_000
 """Most points on all surfaces together."""
-_VERTICES_MAX = 30_000_000
-"""Most points of a file, those of a part counted as often as it stands in the scene."""
 _POINTS_MIN = 500
 _SIDES = (1.5, 60.0)
 """A room is at least and at most so long [m]."""
 _HEIGHTS = (1.0, 20.0)
 _FLOOR_BIN = 0.02
-_Y_UP_SUFFIXES = (".glb", ".gltf")
+_UP = {".glb": "y", ".gltf": "y", ".las": "z", ".laz": "z", ".e57": "z"}
 """The format says so."""
+_READERS: dict[str, Callable[[Path], ScanFile]] = {
+    ".ply": read_mesh,
+    ".obj": read_mesh,
+    ".glb": read_mesh,
+    ".gltf": read_mesh,
+    ".stl": read_mesh,
+    ".pcd": read_pcd,
+    ".las": read_las,
+    ".laz": read_las,
+    ".e57": read_e57,
+}
+SCAN_SUFFIXES = tuple(_READERS)
+"""Ends of the names of files that are read."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,21 +53,30 @@ class PointCloud:
     notes: tuple[str, ...]
 
 
+class Surface(Protocol):
+    """What has an area."""
+
+    @property
+    def area(self) -> float:
+        """In the square of its unit."""
+        ...
+
+
 def read_point_cloud(path: Path, hints: ImportHints) -> PointCloud:
     """Read a scan.
 
     Raises:
         RoomError: it cannot be read, or its unit cannot be told.
-        MissingPartError: trimesh is not installed.
+        MissingPartError: its reader is not installed.
     """
-    parts = _parts(path)
-    corners = np.vstack([part.vertices for part in parts])
-    if corners.shape[0] < 3 or not np.isfinite(corners).all():
-        raise RoomError(f"{path.name} holds no points, or some that are not finite")
-    area = sum(float(part.area) for part in parts if _has_faces(part))
+    scan = _scan_file(path)
+    if not scan.parts:
+        raise RoomError(f"{path.name} holds neither points nor surfaces")
+    parts, left_out = without_broken_points(scan.parts, path.name)
+    area = sum(part.area for part in parts)
     coarse = np.vstack([_sampled(part, (area / _COARSE_POINTS) ** 0.5) for part in parts])
     axis, axis_note = _up_axis(coarse, path, hints)
-    unit, unit_note = _unit(_turned(coarse, axis), path, hints)
+    unit, unit_note = _unit(_turned(coarse, axis), path, hints, scan.unit)
     spacing = fine_spacing(parts, SPACING / unit)
     points = np.vstack([_sampled(part, spacing) for part in parts]) * unit
     points = _turned(points, axis)
@@ -62,70 +87,48 @@ def read_point_cloud(path: Path, hints: ImportHints) -> PointCloud:
         )
     floor = _floor(points)
     points[:, 2] -= floor
-    return PointCloud(points, (axis_note, unit_note, f"the floor was taken at {floor:.2f} m in it"))
+    floor_note = f"the floor was taken at {floor:.2f} m in it"
+    return PointCloud(points, (*scan.notes, *left_out, axis_note, unit_note, floor_note))
 
 
-def _parts(path: Path) -> list[Any]:
+def _scan_file(path: Path) -> ScanFile:
     try:
-        import trimesh
-    except ImportError as error:
-        raise MissingPartError(
-            "the reader of scans (trimesh)", "pip install 'housefly[import]'"
-        ) from error
-    try:
-        # Only files beside it may be named inside it, and nothing is fetched.
-        with np.errstate(all="ignore"):
-            scene = trimesh.load_scene(path, allow_remote=False)
-        _refuse_too_many(scene, path.name)
-        found = [part for part in scene.dump() if getattr(part, "vertices", None) is not None]
-    except RoomError:
+        return _READERS[path.suffix.lower()](path)
+    except HouseflyError:
         raise
     except Exception as error:  # a broken file makes its reader fail in any way
-        raise RoomError(f"{path.name} cannot be read as a scan: {error}") from error
-    if not found:
-        raise RoomError(f"{path.name} holds neither points nor surfaces")
-    return found
-
-
-def _refuse_too_many(scene: Any, name: str) -> None:
-    """Raise RoomError for what a few lines of a file would make of this machine's memory."""
-    parts = (scene.geometry[scene.graph[node][1]] for node in scene.graph.nodes_geometry)
-    count = sum(len(part.vertices) for part in parts if hasattr(part, "vertices"))
-    if count > _VERTICES_MAX:
+        said = str(error).strip().partition("\n")[0]
+        if isinstance(error, LookupError | TypeError | AttributeError) or not said:
+            said = f"its reader stops with {type(error).__name__} {said}".rstrip()
         raise RoomError(
-            f"{name} holds {count} points, at most {_VERTICES_MAX} are read: thin the scan out,"
-            " 2 cm between points are enough"
-        )
+            f"{path.name} cannot be read as a scan: {said}; is the file whole?"
+        ) from error
 
 
-def fine_spacing(parts: list[Any], wanted: float) -> float:
+def fine_spacing(parts: Iterable[Surface], wanted: float) -> float:
     """Return how far apart points on the surfaces of all parts are, in the unit of the parts.
 
     Args:
         parts: meshes and clouds.
         wanted: distance unless that makes too many points.
     """
-    area = sum(float(part.area) for part in parts if _has_faces(part))
+    area = sum(float(part.area) for part in parts)
     return max(wanted, float(np.sqrt(area / _SAMPLES_MAX)))
 
 
-def _sampled(part: Any, spacing: float) -> FloatArray:
+def _sampled(part: ScanPart, spacing: float) -> FloatArray:
     """Return points on the surfaces of a mesh, or the points of a cloud; shape (n, 3)."""
-    vertices = np.asarray(part.vertices, dtype=np.float64)
-    if not _has_faces(part):
-        return _thinned(vertices)
-    count = int(min(_POINTS_MAX, float(part.area) / spacing**2)) if spacing > 0.0 else 0
+    if len(part.faces) == 0:
+        return _thinned(part.vertices)
+    count = int(min(_POINTS_MAX, part.area / spacing**2)) if spacing > 0.0 else 0
     if count < 1:
-        return vertices
+        return part.vertices
+    from trimesh import Trimesh
     from trimesh.sample import sample_surface
 
-    points, _ = sample_surface(part, count, seed=1)
-    return np.vstack([vertices, np.asarray(points, dtype=np.float64)])
-
-
-def _has_faces(part: Any) -> bool:
-    faces = getattr(part, "faces", None)
-    return faces is not None and len(faces) > 0
+    mesh = Trimesh(part.vertices, part.faces, process=False)
+    points, _ = sample_surface(mesh, count, seed=1)
+    return np.vstack([part.vertices, np.asarray(points, dtype=np.float64)])
 
 
 def _thinned(points: FloatArray) -> FloatArray:
@@ -136,8 +139,8 @@ def _thinned(points: FloatArray) -> FloatArray:
 def _up_axis(points: FloatArray, path: Path, hints: ImportHints) -> tuple[str, str]:
     if hints.up != "auto":
         return hints.up, f"{hints.up} points up, as you said"
-    if path.suffix.lower() in _Y_UP_SUFFIXES:
-        return "y", "y points up, as glTF has it"
+    if axis := _UP.get(path.suffix.lower()):
+        return axis, f"{axis} points up, as the format has it"
     # A floor is the largest level, and a room is rarely higher than it is wide.
     y, z = _floor_likeness(points[:, 1]), _floor_likeness(points[:, 2])
     axis = "y" if y > z else "z"
@@ -164,16 +167,22 @@ def _turned(points: FloatArray, axis: str) -> FloatArray:
     return np.column_stack([points[:, 0], -points[:, 2], points[:, 1]]).astype(np.float64)
 
 
-def _unit(points: FloatArray, path: Path, hints: ImportHints) -> tuple[float, str]:
+def _unit(
+    points: FloatArray, path: Path, hints: ImportHints, declared: float | None
+) -> tuple[float, str]:
     low, high = np.percentile(points, (0.1, 99.9), axis=0)
     length, width, height = (float(side) for side in high - low)
-    sides = f"{length:.4g} x {width:.4g} x {height:.4g}"
+    sides = f"{length:.4g} x {abs(width):.4g} x {height:.4g}"
     if hints.unit is not None:
         return hints.unit, f"one unit is {hints.unit:g} m, as you said"
-    for unit, name in USUAL_UNITS.items():
-        fits = [_SIDES[0] <= unit * side <= _SIDES[1] for side in (length, width)]
-        if all(fits) and _HEIGHTS[0] <= unit * height <= _HEIGHTS[1]:
-            return unit, f"its numbers ({sides}) were taken for {name}"
+    if declared is not None:
+        return declared, f"its numbers ({sides}) are {declared:.4g} m each, as the file says"
+    if not (length > 0.0 and width > 0.0):
+        raise RoomError(f"{path.name} measures {sides}: all its points lie on one line or plane")
+    choices = likely_units(USUAL_UNITS, (length, width), _SIDES, height, _HEIGHTS)
+    if choices:
+        unit = 1.0 if 1.0 in choices else choices[0]
+        return unit, f"its numbers ({sides}) were taken for {USUAL_UNITS[unit]}"
     raise RoomError(
         f"{path.name} measures {sides}: no room in any usual unit; say how many metres one unit is"
         " (0.001 for millimetres), and which axis points up"

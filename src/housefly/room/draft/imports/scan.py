@@ -8,6 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from housefly.errors import RoomError
 from housefly.numeric import FloatArray
@@ -20,9 +21,12 @@ from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.point_cloud import read_point_cloud
 from housefly.room.draft.model import DraftBox, SiteDraft
 from housefly.room.reach import Mask
+from housefly.room.ros_map import unexplored_note
 
-EDGE = 0.05
-"""Of a cell [m]."""
+EDGES = (0.05, 0.1, 0.2)
+"""Of a cell [m]: the smallest in which there are enough points is taken."""
+_POINTS_A_CELL = 2.5
+"""So many points are enough, in each cube of that edge that holds any."""
 LEVELS = (0.08, 0.45, 0.85, 1.35, 2.0)
 """Heights between which points are told apart [m]; the usual flight height lies between the third
 and fourth.
@@ -30,63 +34,109 @@ and fourth.
 _POINTS_MIN, _NOISE_SHARE = 2, 0.1
 """Fewer points in a cell, or a smaller share of what cells usually hold, are noise."""
 _CELLS_MAX = 4_000_000
+_CEILING_SHARE = 0.15
+"""A ceiling covers more of the floor that no wall stands on."""
 
 
 def scan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
-    """Return the draft with the room of a scan (PLY, OBJ, glTF, STL).
+    """Return the draft with the room of a scan.
 
     Raises:
-        RoomError: it cannot be read, or holds no floor.
-        MissingPartError: trimesh is not installed.
+        RoomError: it cannot be read, its points are too far apart, or it holds no floor.
+        MissingPartError: its reader is not installed.
     """
     cloud = read_point_cloud(path, hints)
     inside = cloud.points[cloud.points[:, 2] > -0.3]
+    edge, edge_note = _edge(inside, path.name)
     low, high = np.percentile(inside[:, :2], (0.05, 99.95), axis=0)
-    origin = np.floor((low - 2 * EDGE) / EDGE) * EDGE
-    nx, ny = (int(n) for n in np.ceil((high + 2 * EDGE - origin) / EDGE))
+    origin = np.floor((low - 2 * edge) / edge) * edge
+    nx, ny = (int(n) for n in np.ceil((high + 2 * edge - origin) / edge))
     if nx * ny > _CELLS_MAX:
         raise RoomError(
-            f"{path.name} covers {nx * ny * EDGE**2:.0f} m^2; cut out the part to fly in"
+            f"{path.name} covers {nx * ny * edge**2:.0f} m^2; cut out the part to fly in"
         )
-    layers, seen = _layers(inside, origin, (nx, ny))
-    ceiling = _ceiling(inside)
+    cells = _Cells(inside, origin, (nx, ny), edge)
+    layers = [cells.occupied(below, above) for below, above in pairwise(LEVELS)]
+    seen = without_holes(cells.occupied(-0.3, LEVELS[-1]))
+    ceiling = _ceiling(cells, seen & ~(layers[2] & layers[3]))
     top = draft.height if ceiling is None else round(ceiling, 2)
-    boxes = tuple(_boxes(layers, seen, top))
+    boxes = tuple(_boxes(layers, seen, top, edge))
     refuse_too_many(boxes, path.name)
-    length, width = round(nx * EDGE, 4), round(ny * EDGE, 4)
+    length, width = round(nx * edge, 4), round(ny * edge, 4)
     x, y = origin
     notes = (
         *cloud.notes,
+        *edge_note,
         f"{path.name}: {length:.2f} m x {width:.2f} m, {len(boxes)} boxes from {len(inside)}"
         f" points; ceiling {top:.2f} m"
         + ("" if ceiling is not None else " (not in the scan: as usual)"),
-        "floor that no point was measured on is unexplored, and not flown over",
+        unexplored_note(seen | np.logical_or.reduce(layers), edge),
         f"the room begins at (0, 0), which the scan calls ({x:.2f}, {y:.2f}) m",
     )
     found = replace(draft, bounds=(0.0, 0.0, length, width), scanned=boxes, height=top)
     return Imported(found, notes)
 
 
-def _layers(
-    points: FloatArray, origin: FloatArray, shape: tuple[int, int]
-) -> tuple[list[Mask], Mask]:
-    """Return which cells are occupied between each two levels, and which were seen at all."""
-    cells = np.floor((points[:, :2] - origin) / EDGE).astype(np.int64)
-    within = ((cells >= 0) & (cells < shape)).all(axis=1)
-    cells, heights = cells[within], points[within, 2]
-    flat = cells[:, 0] * shape[1] + cells[:, 1]
+def _edge(points: FloatArray, name: str) -> tuple[float, tuple[str, ...]]:
+    """Return the edge of cells that the points are dense enough for, and a word on coarse ones.
 
-    def counted(low: float, high: float) -> Mask:
-        chosen = flat[(heights >= low) & (heights < high)]
-        counts = np.bincount(chosen, minlength=shape[0] * shape[1])
-        usual = float(np.median(counts[counts > 0])) if chosen.size else 0.0
-        return np.asarray(counts >= max(_POINTS_MIN, _NOISE_SHARE * usual)).reshape(shape)
+    Raises:
+        RoomError: they are too far apart for any.
+    """
+    for edge in EDGES:
+        spacing = _spacing(points, edge)
+        if spacing is not None:
+            is_coarse = edge > EDGES[0]
+            note = (
+                f"its points are about {100 * spacing:.0f} cm apart: cells of {100 * edge:.0f} cm"
+            )
+            return edge, (note,) if is_coarse else ()
+    farthest = EDGES[-1] / 2
+    raise RoomError(
+        f"{name} has points more than {100 * farthest:.0f} cm apart, too few to tell walls from"
+        " gaps: export it denser, 2 cm between points are best, or as a mesh; or is its unit"
+        " another one?"
+    )
 
-    layers = [counted(low, high) for low, high in pairwise(LEVELS)]
-    return layers, without_holes(counted(-0.3, LEVELS[-1]))
+
+def _spacing(points: FloatArray, edge: float) -> float | None:
+    """Return how far apart points are [m], None where cubes of this edge hold too few of them."""
+    cubes = np.floor(points / edge).astype(np.int64)
+    cubes -= cubes.min(axis=0)
+    _, height, depth = (int(n) + 1 for n in cubes.max(axis=0))
+    count = np.unique((cubes[:, 0] * height + cubes[:, 1]) * depth + cubes[:, 2]).size
+    a_cube = points.shape[0] / count
+    return edge / a_cube**0.5 if a_cube >= _POINTS_A_CELL else None
 
 
-def _boxes(layers: list[Mask], seen: Mask, ceiling: float) -> Iterator[DraftBox]:
+class _Cells:
+    """The points of a scan by the cell of floor that they stand on."""
+
+    def __init__(
+        self, points: FloatArray, origin: FloatArray, shape: tuple[int, int], edge: float
+    ) -> None:
+        cells = np.floor((points[:, :2] - origin) / edge).astype(np.int64)
+        within = ((cells >= 0) & (cells < shape)).all(axis=1)
+        self._flat = cells[within, 0] * shape[1] + cells[within, 1]
+        self.heights = points[within, 2]
+        self._shape = shape
+
+    def occupied(self, low: float, high: float) -> Mask:
+        """Return which cells hold enough points between two heights [m]."""
+        counts = self._counts(low, high)
+        usual = float(np.median(counts[counts > 0])) if counts.any() else 0.0
+        return np.asarray(counts >= max(_POINTS_MIN, _NOISE_SHARE * usual)).reshape(self._shape)
+
+    def touched(self, low: float, high: float) -> Mask:
+        """Return which cells hold any point between two heights [m]."""
+        return np.asarray(self._counts(low, high) > 0).reshape(self._shape)
+
+    def _counts(self, low: float, high: float) -> NDArray[np.int64]:
+        chosen = self._flat[(self.heights >= low) & (self.heights < high)]
+        return np.bincount(chosen, minlength=self._shape[0] * self._shape[1])
+
+
+def _boxes(layers: list[Mask], seen: Mask, ceiling: float, edge: float) -> Iterator[DraftBox]:
     """Yield columns from the floor up to the highest level that is occupied without a gap above.
 
     What hangs above the flight height only begins there; under it nothing is taken to be free
@@ -94,25 +144,28 @@ def _boxes(layers: list[Mask], seen: Mask, ceiling: float) -> Iterator[DraftBox]
     """
     low, middle, flight, high = layers
     wall = flight & high
-    yield from boxes_of_cells(wall, EDGE, ceiling, "wall")
-    yield from boxes_of_cells(flight & ~high, EDGE, LEVELS[3], "tall thing")
-    yield from boxes_of_cells(middle & ~flight, EDGE, LEVELS[2], "thing")
-    yield from boxes_of_cells(low & ~middle & ~flight, EDGE, LEVELS[1], "low thing")
+    yield from boxes_of_cells(wall, edge, ceiling, "wall")
+    yield from boxes_of_cells(flight & ~high, edge, LEVELS[3], "tall thing")
+    yield from boxes_of_cells(middle & ~flight, edge, LEVELS[2], "thing")
+    yield from boxes_of_cells(low & ~middle & ~flight, edge, LEVELS[1], "low thing")
     yield from boxes_of_cells(
-        high & ~flight, EDGE, min(LEVELS[4], ceiling), "hanging thing", bottom=LEVELS[3]
+        high & ~flight, edge, min(LEVELS[4], ceiling), "hanging thing", bottom=LEVELS[3]
     )
     unknown = ~(seen | low | middle | flight | high)
-    yield from boxes_of_cells(unknown, EDGE, ceiling, "unexplored")
+    yield from boxes_of_cells(unknown, edge, ceiling, "unexplored")
 
 
-def _ceiling(points: FloatArray) -> float | None:
-    """Return the height of a level that holds many points above 1.9 m, None when none does."""
-    heights = points[:, 2]
-    above = heights[(heights > 1.9) & (heights < 20.0)]
+def _ceiling(cells: _Cells, floor: Mask) -> float | None:
+    """Return the height of a level above 1.9 m that lies above much of the floor, None without.
+
+    The upper rows of a wall's points are level, too, but lie above the wall.
+    """
+    above = cells.heights[(cells.heights > 1.9) & (cells.heights < 20.0)]
     if above.size == 0:
         return None
     counts, edges = np.histogram(above, bins=np.arange(1.9, float(above.max()) + 0.1, 0.05))
-    best = int(counts.argmax()) if counts.size else 0
-    if counts.size == 0 or counts[best] < 0.02 * heights.size:
-        return None
-    return float(edges[best] + 0.025)
+    for best in np.argsort(-counts, kind="stable")[:3]:
+        covered = cells.touched(float(edges[best]) - 0.05, float(edges[best]) + 0.1) & floor
+        if covered.sum() > _CEILING_SHARE * floor.sum():
+            return float(edges[best] + 0.025)
+    return None

@@ -1,0 +1,126 @@
+"""Scans that trimesh reads: PLY, OBJ, STL and glTF."""
+
+from __future__ import annotations
+
+import json
+import struct
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from housefly.errors import MissingPartError, RoomError
+from housefly.room.draft.imports.scan_part import ScanFile, ScanPart, refuse_too_many_points
+
+_TREE_MAX = 64 * 2**20
+"""Longest JSON of a glTF [bytes]."""
+_DRACO = "KHR_draco_mesh_compression"
+_MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression", "MESHOPT_compression")
+_FLOAT = 5126
+"""componentType of numbers that need no scaling."""
+
+
+def read_mesh(path: Path) -> ScanFile:
+    """Return the parts of a scan; raises RoomError, or what a broken file raises in trimesh."""
+    try:
+        import trimesh
+    except ImportError as error:
+        raise MissingPartError(
+            "the reader of scans (trimesh)", "pip install 'housefly[import]'"
+        ) from error
+    if path.suffix.lower() in (".glb", ".gltf"):
+        _check_gltf(path)
+    # Only files beside it may be named inside it, and nothing is fetched.
+    with np.errstate(all="ignore"):
+        scene = trimesh.load_scene(path, allow_remote=False, process=False)
+    placed = [scene.geometry[scene.graph[node][1]] for node in scene.graph.nodes_geometry]
+    count = sum(len(part.vertices) for part in placed if hasattr(part, "vertices"))
+    refuse_too_many_points(count, path.name)
+    found = scene.dump()
+    shapes = [part for part in found if getattr(part, "vertices", None) is not None]
+    lost = len(found) - len(shapes)
+    notes = (f"left out: {lost} parts that are neither points nor surfaces",) if lost else ()
+    return ScanFile(tuple(_part(shape) for shape in shapes if len(shape.vertices)), None, notes)
+
+
+def _part(shape: Any) -> ScanPart:
+    faces = getattr(shape, "faces", None)
+    faces = np.empty((0, 3)) if faces is None else faces
+    return ScanPart(
+        np.asarray(shape.vertices, dtype=np.float64),
+        np.asarray(faces, dtype=np.int64).reshape(-1, 3),
+    )
+
+
+def _check_gltf(path: Path) -> None:
+    """Raise RoomError for a glTF whose points trimesh does not read, or reads as others."""
+    tree = _gltf_tree(path)
+    if not isinstance(tree, dict):
+        return  # trimesh says what is wrong
+    needed = _words(tree.get("extensionsRequired"))
+    used = _words(tree.get("extensionsUsed")) | needed
+    if _DRACO in used and find_spec("DracoPy") is None:
+        raise _compressed(path, _DRACO, ", or pip install DracoPy")
+    for name in _MESHOPT:
+        if name in needed:
+            raise _compressed(path, name)
+    if _scales_integers(tree):
+        raise _compressed(path, "KHR_mesh_quantization", " or quantization")
+    for uri in _uris(tree):
+        if not uri.startswith("data:") and not (path.parent / uri).is_file():
+            raise RoomError(
+                f"{path.name} needs {uri!r}, which is not beside it: choose both files, or export"
+                " it as one .glb"
+            )
+
+
+def _compressed(path: Path, extension: str, way_out: str = "") -> RoomError:
+    return RoomError(
+        f"{path.name} stores its surfaces by {extension}, which is not read: export it without"
+        f" compression{way_out}"
+    )
+
+
+def _gltf_tree(path: Path) -> Any:
+    try:
+        with path.open("rb") as file:
+            if path.suffix.lower() == ".glb":
+                head = file.read(20)
+                size = struct.unpack("<I", head[12:16])[0] if len(head) == 20 else 0
+                text = file.read(min(size, _TREE_MAX))
+            else:
+                text = file.read(_TREE_MAX)
+        return json.loads(text)
+    except (OSError, ValueError, RecursionError):
+        return None
+
+
+def _words(value: Any) -> frozenset[str]:
+    return frozenset(map(str, value)) if isinstance(value, list) else frozenset()
+
+
+def _items(tree: dict[str, Any], key: str) -> list[dict[str, Any]]:
+    value = tree.get(key)
+    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
+
+
+def _uris(tree: dict[str, Any]) -> list[str]:
+    return [str(one["uri"]) for one in _items(tree, "buffers") if one.get("uri")]
+
+
+def _scales_integers(tree: dict[str, Any]) -> bool:
+    """Return whether positions are whole numbers that stand for parts of one."""
+    accessors = tree.get("accessors")
+    for mesh in _items(tree, "meshes"):
+        for primitive in _items(mesh, "primitives"):
+            attributes = primitive.get("attributes")
+            at = attributes.get("POSITION") if isinstance(attributes, dict) else None
+            if not (isinstance(at, int) and isinstance(accessors, list) and at < len(accessors)):
+                continue
+            accessor = accessors[at]
+            if not isinstance(accessor, dict):
+                continue
+            if accessor.get("normalized") and accessor.get("componentType") != _FLOAT:
+                return True
+    return False
