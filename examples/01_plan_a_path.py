@@ -1,5 +1,6 @@
 """Plan a path in B-sen.
 
+Needs: nothing beside Housefly itself.
 Learns: a site names a room, the room becomes an occupancy grid, the planner answers with a path or
     with a reason.
 Prints: the way from the pad to the entrance, and why there is none into the sofa, with the nearest

@@ -1,5 +1,6 @@
 """Fly the whole service on a stepped clock.
 
+Needs: MuJoCo: the extra `twin`, which `make setup` brings.
 Learns: the pilot is one pure step; the simulated room moves only when it is told to, so a minute of
     flight takes seconds. The same seed gives the same flight, bit for bit.
 Prints: each phase of the service with the world's time and the drone's place, then the outcome.

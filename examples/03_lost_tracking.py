@@ -1,5 +1,6 @@
 """Take the motion capture away for three seconds in mid-flight.
 
+Needs: MuJoCo: the extra `twin`, which `make setup` brings.
 Learns: the last gate watches the age of the pose. Older than 0.25 s: the drone holds itself. Older
     than 2 s: it lands, and a landing once begun is kept although the tracking comes back.
 Prints: each change of the gate's verdict with its reason, and every event that people are told.

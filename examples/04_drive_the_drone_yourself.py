@@ -1,5 +1,6 @@
 """Fly the drone by hand, over its real wire.
 
+Needs: MuJoCo: the extra `twin`, which `make setup` brings; or a drone.
 Learns: our AR.Drone driver does not know whether a drone or the twin answers. Here the twin serves
     the real ports on a loopback address of its own; put a real drone's address in its place and
     leave the twin out, and the rest stays the same.

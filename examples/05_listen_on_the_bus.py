@@ -1,5 +1,6 @@
 """Listen to a running Housefly from another process.
 
+Needs: MuJoCo: the extra `twin`, which `make setup` brings.
 Learns: pilot, hub and twin are processes that meet on a bus; whoever knows its address may listen,
     ask and order.
 Prints: the topics, the answer to a planning question, then one line a second of the pilot's steps,

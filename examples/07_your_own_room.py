@@ -1,5 +1,6 @@
 """Make a room of a ROS map and fly in it.
 
+Needs: MuJoCo: the extra `twin`, which `make setup` brings.
 Learns: a picture and four lines of YAML, as ROS mapping tools write them, are enough; walls are
     extruded, home and places chosen.
 Prints: the imported room as text, and the outcome of a service in it. The same from the shell:

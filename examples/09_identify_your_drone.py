@@ -1,5 +1,6 @@
 """Learn the constants of a drone that nobody told us about.
 
+Needs: MuJoCo: the extra `twin`, which `make setup` brings.
 Learns: the simulated drone has hidden constants, the pilot believes others; small steps in a
     checked box tell what it is like.
 Prints: how many steps were flown, then each constant with its 95 % interval beside what the pilot

@@ -1,5 +1,6 @@
 """Choose gains for a slow tracking system, and see what the shipped ones would do there.
 
+Needs: nothing beside Housefly itself.
 Learns: margins are those of the loop as it is sampled; what a promise is; why mode paper must fly
     more cautiously.
 Prints: for each tracking system the recommended pair with its margins, then what is said of the

@@ -1,5 +1,6 @@
 """Add a sensor of your own: light sensors that send a line of text over UDP.
 
+Needs: nothing beside Housefly itself.
 Learns: what a sensor driver owes the room, in four members; how a bad line is counted and named
     instead of believed.
 Prints: each observation as the room would hear it, then how the driver and its two lamps do.
