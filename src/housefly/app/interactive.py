@@ -65,6 +65,8 @@ class _Teller:
         self._door = door
         self._told = 0
         self._is_open = False
+        self.late: Callable[[], bool] = lambda: True
+        """Says, once, that a slow start has come to its end; returns whether that was said."""
 
     def tell(self) -> None:
         for death in self.launcher.deaths[self._told :]:
@@ -78,8 +80,10 @@ class _Teller:
             self._door.print_address()
 
     def tell_for_ever(self) -> None:
+        is_ready = False
         while True:
             self.tell()
+            is_ready = is_ready or self.late()
             if not self._is_open and console_answers(self.launcher.runtime.site()):
                 self.tell_address()
             if self._is_open:
@@ -158,16 +162,28 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
 
         readiness = Readiness(site, bus, web=True, video=video, on_console=teller.tell_address)
         missing = readiness.wait(_READY_TIMEOUT, on_missing, lambda: teller.launcher.given_up != ())
-    teller.tell()
-    if missing:
+
+    def said_ready() -> bool:
+        if readiness.wait(0.0):
+            return False
         console.print(
-            f"[bold]not everything answers:[/bold] {missing}; `housefly doctor` may know why"
+            f"ready after {time.monotonic() - started:.1f} s. {_NEXT[first]}"
+            " Ctrl-C lands and ends.",
+            soft_wrap=True,
         )
+        return True
+
+    teller.tell()
+    if not missing:
+        said_ready()
         return
     console.print(
-        f"ready after {time.monotonic() - started:.1f} s. {_NEXT[first]} Ctrl-C lands and ends.",
+        f"[bold]not ready after {_READY_TIMEOUT:.0f} s:[/bold] {missing}; it goes on starting,"
+        " and `housefly doctor` may know why it takes so long",
         soft_wrap=True,
     )
+    if not teller.launcher.given_up:
+        teller.late = said_ready
 
 
 def _command() -> str:

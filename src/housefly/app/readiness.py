@@ -61,6 +61,8 @@ class Readiness:
     ) -> str:
         """Wait until everything answers; return "", or what is missing in the end.
 
+        After a timeout it can be waited for again.
+
         Args:
             timeout: longest wait [s].
             on_missing: is told what is missing.
@@ -69,9 +71,10 @@ class Readiness:
         deadline = time.monotonic() + timeout
         while True:
             missing = self._missing()
-            if not missing or time.monotonic() > deadline or is_hopeless():
-                for subscription in self._open:
-                    subscription.close()
+            if not missing or (is_given_up := is_hopeless()) or time.monotonic() > deadline:
+                if not missing or is_given_up:
+                    for subscription in self._open:
+                        subscription.close()
                 return self._words(missing)
             on_missing(self._words(missing))
             time.sleep(0.05)

@@ -1,1 +1,1 @@
-import"./chunk-chunk-QJ26BLB4.js";
+import"./chunk-chunk-ZTHLB2H7.js";
