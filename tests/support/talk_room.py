@@ -57,6 +57,7 @@ SUBJECTS: dict[Language, dict[str, tuple[str, str]]] = {
 }
 """Names of things, and whom they mean."""
 PEOPLE: dict[Language, str] = {"en": "grandma", "de": "Oma", "ja": "おばあちゃん"}
+PLACES: dict[Language, str] = {"en": "kitchen", "de": "Küche", "ja": "台所"}
 _NUMBERS: dict[Language, dict[str, list[str]]] = {
     "en": {"hour": ["3", "three"], "minute": ["30"], "count": ["2", "two"]},
     "de": {"hour": ["3", "drei"], "minute": ["30"], "count": ["2", "zwei"], "halb_hour": ["vier"]},
@@ -88,6 +89,7 @@ def sampled(language: Language, count: int, seed: int) -> tuple[SampledSentence,
             lists[name] = TextSlotList(name, [known.values[0], known.values[-1]])
     lists["subject"] = TextSlotList.from_strings(list(SUBJECTS[language]))
     lists["person"] = TextSlotList.from_strings([PEOPLE[language]])
+    lists["place"] = TextSlotList.from_strings([PLACES[language]])
     rng = random.Random(seed)
     made: list[SampledSentence] = []
     templates = [
@@ -104,7 +106,8 @@ def sampled(language: Language, count: int, seed: int) -> tuple[SampledSentence,
             )
         )
         for text in rng.sample(texts, min(each, len(texts))):
-            made.append(SampledSentence(text, name, {**fixed, **_named(text, template, language)}))
+            slots = {key: value for key, value in fixed.items() if key != "ahead"}  # of a time
+            made.append(SampledSentence(text, name, slots | _named(text, template, language)))
     return tuple(rng.sample(made, max(count, min(count, len(made)))))
 
 
@@ -117,6 +120,8 @@ def _named(text: str, template: Sentence, language: Language) -> dict[str, str]:
     found: tuple[str, str] | None = None
     if "person" in lists and PEOPLE[language] in text:
         found = ("person-1", "person")
+    if "place" in lists and PLACES[language] in text:
+        found = ("kitchen", "place")
     if "subject" in lists:
         found = next((who for name, who in SUBJECTS[language].items() if name in text), found)
     return {} if found is None else {"subject": found[0], "subject_kind": found[1]}

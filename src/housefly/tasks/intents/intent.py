@@ -83,7 +83,7 @@ class IntentSlots:
         at: local time of day, "HH:MM".
         either_half: ``at`` may as well be twelve hours later or earlier.
         since: from ``at`` on, not at it.
-        day: "today", "yesterday" or a day of the week.
+        day: "today", "yesterday", "tomorrow" (only of a reminder) or a day of the week.
         period: a part of a day.
         last_minutes: the time that is meant ends now and is this long [min].
         in_minutes: from now [min].
@@ -106,6 +106,7 @@ class IntentSlots:
         Literal[
             "today",
             "yesterday",
+            "tomorrow",
             "monday",
             "tuesday",
             "wednesday",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from housefly.tasks.intents.intent import IntentName
+from housefly.tasks.intents.intent import IntentName, NameKind
 from housefly.tasks.intents.sentence_book import SentenceBook
 from housefly.tasks.intents.spoken_names import SpokenName
 from housefly.tasks.intents.spoken_text import occurrences
@@ -105,7 +105,8 @@ def name_lists(said: str, spoken: tuple[SpokenName, ...]) -> dict[str, SlotList]
     here = [one for one in spoken if one.said in said]
     return {
         "subject": of(iter(here)),
-        "person": of(one for one in here if one.subject.kind.value == "person"),
+        "person": of(one for one in here if one.subject.kind is NameKind.PERSON),
+        "place": of(one for one in here if one.subject.kind is NameKind.PLACE),
     }
 
 

@@ -117,7 +117,8 @@ class Recognizer:
         say = phrases(self.book.language)
         words = say(why, name=name)
         if meant:
-            words = say.joined(words, say("did_you_mean", sentences=say.listed(meant, "or")))
+            shown = (say("offered", sentence=one) for one in meant)
+            words = say.joined(words, say("did_you_mean", sentences=say.listed(shown, "or")))
         return NotUnderstood(text, self.book.language, words, meant, code)
 
 

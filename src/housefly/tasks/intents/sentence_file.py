@@ -15,7 +15,7 @@ from housefly.config.validation import validated
 from housefly.errors import ConfigError
 from housefly.tasks.intents.intent import IntentName, Language
 
-ROOM_LISTS = ("subject", "person")
+ROOM_LISTS = ("subject", "person", "place")
 """Lists that the room fills; sentences use them and files never define them."""
 _Text = Annotated[str, Field(min_length=1, max_length=1000)]
 _Key = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=40)]

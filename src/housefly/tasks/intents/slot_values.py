@@ -14,9 +14,10 @@ def intent_slots(matched: Mapping[str, Any]) -> dict[str, Any]:
     """Return slots: ``hour``, ``minute``, ``past`` and ``half`` become ``at`` and ``either_half``.
 
     ``count`` and ``unit`` [min] become ``last_minutes``, or ``in_minutes`` where ``ahead`` stands.
+    ``by``, a person of whom nothing is asked, is left out.
     Raises ValueError for a time that there is not.
     """
-    slots = dict(matched)
+    slots = {name: value for name, value in matched.items() if name != "by"}
     hour, minute = slots.pop("hour", None), slots.pop("minute", None)
     past, half = slots.pop("past", None), slots.pop("half", None)
     half_to = slots.pop("half_to", None)

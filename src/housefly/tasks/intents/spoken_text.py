@@ -7,8 +7,8 @@ import unicodedata
 
 from housefly.tasks.intents.intent import Language
 
-_COMMAS = frozenset("\u3001\uff64")
-"""Of Japanese, which puts no space after them."""
+_COMMAS = frozenset(",\u3001\uff64")
+"""They part words and mean nothing; Japanese puts no space after them."""
 _SPACES = re.compile(r"\s+")
 _INVISIBLE = frozenset({"Cc", "Cf", "Cn", "Co", "Cs"})
 """Unicode categories of characters that nobody sees."""

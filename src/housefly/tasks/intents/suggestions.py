@@ -9,11 +9,11 @@ from difflib import get_close_matches
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from housefly.tasks.intents.intent import NameKind
+from housefly.tasks.intents.intent import Language, NameKind
 from housefly.tasks.intents.reading import NAME_SLOTS, readings
 from housefly.tasks.intents.sentence_book import SentenceBook
 from housefly.tasks.intents.sentence_file import ROOM_LISTS
-from housefly.tasks.intents.spoken_names import SpokenName
+from housefly.tasks.intents.spoken_names import SpokenName, plain_name
 from housefly.tasks.intents.spoken_text import folded, is_cjk, occurrences
 
 if TYPE_CHECKING:
@@ -52,7 +52,8 @@ def suggested(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> 
         return Suggestion((_written(corrected, book, spoken),))
     unknown = _unknown_name(said, book)
     if unknown:
-        meant = [said.replace(unknown, name, 1) for name in _close_names(unknown, spoken)]
+        close = _close_names(unknown, spoken, book.language)
+        meant = [said.replace(unknown, name, 1) for name in close]
     else:
         examples = tuple(dict.fromkeys(_examples(said, book, spoken)))
         meant = get_close_matches(said, examples, _MOST, _SENTENCE_LIKENESS)
@@ -60,12 +61,13 @@ def suggested(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> 
     return Suggestion(tuple(dict.fromkeys(known)), unknown)
 
 
-def _close_names(unknown: str, spoken: tuple[SpokenName, ...]) -> list[str]:
-    """Return the names that are close to an unknown one, one a subject: not each of its cases."""
-    subjects = {one.said: one.subject for one in reversed(spoken)}
-    close = get_close_matches(unknown, list(subjects), _MOST * _CASES, _NAME_LIKENESS)
-    best = {subjects[name]: name for name in reversed(close)}
-    return sorted(best.values(), key=close.index)[:_MOST]
+def _close_names(unknown: str, spoken: tuple[SpokenName, ...], language: Language) -> list[str]:
+    """Return the names that are close to an unknown one, one a subject, not each of its cases."""
+    known = {one.said: one for one in reversed(spoken)}
+    close = get_close_matches(unknown, list(known), _MOST * _CASES, _NAME_LIKENESS)
+    best = {known[name].subject: name for name in reversed(close)}
+    nearest = sorted(best.values(), key=close.index)[:_MOST]
+    return [plain_name(known[name].shown, language) for name in nearest]
 
 
 def _written(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> str:

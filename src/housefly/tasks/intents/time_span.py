@@ -51,6 +51,8 @@ def next_time(slots: IntentSlots, now: float) -> float | None:
         return now + 60.0 * slots.in_minutes
     if slots.at is None:
         return None
+    if slots.day == "tomorrow":
+        return _at(slots.at, _midnight(now) + timedelta(days=1))
     at = _at(slots.at, _midnight(now))
     step = _HALF_DAY if slots.either_half else 2 * _HALF_DAY
     while at <= now:

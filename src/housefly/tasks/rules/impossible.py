@@ -55,7 +55,7 @@ def impossibilities(rule: Rule) -> Iterator[str]:
 def _of_message(pattern: MqttPattern) -> Iterator[str]:
     """Yield what no message can say."""
     above, below, value = pattern.above, pattern.below, pattern.value
-    what = pattern.field or "no value"
+    what = pattern.field or "a value"
     if above is not None and below is not None and above >= below:
         yield f"{what} is never above {above:g} and below {below:g} at once"
     if value is None or (above is None and below is None):
