@@ -159,7 +159,10 @@ def test_the_room_is_asked_what_happened_in_it() -> None:
         "in the cabinet: the cup, the book",
     )
     assert_in_order(
-        output, "object taken by the resident", "object put by the resident", "someone at the entrance"
+        output,
+        "object taken by the resident",
+        "object put by the resident",
+        "someone at the entrance",
     )
 
 
