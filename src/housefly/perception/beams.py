@@ -61,7 +61,7 @@ def background_of(room: Room, laser: LaserConfig, scan: BeamScan) -> BeamBackgro
     """Return the background of a scan in a room."""
     beams = len(scan.ranges)
     expected = expected_ranges(room.solids, laser, scan.first_angle, scan.step, beams)
-    angles: FloatArray = laser.yaw + scan.first_angle + np.arange(beams) * scan.step
+    angles = laser.yaw + scan.first_angle + np.arange(beams, dtype=np.float64) * scan.step
     return BeamBackground(
         foreground_limit(expected), elementwise(cos, angles), elementwise(sin, angles)
     )

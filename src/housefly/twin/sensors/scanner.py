@@ -125,9 +125,8 @@ class Scanner:
         self._origin = np.array([config.x, config.y, config.z])
         self._longest = self._parameters.longest / 1000.0
         beams = self._parameters.beams
-        angles: FloatArray = (
-            config.yaw + self._parameters.first_angle + np.arange(beams) * self._parameters.step
-        )
+        numbers = np.arange(beams, dtype=np.float64)
+        angles = config.yaw + self._parameters.first_angle + numbers * self._parameters.step
         self._rays = np.stack(
             [elementwise(cos, angles), elementwise(sin, angles), np.zeros(beams)], axis=1
         )
