@@ -24,7 +24,7 @@ _STEP_MARKS = {
 
 def task_line(task: TaskStatus) -> str:
     """Return one task: number, title, how far it is and why, who wanted it."""
-    words = f": {task.words}" if task.words else ""
+    words = f": {task.words}" if task.words not in ("", task.state.value) else ""
     by = f"  (by {task.asked_by})" if task.asked_by else ""
     return f"{task.id}  {task.title}  {task.state.value}{words}{by}"
 

@@ -6,7 +6,7 @@ import time
 from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from housefly.app.commands.asked_room import asked_site, remembered_room
 from housefly.errors import TaskError
@@ -64,7 +64,7 @@ def kept_tasks(options: Namespace, since: float) -> tuple[TaskStatus, ...]:
         store.close()
 
 
-def _refuse(*_: object) -> NoReturn:
+def _refuse(*_: Any, **__: Any) -> NoReturn:
     from housefly.tasks.api.values import ReasonCode
 
     raise TaskError(_NOTHING_FLIES, ReasonCode.NOT_READY.value)

@@ -66,7 +66,7 @@ class Subcommand:
     description: str = ""
     epilog: str = ""
 
-    def add_to(self, commands: SubParsers[ArgumentParser]) -> None:
+    def add_to(self, commands: SubParsers[Any]) -> None:
         """Add the command to the parser; texts of several lines keep their line breaks."""
         is_formatted = "\n" in self.description or self.epilog
         parser = commands.add_parser(
@@ -98,17 +98,15 @@ class CommandGroup:
     commands: tuple[Subcommand, ...]
     default: str = ""
 
-    def add_to(self, commands: SubParsers[ArgumentParser]) -> None:
+    def add_to(self, commands: SubParsers[Any]) -> None:
         """Add the commands of the group to the parser."""
         parser = commands.add_parser(self.name, help=self.help)
-        parser.set_defaults(run=lambda _: self._without_second_word(parser, inner), parser=parser)
         inner = parser.add_subparsers(dest="action", metavar=self.metavar)
+        parser.set_defaults(run=lambda _: self._without_second_word(parser, inner), parser=parser)
         for command in self.commands:
             command.add_to(inner)
 
-    def _without_second_word(
-        self, parser: ArgumentParser, inner: SubParsers[ArgumentParser]
-    ) -> int:
+    def _without_second_word(self, parser: ArgumentParser, inner: SubParsers[Any]) -> int:
         if not self.default:
             parser.print_help()
             return 2
