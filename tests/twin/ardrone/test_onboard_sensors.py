@@ -61,6 +61,17 @@ def test_a_flat_trim_makes_level_more_level() -> None:
     assert np.std(after) < np.std(before) / 2
 
 
+@pytest.mark.parametrize("lean", [-0.1, 0.05])
+def test_a_flat_trim_takes_the_lean_of_the_floor_for_level(
+    sensors: OnboardSensors, lean: float
+) -> None:
+    leaning = STILL._replace(orientation=quaternion_from_euler(0.0, lean, 0.0))
+    assert sensors.read(leaning).theta == pytest.approx(lean, abs=0.02)
+    sensors.flat_trim()
+    assert sensors.read(leaning).theta == pytest.approx(0.0, abs=0.005)
+    assert sensors.read(STILL).theta == pytest.approx(-lean, abs=0.005)
+
+
 def test_the_heading_starts_at_zero_wherever_the_drone_faces_and_drifts_slowly(
     sensors: OnboardSensors,
 ) -> None:

@@ -102,6 +102,18 @@ def test_take_off_trims_first_and_is_repeated_until_flying_then_hovers() -> None
     assert all(datagram == (HOVER,) for datagram in sent[30:])
 
 
+@pytest.mark.parametrize("lean", [{"phi": 0.05}, {"theta": -0.04}])
+def test_a_drone_on_a_leaning_pad_is_not_trimmed(lean: dict[str, float]) -> None:
+    rising, sent = commanded(Action.TAKE_OFF), []
+    for step in range(20):
+        now = step * 0.03
+        rising.update(Command(Action.TAKE_OFF), now)
+        told = replace(report(DroneStatus.LANDED, now), **lean)
+        sent.append(rising.next_commands(now, told))
+    assert not any(at.FlatTrim() in datagram for datagram in sent)
+    assert TAKE_OFF in sent[-1]
+
+
 def test_a_drone_that_landed_by_itself_does_not_rise_again_under_the_same_order() -> None:
     rising = commanded(Action.TAKE_OFF)
     for step, status in enumerate(

@@ -25,8 +25,8 @@ from housefly.pilot.behavior.order_checks import (
 )
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX, PAD_HEADING_MAX
 
-TILT_ON_PAD_MAX = radians(12.0)
-"""A drone that leans more than this does not stand on its feet [rad]."""
+TILT_ON_PAD_MAX = radians(6.0)
+"""A drone that leans more than this slides off its pad as it takes off, from 8 degrees on [rad]."""
 
 
 @dataclass(frozen=True, slots=True)

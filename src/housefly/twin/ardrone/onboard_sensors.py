@@ -30,6 +30,8 @@ _GYRO_BIAS = 0.0005
 _ATTITUDE_OFFSET = 0.0035
 _TRIMMED_OFFSET = 0.0009
 """Attitude offset, one sigma at power-on and after a flat trim [rad]."""
+_LEAN_MIN = 0.005
+"""A drone that leans less than this stands level [rad]."""
 _FLOW_NOISE = 0.02
 _FLOW_BIAS = 0.003
 _FLOW_BIAS_TIME = 10.0
@@ -105,6 +107,7 @@ class OnboardSensors:
         self._surface_below = surface_below
         self._noise = _rows(rng)
         self._offset_phi, self._offset_theta = rng.normal(0.0, _ATTITUDE_OFFSET, 2).tolist()
+        self._attitude = (0.0, 0.0)
         self._gyro_bias = float(rng.normal(0.0, _GYRO_BIAS))
         self._psi = 0.0
         self._psi_before: float | None = None
@@ -117,12 +120,16 @@ class OnboardSensors:
 
     def flat_trim(self) -> None:
         """Take the present attitude as level, up to a small error."""
-        self._offset_phi, self._offset_theta = self._rng.normal(0.0, _TRIMMED_OFFSET, 2).tolist()
+        phi, theta = self._rng.normal(0.0, _TRIMMED_OFFSET, 2).tolist()
+        is_leaning = max(map(abs, self._attitude)) > _LEAN_MIN
+        lean_phi, lean_theta = self._attitude if is_leaning else (0.0, 0.0)
+        self._offset_phi, self._offset_theta = phi - lean_phi, theta - lean_theta
 
     def read(self, body: BodyState) -> SensorReading:
         """Return a reading; call once every ``CONTROL_PERIOD``."""
         n = next(self._noise)
         phi, theta, yaw = euler_from_quaternion(body.orientation)
+        self._attitude = phi, theta
         self._follow_heading(yaw)
         self._wander(n[0], n[1])
         forward, left, height = self._flow_and_sonar(body, n[2])

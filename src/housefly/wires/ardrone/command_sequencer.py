@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from math import isfinite
+from math import isfinite, radians
 
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
@@ -37,6 +37,10 @@ LAND_AFTER = 2.0
 """Silence of the pilot after which a flying drone lands [s]."""
 TRIM_TIME = 0.1
 """How long flat trim is repeated before take-off [s]."""
+TRIM_TILT_MAX = radians(1.5)
+"""A drone that leans more than this is not trimmed [rad]: it would take the lean of its pad for
+level, and take off along it.
+"""
 _GROUNDED = frozenset({DroneStatus.LANDED, DroneStatus.EMERGENCY})
 _MOVES = frozenset({Action.FLY, Action.TAKE_OFF, Action.RESET})
 """What is worth nothing when it comes late."""
@@ -205,7 +209,8 @@ class CommandSequencer:
         ):
             return self._idle(now, report)
         if now - self._action_since < TRIM_TIME:
-            return (_LAND, at.FlatTrim())
+            is_leaning = max(abs(report.phi), abs(report.theta)) > TRIM_TILT_MAX
+            return (_LAND,) if is_leaning else (_LAND, at.FlatTrim())
         return (_TAKE_OFF,)
 
     def _cut(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
