@@ -29,6 +29,40 @@ def test_nobody_is_touched(row: str, seed: int, least: float) -> None:
     assert result.person_clearance > least
 
 
+@pytest.mark.parametrize(
+    ("row", "seed"),
+    [
+        ("F03/above_child", 1),
+        pytest.param("F03/above_child", 5, marks=pytest.mark.safety),
+        ("F03/above_lying", 4),
+        pytest.param("F03/above_lying", 1, marks=pytest.mark.safety),
+        pytest.param("F03/above_lying", 5, marks=pytest.mark.safety),
+    ],
+)
+def test_without_tracking_it_lands_beside_whom_only_its_sonar_shows(row: str, seed: int) -> None:
+    """A child below the drone, or somebody who lies there; without all this it lands on them."""
+    result = fly_trial(TrialKey(row, seed))
+    assert not result.violations
+    assert result.ending == "stands on the floor"
+    assert result.person_clearance is not None and result.person_clearance < 1.0
+
+
+@pytest.mark.parametrize(
+    ("row", "seed"),
+    [
+        ("F44/flat_box", 6),
+        ("F44/pole", 6),
+        pytest.param("F44/pole", 0, marks=pytest.mark.safety),
+    ],
+)
+def test_what_stands_or_lies_where_it_wants_to_land_is_landed_beside(row: str, seed: int) -> None:
+    """A box of 0.12 m on the pad, and a thin pole beside it; the pole once, not again and again."""
+    result = fly_trial(TrialKey(row, seed))
+    assert not result.violations
+    assert "not landing: something" in result.told
+    assert result.safe_after is not None and result.safe_after < 40.0
+
+
 @pytest.mark.safety
 @pytest.mark.parametrize("seed", [2, 9, 12])
 def test_a_chair_that_is_taken_for_a_person_does_not_keep_the_drone_in_the_air(seed: int) -> None:

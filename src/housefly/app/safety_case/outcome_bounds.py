@@ -45,6 +45,8 @@ OUTCOME_BOUNDS: dict[str, OutcomeBounds] = {
     "F01": OutcomeBounds(deviation=0.05),
     "F02": OutcomeBounds(told_within=0.5, deviation=0.05),
     "F03": _HELD_THEN_LANDED,
+    "F03/above_child": OutcomeBounds(told_within=1.5),
+    "F03/above_lying": OutcomeBounds(told_within=1.5),
     "F04": _UNNOTICED,
     "F05": _DISBELIEVED,
     "F06": _DISBELIEVED,
