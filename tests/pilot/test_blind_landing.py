@@ -21,7 +21,7 @@ class Blind:
     """A drone that hovers above something of which only its sonar tells, and tracking is lost."""
 
     def __init__(self, fly: Fly, place: Vec2 = PLACE, top: float = 0.6) -> None:
-        self.top, self.silent = top, False
+        self.top, self.silent, self.reach = top, False, 0.4
         self.flight = flight = fly()
         flight.run(0.5)
         flight.step(flight.order(OrderKind.GO, goal=place))
@@ -38,7 +38,7 @@ class Blind:
 
     def told(self, now: float, inputs: Any) -> Any:
         """Let the drone's own sensors tell what they meet."""
-        below = self.top if self.away < 0.4 else 0.0
+        below = self.top if self.away < self.reach else 0.0
         heard = inputs.telemetry
         heard = replace(heard, height=max(0.0, heard.height - below))
         if self.silent:
@@ -100,6 +100,21 @@ def test_a_charge_that_ends_lands_it_where_it_is(fly: Fly) -> None:
     blind.flight.battery = 0.1
     blind.flight.run(1.8)
     assert blind.flight.status is DroneStatus.LANDING
+
+
+def test_under_stop_it_stays_above_who_is_below_and_moves_nowhere(fly: Fly) -> None:
+    blind = Blind(fly)
+    blind.flight.step(blind.flight.order(OrderKind.STOP))
+    assert blind.land(8.0) > 0.8
+    assert blind.flight.status is DroneStatus.FLYING and blind.away < 0.3
+
+
+def test_a_sonar_that_shows_something_everywhere_does_not_keep_it_up_for_ever(fly: Fly) -> None:
+    blind = Blind(fly)
+    blind.reach = inf
+    blind.land(60.0)
+    assert blind.flight.status is DroneStatus.LANDED
+    assert any("everywhere" in event.text for event in blind.flight.events)
 
 
 def test_a_drone_that_does_not_tell_how_it_moves_lands_where_it_is(fly: Fly) -> None:

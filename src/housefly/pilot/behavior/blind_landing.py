@@ -33,6 +33,8 @@ DOUBTED_DRIFT = 0.05
 """The drone's own motion counts for nothing once it has left the tracked one by this [m]."""
 REST_SPEED = 0.12
 """It lands only when slower than this [m/s]."""
+MOVES_MAX = 5
+"""It moves aside no more often: the sonar may be wrong."""
 CLEAR_TIME = 0.5
 """The floor below must have shown for so long before the drone lands [s]."""
 GONE_AFTER = FORGOTTEN_AFTER + 0.3
@@ -136,6 +138,8 @@ class BlindLanding:
             return "ordered to"
         if vehicle.consistency.drift > DOUBTED_DRIFT:
             return "its own motion is in doubt"
+        if self._landing is not None and self._landing.moves > MOVES_MAX:
+            return "its sonar shows something everywhere"
         x, y, z = here.position
         spare = self._people.open_air((x, y), z) - self._people.hull
         return "a wall may be near" if spare < WALL_MARGIN + SIGMAS * here.deviation else ""
@@ -151,8 +155,10 @@ class BlindLanding:
     ) -> bool:
         """Return whether another place is to be looked for.
 
-        The drone is landing, and at rest; what showed a moment ago may have gone.
+        The drone is landing, at rest and not stopped; what showed a moment ago may have gone.
         """
+        if self._commander.state.stopped:
+            return False
         since = vehicle.now - self._shown_at
         is_shown = since == 0.0 or since > GONE_AFTER
         is_due = vehicle.landing_waits and vehicle.now >= self._look_at

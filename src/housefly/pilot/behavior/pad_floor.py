@@ -92,5 +92,6 @@ def _gap(vehicle: VehicleStatus) -> float | None:
     if report is None or estimate is None or vehicle.held or vehicle.reckoned is not None:
         return None
     is_told = vehicle.telemetry_age <= REPORT_AGE_MAX and isfinite(report.height)
-    z = estimate.position[2] - SONAR_LAG * estimate.velocity[2]
+    lag = SONAR_LAG + vehicle.telemetry_age
+    z = estimate.position[2] - lag * estimate.velocity[2]
     return z - report.height if is_told and z > HEIGHT_MIN else None
