@@ -22,6 +22,7 @@ from housefly.perception.beams import (
 )
 from housefly.perception.clusters import clusters_of
 from housefly.perception.tracker import ObstacleTrack, TrackSet
+from housefly.perception.wall_check import WallCheck
 from housefly.room.model import Room
 
 _SOURCE = "lasers"
@@ -99,6 +100,7 @@ class LaserTracker:
         self._last: dict[str, BeamScan] = {}
         self._alike: dict[str, int] = {}
         self._tracks = TrackSet()
+        self._wall_check = WallCheck(room)
 
     def update(self, scan: Scan, now: float, own: OwnFootprint | None = None) -> TrackingResult:
         """Process one scan.
@@ -155,7 +157,7 @@ class LaserTracker:
             return "the same distances to the last bit again and again: it stands still"
         if np.count_nonzero(ranges < _COVERED_DISTANCE) > _COVERED_SHARE * len(ranges):
             return "something covers it"
-        return ""
+        return self._wall_check.problem(scan, self._lasers[scan.source])
 
     def _nonsense(self, scan: BeamScan, now: float) -> str:
         if scan.source not in self._lasers:
