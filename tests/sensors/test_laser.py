@@ -156,3 +156,26 @@ async def test_another_protocol_is_told_and_never_ends_the_client(
             assert "does not speak SCIP" in client.problem and not heard
 
         await reading(client, None, check, lambda n: n)
+
+
+@pytest.mark.parametrize("answers_qt", [True, False])
+async def test_a_scanner_of_an_older_protocol_is_told_its_version_and_ours(
+    loopback: str, answers_qt: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(LaserClient, "SILENCE_TIMEOUT", 0.2)
+    version = b"V\n0\nVEND:Hokuyo Automatic Co., Ltd.;\nPROD:URG-04LX;\nPROT:SCIP 1.1;\n\n"
+
+    async def answering(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        while line := await reader.readline():
+            if line == b"V\n":
+                writer.write(version)
+            elif answers_qt:
+                writer.write(line + b"E\n\n")
+
+    client = LaserClient(config(loopback))
+    async with await asyncio.start_server(answering, loopback, 10940):
+
+        async def check(heard: list[Scan]) -> None:
+            await until(lambda: "speaks SCIP 1.1; Housefly speaks SCIP 2.0" in client.problem)
+
+        await reading(client, None, check, lambda n: n)

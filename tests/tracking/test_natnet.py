@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import socket
+import struct
 from contextlib import suppress
 from functools import partial
 from itertools import pairwise
@@ -120,6 +121,21 @@ async def test_poses_arrive_with_their_capture_times(
     steps = [(b[0].captured_at - a[0].captured_at) * rate_hz for a, b in pairwise(named[5:])]
     assert sorted(steps)[len(steps) // 2] == pytest.approx(1.0, abs=0.05)
     assert tracker.counts.malformed == 0
+
+
+async def test_a_server_of_an_older_version_is_named_with_it_and_with_what_we_read(
+    loopback: str, bench: Any
+) -> None:
+    old = struct.pack("<HH256s8B", 1, 264, b"Motive", 1, 10, 0, 0, 2, 9, 0, 0)
+    motive = Motive(reply={Connect: old})
+    await motive.start(loopback)
+    tracker = NatNetTracker(config(loopback))
+    async with bench.running(tracker.run(lambda frame: None)):
+        await bench.until(lambda: "speaks" in tracker.problem)
+        assert tracker.problem.startswith(
+            f"Motive 1.10 at {loopback}:1510 speaks NatNet 2.9; Housefly reads 3.0 to 4.x"
+        )
+    motive.transport.close()
 
 
 @pytest.mark.parametrize("up_axis", ["y", "z"])

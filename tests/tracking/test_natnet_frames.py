@@ -57,6 +57,16 @@ def test_cameras_that_do_not_tell_the_exposure_are_taken_at_the_configured_laten
     assert counts.misstamped == 0
 
 
+def test_poses_in_millimetres_are_refused_with_a_question_about_the_unit() -> None:
+    frames, counts = reader()
+    body = RigidBody(7, (3200.0, 1500.0, 400.0), (1.0, 0.0, 0.0, 0.0))
+    assert frames.read(NatNetFrame(1, (body,), exposed=5 * HZ, sent=5 * HZ), 100.0) == ()
+    assert counts.unit_problem(100.5).startswith(
+        "poses are refused, 'ardrone' at (3200, 1500, 400) m: is its unit millimetres?"
+    )
+    assert counts.unit_problem(110.0) == ""
+
+
 def test_names_are_wanted_at_first_after_a_change_after_a_leap_and_for_an_unknown_number() -> None:
     fresh = NatNetFrames(HZ, LATENCY, False, FrameCounts())
     assert fresh.wants_names

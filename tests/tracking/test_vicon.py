@@ -15,6 +15,7 @@ from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.vicon import ViconTracker
 from housefly.twin.mocap.vicon_server import ViconServer
+from housefly.wires.vicon import ObjectEnums, ViconPing, encode_packet
 
 pytestmark = pytest.mark.wire
 
@@ -102,6 +103,32 @@ async def test_a_server_of_another_protocol_is_named_and_asked_again(loopback: s
         await until(lambda: tracker.malformed >= 2)
         assert "does not speak Vicon DataStream" in tracker.problem
     stranger.close()
+
+
+@pytest.mark.parametrize(
+    ("first", "words"),
+    [
+        (encode_packet([ObjectEnums(frozenset({1, 2, 5}))]),
+         "is of an older version: it offers the objects 1, 2, 5; Housefly also needs 9"),
+        (encode_packet([ViconPing(1)]), "does not begin with what it offers: its version"),
+        (b"", "does not begin with what it offers, as Vicon DataStream does: is that its port"),
+    ],
+)  # fmt: skip
+async def test_a_server_of_an_older_version_is_said_to_be_one(
+    loopback: str, monkeypatch: pytest.MonkeyPatch, first: bytes, words: str
+) -> None:
+    monkeypatch.setattr(ViconTracker, "SILENCE_TIMEOUT", 0.2)
+
+    async def greet(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        writer.write(first)
+        await reader.read()
+        writer.close()
+
+    old = await asyncio.start_server(greet, loopback, 8010)
+    tracker = ViconTracker(config(loopback))
+    async with running(tracker.run(lambda frame: None)):
+        await until(lambda: words in tracker.problem)
+    old.close()
 
 
 @settings(

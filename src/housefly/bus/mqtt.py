@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 from pathlib import Path
 
@@ -24,6 +25,12 @@ _LOG.addHandler(logging.NullHandler())
 _LOG.propagate = False
 _REFUSED = frozenset({4, 5, 134, 135})
 """Reason codes of MQTT 3.1.1 and 5: bad user name or password, not authorised."""
+_REASONS = 128
+"""Reason codes of MQTT 5 begin here."""
+_VERSION_REFUSED, _OTHER_VERSION = 1, 132
+"""Reason codes of MQTT 3.1.1 and 5: the broker does not speak this version."""
+_PROBE_TIMEOUT = 1.0
+"""How long a broker may take to say which version it speaks [s]."""
 
 
 def mqtt_client(
@@ -69,12 +76,61 @@ def read_password(config: MqttConfig) -> str | None:
         ) from error
 
 
-def mqtt_problem(error: Exception, config: MqttConfig, was_connected: bool) -> str:
-    """Return why there is no connection and what to do about it, in words."""
-    where = f"{config.broker}:{config.port}"
+async def mqtt_problem(error: Exception, config: MqttConfig, was_connected: bool) -> str:
+    """Return why there is no connection and what to do about it, in words.
+
+    Where a broker does not say why, it is asked which version of the protocol it speaks.
+    """
+    at = f"{config.broker}:{config.port}"
+    where = f"the MQTT broker at {at}"
     code = getattr(getattr(error, "rc", None), "value", getattr(error, "rc", None))
     if code in _REFUSED:
-        return f"the MQTT broker at {where} refuses us; check mqtt.username and mqtt.password_file"
+        return f"{where} refuses us; check mqtt.username and mqtt.password_file"
     if was_connected:
-        return f"the connection to the MQTT broker at {where} was lost"
-    return f"no MQTT broker answers at {where}; is it running (mosquitto), is mqtt.port right?"
+        return f"the connection to {where} was lost"
+    if isinstance(code, int) and code >= _REASONS and code != _OTHER_VERSION:
+        return f"{where} refuses us ({error})"
+    try:
+        speaks = await _spoken_version(config)
+    except (OSError, UnicodeError):
+        return f"no MQTT broker answers at {at}; is it running (mosquitto), is mqtt.port right?"
+    if speaks == _MQTT_5:
+        return f"{where} answers, but no connection comes about ({error})"
+    if speaks:
+        return (
+            f"{where} speaks MQTT {speaks} and not MQTT 5, which Housefly speaks; update it"
+            " (mosquitto from 1.6 on)"
+        )
+    return (
+        f"something answers at {at}, but not as an MQTT broker without TLS does; is"
+        " mqtt.port right?"
+    )
+
+
+_MQTT_5 = "5"
+_CONNECTS = {
+    _MQTT_5: b"\x10\x0d\x00\x04MQTT\x05\x02\x00\x0a\x00\x00\x00",
+    "3.1.1": b"\x10\x0c\x00\x04MQTT\x04\x02\x00\x0a\x00\x00",
+    "3.1": b"\x10\x13\x00\x06MQIsdp\x03\x02\x00\x0a\x00\x05house",
+}
+"""The shortest greeting in each version, the newest first."""
+_CONNACK, _REASON_AT = 0x20, 3
+
+
+async def _spoken_version(config: MqttConfig) -> str:
+    """Return the newest version of MQTT in which a broker answers, "" for none; raises OSError."""
+    for version, greeting in _CONNECTS.items():
+        reader, writer = await asyncio.open_connection(config.broker, config.port)
+        try:
+            writer.write(greeting)
+            answer = b""
+            async with asyncio.timeout(_PROBE_TIMEOUT):
+                answer = await reader.read(_REASON_AT + 1)
+        except (TimeoutError, OSError):
+            continue
+        finally:
+            writer.transport.abort()
+        is_answer = len(answer) > _REASON_AT and answer[0] == _CONNACK
+        if is_answer and answer[_REASON_AT] not in (_VERSION_REFUSED, _OTHER_VERSION):
+            return version
+    return ""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 from math import inf
 
 import numpy as np
 
-from housefly.bus.reconnect import ReconnectingClient, open_tcp
+from housefly.bus.reconnect import ReconnectingClient, open_tcp, within
 from housefly.clock import Clock
 from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
@@ -25,6 +26,7 @@ from housefly.wires.scip import (
     decode_measurement,
     decode_reply,
     encode_request,
+    older_scip,
 )
 from housefly.wires.scip.replies import MAX_REPLY
 
@@ -35,6 +37,8 @@ _READ = 256 * 1024
 """Bytes read at once; what waits on a busy machine is passed over in few steps."""
 _END = b"\n\n"
 """Ends a reply."""
+_OLD_VERSION_REQUEST, _OLD_TIMEOUT = b"V\n", 1.0
+"""What scanners from before SCIP 2.0 answer with their version, and how soon [s]."""
 
 
 class LaserClient(ReconnectingClient[Scan]):
@@ -71,7 +75,7 @@ class LaserClient(ReconnectingClient[Scan]):
             limit=MAX_REPLY,
         )
         async with self._open(stream) as (reader, writer):
-            await self._ask(reader, writer, PlainRequest("QT"))
+            await self._greet(reader, writer)
             parameters = ScannerParameters.of(await self._ask(reader, writer, PlainRequest("PP")))
             request = MeasureRequest("MD", parameters.first, parameters.last, 1)
             answer = await self._ask(reader, writer, request)
@@ -85,6 +89,25 @@ class LaserClient(ReconnectingClient[Scan]):
                 found = decode_measurement(await self._newest_reply(reader))
                 if found is not None:
                     self._hand_on(found, parameters, sink)
+
+    async def _greet(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """End what an earlier client began; raises LinkError, that of an older protocol too."""
+        try:
+            await self._ask(reader, writer, PlainRequest("QT"))
+        except LinkError as error:
+            writer.write(_OLD_VERSION_REQUEST)
+            block = b""
+            with suppress(LinkError, asyncio.LimitOverrunError, asyncio.IncompleteReadError):
+                block = await within(_OLD_TIMEOUT, reader.readuntil(_END), "")
+            if version := older_scip(block):
+                raise LinkError(self._older(version)) from error
+            raise
+
+    def _older(self, version: str) -> str:
+        return (
+            f"the scanner at {self._where} speaks {version}; Housefly speaks SCIP 2.0 and newer:"
+            " switch it over with its command SCIP2.0, or update its firmware"
+        )
 
     def _hand_on(
         self, found: ScipScan, parameters: ScannerParameters, sink: Callable[[Scan], None]
@@ -117,9 +140,15 @@ class LaserClient(ReconnectingClient[Scan]):
 
     async def _reply(self, reader: asyncio.StreamReader) -> ScipReply:
         try:
-            return decode_reply(await self._before_silence(reader.readuntil(_END)))
+            block = await self._before_silence(reader.readuntil(_END))
         except asyncio.LimitOverrunError as error:
             raise WireError("a reply without an end") from error
+        try:
+            return decode_reply(block)
+        except WireError as error:
+            if version := older_scip(block):
+                raise LinkError(self._older(version)) from error
+            raise
 
     async def _newest_reply(self, reader: asyncio.StreamReader) -> ScipReply:
         """Return the newest whole reply that arrived: those before it show what was."""

@@ -111,7 +111,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         try:
             await self._session(sink)
         except MQTT_ERRORS as error:
-            raise LinkError(mqtt_problem(error, self._config, self._connected)) from error
+            raise LinkError(await mqtt_problem(error, self._config, self._connected)) from error
         except ConfigError as error:
             raise LinkError(str(error)) from error
         finally:

@@ -39,6 +39,11 @@ class BridgeTracker(ReconnectingClient[tuple[Sighting, ...]]):
         self.counts = FrameCounts()
         self._config = config
 
+    @property
+    def problem(self) -> str:
+        """Why no poses arrive, or why they are refused, in words, or ""."""
+        return self._problem or self.counts.unit_problem(self._clock.now()) or super().problem
+
     def _no_data_problem(self) -> str:
         return (
             f"connected to {self._where}, but no new poses arrive; is the body seen, the system not"

@@ -54,7 +54,7 @@ class BridgeLines:
             try:
                 pose = checked_pose((px, py, pz), (w, x, y, z), self._y_up)
             except WireError:
-                self._counts.refused += 1
+                self._counts.refuse(name, (px, py, pz), received_at)
             else:
                 yield Sighting(name, pose, received_at - self._latency, received_at)
 

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import inf, isfinite
+
+from housefly.bus.reconnect import DATA_AGE_MAX
+from housefly.geometry import Vec3
+from housefly.tracking.poses import POSITION_MAX
+
+UNIT_QUESTION = "is its unit millimetres? choose metres in the tracking software"
 
 
 @dataclass(slots=True)
@@ -32,3 +39,18 @@ class FrameCounts:
     malformed: int = 0
     other_hosts: int = 0
     unnamed: int = 0
+    _far: str = field(default="", repr=False)
+    _far_at: float = field(default=-inf, repr=False)
+
+    def refuse(self, body: str, position: Vec3, now: float) -> None:
+        """Count a refused pose, and remember one that is where no tracked room reaches [m, s]."""
+        self.refused += 1
+        if all(map(isfinite, position)) and max(map(abs, position)) > POSITION_MAX:
+            x, y, z = position
+            self._far = f"{body!r} at ({x:.0f}, {y:.0f}, {z:.0f}) m: {UNIT_QUESTION}"
+            self._far_at = now
+
+    def unit_problem(self, now: float) -> str:
+        """Return that poses are refused because they cannot be metres, in words, or ""."""
+        recent = now - self._far_at <= DATA_AGE_MAX
+        return f"poses are refused, {self._far}" if recent else ""

@@ -12,11 +12,14 @@ from housefly.clock import Clock
 from housefly.geometry import Vec3
 from housefly.messages import Sighting
 from housefly.tracking.contracts import Tracker
+from housefly.tracking.counts import UNIT_QUESTION
 
 LISTEN_SECONDS = 3.0
 _CONNECT_TIMEOUT = 6.0
 """How long the first frame may take [s]."""
 _BODIES_MAX, _POSES_MAX = 40, 4000
+_ROOM_MAX = 100.0
+"""No tracked room reaches farther from its origin [m]."""
 _STILL = 0.01
 """A body that strays farther from its mean was moving [m]."""
 
@@ -144,7 +147,12 @@ def heard_words(heard: Heard, body: str) -> tuple[str, ...]:
         )
     if heard.problem:
         words.append(f"but: {heard.problem}")
-    if heard.body(body) is None:
+    words += [
+        f"{seen.name!r} is farther away than any room is long: {UNIT_QUESTION}"
+        for seen in heard.bodies
+        if max(map(abs, seen.position)) > _ROOM_MAX
+    ]
+    if heard.body(body) is None and UNIT_QUESTION not in heard.problem:
         names = ", ".join(repr(seen.name) for seen in heard.bodies) or "none"
         words.append(
             f"the drone's body {body!r} is not among them (seen: {names}): uncover its markers, or"

@@ -29,7 +29,11 @@ class NatNetTracker(ReconnectingClient[tuple[Sighting, ...]]):
         """Why no poses arrive, or why some are dropped, in words, or ""."""
         if self._session is None or not self._session.greeted:
             return self._problem
-        return self._session.flood_problem or ("" if self.connected else self._session.silence)
+        return (
+            self._session.flood_problem
+            or self.counts.unit_problem(self._clock.now())
+            or ("" if self.connected else self._session.silence)
+        )
 
     async def _read_connection(self, sink: SightingSink) -> None:
         def hand_on(sightings: tuple[Sighting, ...]) -> None:

@@ -78,6 +78,6 @@ class NatNetFrames:
                 try:
                     pose = checked_pose(body.position, body.orientation, self._y_up)
                 except WireError:
-                    self._counts.refused += 1
+                    self._counts.refuse(name, body.position, received_at)
                 else:
                     yield Sighting(name, pose, captured_at, received_at)

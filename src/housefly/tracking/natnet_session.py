@@ -164,9 +164,11 @@ class NatNetSession:
         """Use the server's version, or ``_NEWEST_VERSION`` if a newer server agrees."""
         major, minor, *_ = info.version
         if major not in (3, 4):
+            application = ".".join(map(str, info.application_version[:2]))
             raise LinkError(
-                f"{self._where} speaks NatNet {major}.{minor}; Housefly reads 3.0 to 4.x (Motive"
-                " 2.0 to 3.x)"
+                f"{info.application or 'a server'} {application} at {self._where} speaks NatNet"
+                f" {major}.{minor}; Housefly reads 3.0 to 4.x (Motive 2.0 to 3.x): update it, or"
+                " use its VRPN stream"
             )
         self._version = (major, minor)
         if self._version > _NEWEST_VERSION and not info.multicast:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Iterable
 from math import inf
 
 from housefly.bus.reconnect import DATA_AGE_MAX, ReconnectingClient, open_tcp
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
-from housefly.errors import WireError
+from housefly.errors import LinkError, WireError
 from housefly.messages import Sighting
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
@@ -124,15 +125,24 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
         self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
     ) -> None:
         """Wait for the server's offer, then ask for poses and for every frame."""
-        offers = [
-            item.kinds
-            for item in decode_packet(await self._packet(reader))
-            if isinstance(item, ObjectEnums)
-        ]
+        silence = (
+            f"connected to {self._where}, but it does not begin with what it offers, as Vicon"
+            " DataStream does: is that its port (801), and no older real-time server (port 800)?"
+        )
+        first = await self._before_timeout(_read_packet(reader), silence)
+        offers = [item.kinds for item in decode_packet(first) if isinstance(item, ObjectEnums)]
         if not offers:
-            raise WireError("the server's first packet does not say what it offers")
-        if GlobalSegments.KIND not in offers[0]:
-            raise WireError("the server offers no segments")
+            raise LinkError(
+                f"the Vicon DataStream server at {self._where} does not begin with what it offers:"
+                " its version is another than Housefly reads; update the Vicon software"
+            )
+        if lacking := sorted({GlobalSegments.KIND, FrameInfo.KIND} - offers[0]):
+            raise LinkError(
+                f"the Vicon DataStream server at {self._where} is of an older version: it offers"
+                f" the objects {_listed(offers[0]) or 'none'}; Housefly also needs"
+                f" {_listed(lacking)} (9 is the poses of segments in the room, 5 the numbers of"
+                " frames); update the Vicon software"
+            )
         self._problem = ""
         writer.write(encode_packet([ObjectEnums(_WANTED & offers[0])]))
         writer.write(encode_packet([RequestFrame(streaming=True)]))
@@ -142,6 +152,10 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
             f"connected to {self._where}, but it is silent; is the Vicon Tracker live, not paused?"
         )
         return await self._before_timeout(_read_packet(reader), silence)
+
+
+def _listed(kinds: Iterable[int]) -> str:
+    return ", ".join(map(str, sorted(kinds)))
 
 
 async def _read_packet(reader: asyncio.StreamReader) -> bytes:

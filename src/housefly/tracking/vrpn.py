@@ -52,7 +52,7 @@ class VrpnTracker(ReconnectingClient[tuple[Sighting, ...]]):
                 f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} messages a second; the"
                 " others are dropped"
             )
-        return super().problem
+        return self._problem or self.counts.unit_problem(self._clock.now()) or super().problem
 
     def _no_data_problem(self) -> str:
         return (

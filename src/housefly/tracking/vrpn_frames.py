@@ -68,7 +68,7 @@ class VrpnFrames:
         try:
             pose = checked_pose(report.position, report.orientation, self._y_up)
         except WireError:
-            self._counts.refused += 1
+            self._counts.refuse(name, report.position, received_at)
             return None
         return Sighting(name, pose, captured_at, received_at)
 

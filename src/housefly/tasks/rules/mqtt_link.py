@@ -113,7 +113,7 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
                     for work in working:
                         work.cancel()
         except MQTT_ERRORS as error:
-            raise LinkError(mqtt_problem(error, self._broker, was_connected)) from error
+            raise LinkError(await mqtt_problem(error, self._broker, was_connected)) from error
         except ConfigError as error:
             raise LinkError(str(error)) from error
 

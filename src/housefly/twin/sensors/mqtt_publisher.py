@@ -94,7 +94,7 @@ class MqttPublisher:
                 await self._publish_once_connected(address)
             except* MQTT_ERRORS as group:
                 self._set_problem(
-                    mqtt_problem(group.exceptions[0], self._config, self.sent > before)
+                    await mqtt_problem(group.exceptions[0], self._config, self.sent > before)
                 )
             pause = _FIRST_RETRY_DELAY if self.sent > before else min(2 * pause, _MAX_RETRY_DELAY)
             await asyncio.sleep(pause)

@@ -17,6 +17,8 @@ from housefly.wires.natnet.buffer import (
 
 _SENDER = struct.Struct(f"<{NAME_FIELD_SIZE}s4B4B")
 _STREAM = struct.Struct("<QH?4B")
+_STREAM_SINCE = 3
+"""Servers of older major versions tell neither clock nor ports."""
 _OPTIONS = struct.Struct("<?4B")
 
 _FourNumbers = tuple[int, int, int, int]
@@ -67,7 +69,7 @@ class ServerInfo:
         application: name of the program that serves.
         application_version: its version.
         version: of the protocol, major.minor.build.revision.
-        clock_hz: ticks per second of all time stamps [Hz].
+        clock_hz: ticks per second of all time stamps [Hz]; 0 before NatNet 3, which does not say.
         data_port: port that multicast frames are sent to.
         multicast: whether frames go to a group; else each client gets its own.
         group: address of the group.
@@ -90,13 +92,15 @@ class ServerInfo:
 
     @classmethod
     def read(cls, source: NatNetReader) -> Self:
-        """Read the body."""
+        """Read the body; servers before NatNet 3 do not say how their clock ticks."""
         name, *versions = source.unpack(_SENDER, "server")
+        a, b, c, d, e, f, g, h = versions
+        application = name.split(b"\0", 1)[0].decode("utf-8", errors="replace")
+        if 0 < e < _STREAM_SINCE:
+            return cls(application, (a, b, c, d), (e, f, g, h), 0, 0, False, "")
         clock_hz, data_port, multicast, *quad = source.unpack(_STREAM, "clock and data port")
         if clock_hz == 0:
             raise WireError("NatNet clock frequency: is 0")
-        a, b, c, d, e, f, g, h = versions
-        application = name.split(b"\0", 1)[0].decode("utf-8", errors="replace")
         return cls(
             application,
             (a, b, c, d),

@@ -12,6 +12,7 @@ from housefly.wires.scip.replies import (
     decode_reply,
     encode_reply,
     measurement_reply,
+    older_scip,
 )
 from housefly.wires.scip.requests import (
     MeasureRequest,
@@ -36,4 +37,5 @@ __all__ = [
     "encode_reply",
     "encode_request",
     "measurement_reply",
+    "older_scip",
 ]

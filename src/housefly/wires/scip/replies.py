@@ -87,6 +87,21 @@ def decode_reply(data: bytes) -> ScipReply:
     return ScipReply(echo, status, tuple(rest[1:]))
 
 
+def older_scip(block: bytes) -> str:
+    """Return the version of SCIP before 2.0 that a reply shows, "" when it shows none.
+
+    Before 2.0 the status is one character without a checksum, and the reply to ``V`` names the
+    protocol ("PROT:").
+    """
+    lines = block.decode("ascii", errors="replace").split("\n")
+    named = next((line[5:] for line in lines if line.startswith("PROT:")), "")
+    protocol = named.split(";")[0].strip()[:40]
+    if protocol and "SCIP 2" not in protocol and "SCIP2" not in protocol:
+        return protocol
+    has_short_status = len(lines) > 2 and len(lines[1]) == 1 and lines[1].isalnum()
+    return "SCIP 1.x" if has_short_status and not protocol else ""
+
+
 def measurement_reply(request: MeasureRequest, stamp: int, ranges: tuple[int, ...]) -> ScipReply:
     """Return the reply that carries a scan."""
     clock = encode_number(stamp % STAMP_PERIOD, 4)
