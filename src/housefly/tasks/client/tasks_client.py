@@ -60,8 +60,9 @@ class TasksClient(TaskQueries):
             except OSError as error:
                 if self._heard or time.monotonic() > deadline:
                     raise LinkError(
-                        f"the tasks of {self._site} do not answer ({error}): are they enabled"
-                        " ([tasks] in the site file)? tasks.log in the run's folder may say more"
+                        f"the services of {self._site} do not answer: a room that has just been"
+                        " started may need a moment; else see whether [tasks] enabled is false in"
+                        f" the site file, and tasks.log in the run's folder ({error})"
                     ) from error
                 time.sleep(_START_PAUSE)
             else:
