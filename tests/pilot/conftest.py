@@ -7,11 +7,13 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import groupby
 from math import cos, hypot, sin
+from operator import is_
 
 import numpy as np
 import pytest
+from branched import branched
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3, distance, quaternion_from_euler
@@ -31,6 +33,7 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
+from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.control.model import Constants, DroneState, drone_step
 from housefly.room.grid import Cell, OccupancyGrid, build_grid
@@ -79,16 +82,29 @@ class Tracking:
 
 @dataclass
 class Score:
-    """What a flight was worth, measured on the truth."""
+    """What a flight was worth, measured on the truth; ``flown`` has each place and its path."""
 
-    errors: list[float] = field(default_factory=list)
+    flown: list[tuple[Vec2, tuple[Vec2, ...]]] = field(default_factory=list)
     switches: int = 0
     flown_s: float = 0.0
+
+    @property
+    def errors(self) -> list[float]:
+        """Distances from the path while flying it [m]."""
+        return [
+            error
+            for path, flown in groupby(self.flown, key=lambda one: one[1])
+            for error in from_path(np.array([place for place, _ in flown]), path)
+        ]
 
     @property
     def rms(self) -> float:
         """Root mean square distance from the path while flying it [m]."""
         return float(np.sqrt(np.mean(np.square(self.errors))))
+
+
+_beginnings: dict[tuple[str, str], Flight] = {}
+"""Flights by how they were made and how they began."""
 
 
 class Flight:
@@ -135,6 +151,8 @@ class Flight:
         self.score = Score()
         self.heard = Telemetry(0.0, DroneStatus.LANDED, self.battery)
         self.around: Callable[[Flight], tuple[Obstacle, ...]] = lambda flight: ()
+        self.made = ""
+        self._fresh = self._state()
 
     # --- the drone ---
 
@@ -268,8 +286,7 @@ class Flight:
         self.score.switches += self.outputs.behavior is not before
         if self.outputs.path is not None and len(self.outputs.path.waypoints) > 1:
             points = self.outputs.path.waypoints
-            here = (self.body.x, self.body.y)
-            self.score.errors.append(min(from_segment(here, a, b) for a, b in pairwise(points)))
+            self.score.flown.append(((self.body.x, self.body.y), points))
 
     def run(self, seconds: float) -> Outputs:
         """Run for this long."""
@@ -291,13 +308,40 @@ class Flight:
 
     def service(self, limit: float = 150.0) -> Score:
         """Fly the whole service and return its score."""
+        self.begin("service", lambda: self._service(limit))
+        return self.score
+
+    def _service(self, limit: float) -> Outputs:
         self.run(0.5)
         self.step(self.order(OrderKind.SERVICE, place="entrance", look_s=2.0))
-        self.until(lambda o: o.phase is Phase.IDLE and self.status is DroneStatus.LANDED, limit)
-        return self.score
+        return self.until(
+            lambda o: o.phase is Phase.IDLE and self.status is DroneStatus.LANDED, limit
+        )
+
+    def begin(self, name: str, fly: Callable[[], Outputs]) -> Outputs:
+        """Fly the beginning of a flight, or go on from where another one came the same way."""
+        key, now = (self.made, name), self._state()
+        is_fresh = len(now) == len(self._fresh) and all(map(is_, now, self._fresh))
+        if not self.made or not is_fresh:
+            return fly()
+        if key not in _beginnings:
+            fly()
+            _beginnings[key] = branched(self)
+        vars(self).update(vars(branched(_beginnings[key])))
+        assert self.outputs is not None
+        return self.outputs
+
+    def _state(self) -> list[object]:
+        """Return what changes when it flies or when a test takes a hand in it."""
+        kept = {key: value for key, value in vars(self).items() if key not in ("made", "_fresh")}
+        parts = (kept, vars(self.tracking), vars(self.pilot))
+        return [value for part in parts for value in part.values()]
 
     def take_off(self) -> Outputs:
         """Take off and hold."""
+        return self.begin("take off", self._take_off)
+
+    def _take_off(self) -> Outputs:
         self.run(0.5)
         self.step(self.order(OrderKind.TAKE_OFF))
         self.until(lambda o: o.phase is Phase.HOLDING, 10.0)
@@ -305,6 +349,9 @@ class Flight:
 
     def depart(self, seconds: float = 0.0) -> Outputs:
         """Leave for the entrance and fly this long on the path."""
+        return self.begin(f"depart {seconds}", lambda: self._depart(seconds))
+
+    def _depart(self, seconds: float) -> Outputs:
         self.run(0.5)
         self.step(self.order(OrderKind.GO, place="entrance"))
         outputs = self.until(lambda o: o.phase is Phase.OUTBOUND)
@@ -325,23 +372,24 @@ class Flight:
         return any(event.code == code for event in self.events)
 
 
-def from_segment(p: Vec2, a: Vec2, b: Vec2) -> float:
-    """Distance of a point from a segment [m]."""
-    dx, dy = b[0] - a[0], b[1] - a[1]
-    length = dx * dx + dy * dy
-    share = (
-        0.0
-        if length == 0.0
-        else min(1.0, max(0.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length))
-    )
-    return hypot(p[0] - a[0] - share * dx, p[1] - a[1] - share * dy)
+def from_path(places: FloatArray, path: tuple[Vec2, ...]) -> list[float]:
+    """Distances of places, shape (n, 2), from a line of waypoints [m]."""
+    points = np.array(path)
+    starts, ways = points[:-1], np.diff(points, axis=0)
+    lengths = np.maximum((ways * ways).sum(axis=1), 1e-300)
+    offsets = places[:, None] - starts
+    shares = np.clip((offsets * ways).sum(axis=2) / lengths, 0.0, 1.0)
+    return np.hypot(*np.moveaxis(offsets - shares[..., None] * ways, 2, 0)).min(axis=1).tolist()
 
 
 @pytest.fixture
-def fly() -> Callable[..., Flight]:
+def fly(request: pytest.FixtureRequest) -> Callable[..., Flight]:
     """Return a maker of flights: ``fly(mode="paper", rate_hz=30, loss=0.2, ...)``; other names are
     dotted keys of the site.
+
+    Flights made alike share how they begin, but for those of tests that patch what flies.
     """
+    is_patched = "monkeypatch" in request.fixturenames
 
     def make(
         mode: str = "default",
@@ -353,14 +401,17 @@ def fly() -> Callable[..., Flight]:
         is_mapped: bool = False,
         **keys: object,
     ) -> Flight:
-        return Flight(
+        flight = Flight(
             changed(Site(), mode=mode, **keys),
-            Tracking(**(tracking or {})),
+            Tracking(**(tracking or {})),  # type: ignore[arg-type]
             constants,
             wind,
             delay,
             seed,
             is_mapped,
-        )  # type: ignore[arg-type]
+        )
+        if not is_patched:
+            flight.made = repr((mode, constants, wind, delay, seed, tracking, is_mapped, keys))
+        return flight
 
     return make

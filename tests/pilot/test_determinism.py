@@ -4,9 +4,12 @@ from collections.abc import Callable
 from math import isfinite
 from typing import Any
 
+from branched import branched
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from lying_tracking import LiedFlight
 
+import housefly
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import (
     Action,
@@ -19,6 +22,7 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.pilot.assembly import make_pilot, warm_up
+from housefly.twin.disturbance import Disturbances
 
 Fly = Callable[..., Any]
 unit = st.floats(0.0, 1.0)
@@ -91,6 +95,40 @@ def test_a_recorded_flight_replayed_gives_the_same_commands_bit_for_bit(fly: Fly
     again = make_pilot(flight.site, flight.room, flight.grid)
     for now, inputs, outputs in record:
         assert again.step(now, inputs) == outputs
+
+
+def test_a_flight_that_branches_off_goes_on_bit_for_bit_and_the_first_one_stays(fly: Fly) -> None:
+    """Tests share how flights begin: what they then see is what each would have seen alone."""
+    first, alone = fly(), fly()
+    for flight in (first, alone):
+        flight.take_off()
+        flight.step(flight.order(OrderKind.GO, place="entrance"))
+        flight.run(3.0)
+    second = branched(first)
+    second.wind = (0.3, 0.2)
+    second.run(1.0)
+    third, ahead = branched(first), []
+    for _ in range(500):
+        ahead.append(repr(alone.step()))
+        assert repr(first.step()) == ahead[-1] == repr(third.step())
+    assert second.body != first.body == third.body == alone.body
+
+
+def test_a_room_that_branches_off_goes_on_bit_for_bit_and_the_first_one_stays() -> None:
+    loaded = housefly.load_site("bsen")
+    first, alone = (LiedFlight(housefly.Simulation(loaded)) for _ in range(2))
+    for flight in (first, alone):
+        flight.begin()
+        flight.run(7.0)
+    second = branched(first)
+    second.sim.world.disturb(Disturbances(wind=(0.5, 0.0, 0.0)))
+    second.run(1.0)
+    third = branched(first)
+    for _ in range(500):
+        ahead = repr(alone.step())
+        assert repr(first.step()) == ahead == repr(third.step())
+    truth = alone.sim.world.truth()
+    assert second.sim.world.truth() != truth == third.sim.world.truth() == first.sim.world.truth()
 
 
 def test_asking_for_a_plan_changes_nothing_in_the_flight(fly: Fly) -> None:

@@ -289,7 +289,7 @@ put = st.tuples(
 
 
 @pytest.mark.slow
-@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=8, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(put, min_size=1, max_size=4))
 def test_whatever_is_put_down_wherever_a_standing_thing_is_never_touched(
     fly: Fly, places: list[tuple[float, float, float, float]]

@@ -240,13 +240,16 @@ def test_every_order_in_every_phase_leaves_the_pilot_sane(
     fly: Fly, kind: OrderKind, phase: Phase
 ) -> None:
     flight = fly()
-    flight.run(0.5)
-    if phase is not Phase.IDLE:
-        goal = {"goal": (3.0, 2.5), "look_s": 3.0}
-        flight.step(
-            flight.order(OrderKind.GO if phase is Phase.HOLDING else OrderKind.SERVICE, **goal)
-        )
-        flight.until(lambda o: o.phase is phase)
+
+    def begun() -> Any:
+        if phase is Phase.IDLE:
+            return flight.run(0.5)
+        flight.run(0.5)
+        going = OrderKind.GO if phase is Phase.HOLDING else OrderKind.SERVICE
+        flight.step(flight.order(going, goal=(3.0, 2.5), look_s=3.0))
+        return flight.until(lambda o: o.phase is phase)
+
+    flight.begin(f"until {phase}", begun)
     flight.step(flight.order(kind, goal=(3.5, 3.0)))
     flight.step(flight.order(OrderKind.RESUME))
     flight.run(1.0)

@@ -79,10 +79,14 @@ class Person:
 def hovering(fly: Fly, at: tuple[float, float], **options: Any) -> Any:
     """A flight that hovers at a place [m]."""
     flight = fly(**options)
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, goal=at))
-    flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
-    flight.run(1.0)
+
+    def begun() -> Any:
+        flight.run(0.5)
+        flight.step(flight.order(OrderKind.GO, goal=at))
+        flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
+        return flight.run(1.0)
+
+    flight.begin(f"hover at {at}", begun)
     return flight
 
 
@@ -100,8 +104,7 @@ def test_who_walks_towards_a_hover_is_made_way_for_and_it_comes_back(
     assert walker.closest > 0.5
     assert flight.told("making_way")
     flight.around = lambda f: ()
-    flight.run(18.0)
-    assert hypot(flight.body.x - 3.5, flight.body.y - 2.5) < 0.3
+    flight.until(lambda o: hypot(flight.body.x - 3.5, flight.body.y - 2.5) < 0.3, 18.0)
 
 
 def test_what_is_not_known_as_a_person_is_not_made_way_for(fly: Fly) -> None:

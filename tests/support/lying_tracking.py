@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import hypot, inf, pi
 
+from branched import branched
+
 from housefly.app.public.simulation import Simulation
 from housefly.geometry import Vec2, quaternion_from_euler
 from housefly.messages import (
@@ -177,11 +179,21 @@ class LiedFlight:
         while self.sim.now < end:
             self.step()
 
-    def service(self, place: str = "entrance", limit: float = 60.0) -> None:
-        """Order a service and fly until the drone stands again, or for this long [s]."""
+    def begin(self, place: str = "entrance") -> None:
+        """Order a service, half a second after the start."""
         while self.sim.now < 0.5:
             self.step()
         self.step(Order(OrderKind.SERVICE, place=place, look_s=2.0))
+
+    def lied_to(self, lie: Lie | None, since: float) -> LiedFlight:
+        """Return the same flight, going on under a lie that begins later than now [s]."""
+        assert self.lie is None and self.sim.now < since
+        return replace(branched(self), lie=lie, since=since)
+
+    def service(self, limit: float = 60.0) -> None:
+        """Fly the service until the drone stands again, or for this long [s]."""
+        if self.sim.now < 0.5:
+            self.begin()
         flew = False
         while self.sim.now < limit:
             outputs = self.step()

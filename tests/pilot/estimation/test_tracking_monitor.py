@@ -38,11 +38,33 @@ def site() -> LoadedSite:
     return housefly.load_site("bsen", twin__seed=3)
 
 
-def served(site: LoadedSite, lie: Lie | None, since: float = 0.0) -> LiedFlight:
-    """Return a service flown under a lie."""
-    flight = LiedFlight(housefly.Simulation(site), lie, since)
+@pytest.fixture(scope="module")
+def honest(site: LoadedSite) -> LiedFlight:
+    """Return a service that has come to just before ``CRUISING``, under no lie yet."""
+    flight = LiedFlight(housefly.Simulation(site))
+    flight.begin()
+    flight.run(CRUISING - 0.1 - flight.sim.now)
+    return flight
+
+
+@pytest.fixture(scope="module")
+def to_the_sofa(site: LoadedSite) -> LiedFlight:
+    """Return a service at the sofa that has come to just before 9 s."""
+    flight = LiedFlight(housefly.Simulation(site))
+    flight.begin("sofa")
+    flight.run(8.9 - flight.sim.now)
+    return flight
+
+
+def served(flight: LiedFlight) -> LiedFlight:
+    """Return a flight when its service has ended."""
     flight.service()
     return flight
+
+
+def lied(site: LoadedSite, lie: Lie) -> LiedFlight:
+    """Return a service flown under a lie from the start."""
+    return served(LiedFlight(housefly.Simulation(site), lie))
 
 
 def assert_harmless(flight: LiedFlight) -> None:
@@ -57,33 +79,33 @@ def assert_harmless(flight: LiedFlight) -> None:
 def test_a_body_that_is_defined_turned_is_caught_within_thirty_centimetres(
     site: LoadedSite, degrees: float
 ) -> None:
-    flight = served(site, misdefined(radians(degrees)))
+    flight = lied(site, misdefined(radians(degrees)))
     assert_harmless(flight)
     assert flight.travelled_when_told < 0.3
 
 
 @pytest.mark.parametrize(("axis", "heading"), [(0, True), (1, True), (0, False), (1, False)])
 def test_a_mirrored_map_is_caught(site: LoadedSite, axis: int, heading: bool) -> None:
-    flight = served(site, mirrored(site.room.home, axis, heading))
+    flight = lied(site, mirrored(site.room.home, axis, heading))
     assert_harmless(flight)
 
 
 @pytest.mark.parametrize("rate", [0.02, 0.05])
 def test_a_drift_is_told_at_ten_centimetres_and_landed_before_thirty(
-    site: LoadedSite, rate: float
+    honest: LiedFlight, rate: float
 ) -> None:
-    flight = served(site, drifting(0.0, rate, CRUISING), CRUISING)
+    flight = served(honest.lied_to(drifting(0.0, rate, CRUISING), CRUISING))
     assert_harmless(flight)
     assert flight.lied_when_told <= 0.1
     assert flight.lied_when_landing < 0.2
 
 
-def test_steps_below_the_gate_are_not_believed(site: LoadedSite) -> None:
-    assert_harmless(served(site, stepping(0.14, 1.0, CRUISING), CRUISING))
+def test_steps_below_the_gate_are_not_believed(honest: LiedFlight) -> None:
+    assert_harmless(served(honest.lied_to(stepping(0.14, 1.0, CRUISING), CRUISING)))
 
 
 def test_poses_late_by_a_third_of_a_second_are_found_within_five_seconds(site: LoadedSite) -> None:
-    flight = served(site, unstamped(0.3))
+    flight = lied(site, unstamped(0.3))
     assert_harmless(flight)
     first = next(at for at, code, _ in flight.told if code.startswith("tracking"))
     assert first < 0.5 + 5.0
@@ -92,7 +114,7 @@ def test_poses_late_by_a_third_of_a_second_are_found_within_five_seconds(site: L
 
 @pytest.mark.parametrize("z", [-0.6, 0.6])
 def test_a_drone_whose_tracked_height_cannot_be_stays_down(site: LoadedSite, z: float) -> None:
-    flight = served(site, shifted(0.0, 0.0, z))
+    flight = lied(site, shifted(0.0, 0.0, z))
     assert flight.contacts == 0
     assert "airborne" not in flight.codes and "tracking_on_ground" in flight.codes
 
@@ -101,8 +123,8 @@ def returns() -> list[tuple[float, float]]:
     return list(product((0.3, 0.8, 1.2, 1.5, 1.9), (0.3, 0.4, 0.5, 0.6, 0.8, 1.0)))
 
 
-def assert_not_believed(site: LoadedSite, seconds: float, x: float, y: float) -> None:
-    flight = served(site, gap(CRUISING, seconds, x, y), CRUISING)
+def assert_not_believed(honest: LiedFlight, seconds: float, x: float, y: float) -> None:
+    flight = served(honest.lied_to(gap(CRUISING, seconds, x, y), CRUISING))
     assert_harmless(flight)
     assert flight.status is DroneStatus.LANDED
     assert flight.outputs is not None and flight.outputs.estimate is not None
@@ -115,25 +137,25 @@ def assert_not_believed(site: LoadedSite, seconds: float, x: float, y: float) ->
 
 @pytest.mark.parametrize(("seconds", "off"), [(0.3, 0.3), (0.8, 0.4), (1.2, 0.5), (1.9, 1.0)])
 def test_a_wrong_place_after_a_gap_is_not_believed(
-    site: LoadedSite, seconds: float, off: float
+    honest: LiedFlight, seconds: float, off: float
 ) -> None:
-    assert_not_believed(site, seconds, 0.0, off)
+    assert_not_believed(honest, seconds, 0.0, off)
 
 
 @pytest.mark.safety
 @pytest.mark.parametrize(("seconds", "off"), returns())
 @pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1)])
 def test_no_wrong_place_of_the_grid_is_believed(
-    site: LoadedSite, seconds: float, off: float, way: tuple[int, int]
+    honest: LiedFlight, seconds: float, off: float, way: tuple[int, int]
 ) -> None:
-    assert_not_believed(site, seconds, off * way[0], off * way[1])
+    assert_not_believed(honest, seconds, off * way[0], off * way[1])
 
 
 @pytest.mark.parametrize("seconds", [0.3, 0.8, 1.2, 1.9])
-def test_the_right_place_after_a_gap_is_believed_at_once(site: LoadedSite, seconds: float) -> None:
-    flight = LiedFlight(housefly.Simulation(site), gap(CRUISING, seconds, 0.0, 0.0), CRUISING)
-    flight.run(0.5)
-    flight.step(Order(OrderKind.SERVICE, place="entrance"))
+def test_the_right_place_after_a_gap_is_believed_at_once(
+    honest: LiedFlight, seconds: float
+) -> None:
+    flight = honest.lied_to(gap(CRUISING, seconds, 0.0, 0.0), CRUISING)
     flight.run(CRUISING + seconds + 0.3 - flight.sim.now)
     assert flight.outputs is not None and flight.outputs.estimate is not None
     assert flight.outputs.estimate.pose_age < 0.1
@@ -141,12 +163,10 @@ def test_the_right_place_after_a_gap_is_believed_at_once(site: LoadedSite, secon
 
 
 def test_without_the_check_the_same_place_is_believed(
-    site: LoadedSite, monkeypatch: pytest.MonkeyPatch
+    honest: LiedFlight, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    flight = honest.lied_to(gap(CRUISING, 1.2, 0.0, 0.5), CRUISING)
     monkeypatch.setattr(TrackingMonitor, "agrees", lambda *_: True)
-    flight = LiedFlight(housefly.Simulation(site), gap(CRUISING, 1.2, 0.0, 0.5), CRUISING)
-    flight.run(0.5)
-    flight.step(Order(OrderKind.SERVICE, place="entrance"))
     flight.run(CRUISING + 1.5 - flight.sim.now)
     assert flight.outputs is not None and flight.outputs.estimate is not None
     assert flight.outputs.estimate.pose_age < 0.1
@@ -202,8 +222,8 @@ def test_an_honest_flight_over_a_table_shows_nothing(site: LoadedSite) -> None:
     assert max(angle for angle in monitor if not isnan(angle)) < radians(10.0)
 
 
-def test_flow_that_errs_ends_in_a_landing_that_blames_neither(site: LoadedSite) -> None:
-    flight = LiedFlight(housefly.Simulation(site), since=CRUISING)
+def test_flow_that_errs_ends_in_a_landing_that_blames_neither(honest: LiedFlight) -> None:
+    flight = honest.lied_to(None, CRUISING)
 
     def scaled(telemetry: Telemetry) -> Telemetry:
         forward, left, up = telemetry.velocity
@@ -231,10 +251,10 @@ def on_pad(t: float) -> float:
     return min(0.4, 0.05 * max(0.0, t - 2.0))
 
 
-def test_after_a_landing_for_a_drift_the_drone_has_to_be_seen_on_its_pad(site: LoadedSite) -> None:
-    lie = drifting(0.0, 0.02, CRUISING)
-    flight = LiedFlight(housefly.Simulation(site), lie, CRUISING)
-    flight.service()
+def test_after_a_landing_for_a_drift_the_drone_has_to_be_seen_on_its_pad(
+    site: LoadedSite, honest: LiedFlight
+) -> None:
+    flight = served(honest.lied_to(drifting(0.0, 0.02, CRUISING), CRUISING))
     stays = flight.lied
     flight.lie = lambda s: moved(s, 0.0, stays)
     flight.run(3.0)
@@ -258,32 +278,28 @@ def test_after_a_landing_for_a_drift_the_drone_has_to_be_seen_on_its_pad(site: L
     ("seconds", "height"), [(0.0, 0.7), (0.5, 0.8), (1.2, 0.5), (0.5, -0.5)], ids=str
 )
 def test_a_wrong_height_after_a_gap_is_not_believed(
-    site: LoadedSite, seconds: float, height: float
+    to_the_sofa: LiedFlight, seconds: float, height: float
 ) -> None:
     def lie(s: Sighting) -> Sighting | None:
         if s.captured_at < 9.0:
             return s
         return None if s.captured_at < 9.0 + seconds else moved(s, 0.0, 0.0, height)
 
-    flight = LiedFlight(housefly.Simulation(site), lie, 9.0)
-    flight.run(0.5)
-    flight.step(Order(OrderKind.SERVICE, place="sofa", look_s=1.0))
-    flight.run(25.0)
+    flight = to_the_sofa.lied_to(lie, 9.0)
+    flight.service(limit=25.5)
     assert flight.contacts == 0
     assert flight.status is DroneStatus.LANDED
     assert "poses_refused" in flight.codes
 
 
-@pytest.mark.parametrize(("rate", "since"), [(0.05, 8.0), (0.02, CRUISING)])
+@pytest.mark.parametrize(("rate", "since"), [(0.05, CRUISING), (0.02, CRUISING)])
 def test_a_tracked_height_that_rises_by_itself_lands_the_drone_before_it_is_low(
-    site: LoadedSite, rate: float, since: float
+    honest: LiedFlight, rate: float, since: float
 ) -> None:
     def lie(s: Sighting) -> Sighting:
         return moved(s, 0.0, 0.0, rate * max(0.0, s.captured_at - since))
 
-    flight = LiedFlight(housefly.Simulation(site), lie, since)
-    flight.run(0.5)
-    flight.step(Order(OrderKind.SERVICE, place="entrance", look_s=1.0))
+    flight = honest.lied_to(lie, since)
     lowest = 1.1
     while flight.sim.now < 40.0 and not {"tracking_height_drift", "grounded"} & {*flight.codes}:
         flight.step()
@@ -296,7 +312,7 @@ def test_a_tracked_height_that_rises_by_itself_lands_the_drone_before_it_is_low(
 
 
 def test_a_drone_exchanged_with_another_body_lands_and_is_not_believed_to_be_there(
-    site: LoadedSite,
+    honest: LiedFlight,
 ) -> None:
     other = (4.0, 2.0, 0.8)
 
@@ -306,8 +322,7 @@ def test_a_drone_exchanged_with_another_body_lands_and_is_not_believed_to_be_the
         wobble = 0.001 * (s.captured_at % 1.0)
         return replace(s, pose=replace(s.pose, position=(other[0] + wobble, *other[1:])))
 
-    flight = LiedFlight(housefly.Simulation(site), exchanged, CRUISING)
-    flight.service()
+    flight = served(honest.lied_to(exchanged, CRUISING))
     flight.run(3.0)
     assert_harmless(flight)
     assert flight.outputs is not None and flight.outputs.estimate is not None

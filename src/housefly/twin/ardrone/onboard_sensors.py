@@ -8,7 +8,7 @@ optical flow wanders by centimetres to decimetres in minutes.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from math import exp, sqrt
 from typing import NamedTuple
 
@@ -105,7 +105,7 @@ class OnboardSensors:
     ) -> None:
         self._rng = rng
         self._surface_below = surface_below
-        self._noise = _rows(rng)
+        self._noise: deque[list[float]] = deque()
         self._offset_phi, self._offset_theta = rng.normal(0.0, _ATTITUDE_OFFSET, 2).tolist()
         self._attitude = (0.0, 0.0)
         self._gyro_bias = float(rng.normal(0.0, _GYRO_BIAS))
@@ -127,7 +127,7 @@ class OnboardSensors:
 
     def read(self, body: BodyState) -> SensorReading:
         """Return a reading; call once every ``CONTROL_PERIOD``."""
-        n = next(self._noise)
+        n = self._drawn()
         phi, theta, yaw = euler_from_quaternion(body.orientation)
         self._attitude = phi, theta
         self._follow_heading(yaw)
@@ -149,6 +149,12 @@ class OnboardSensors:
             left=left + self._flow_bias[1] + _FLOW_NOISE * n[10],
             acceleration=_specific_force(body, n[11], n[12], n[13]),
         )
+
+    def _drawn(self) -> list[float]:
+        """Return a row of normal numbers, drawn in blocks: a draw costs more than a number."""
+        if not self._noise:
+            self._noise.extend(self._rng.standard_normal((_BLOCK, _CHANNELS)).tolist())
+        return self._noise.popleft()
 
     def _follow_heading(self, yaw: float) -> None:
         """Integrate the turn since power-on, with the gyro's drift."""
@@ -177,12 +183,6 @@ class OnboardSensors:
 
 _KEEP = exp(-CONTROL_PERIOD / _FLOW_BIAS_TIME)
 _DRIVE = _FLOW_BIAS * sqrt(1.0 - _KEEP * _KEEP)
-
-
-def _rows(rng: np.random.Generator) -> Iterator[list[float]]:
-    """Yield rows of normal numbers, drawn in blocks because a draw costs more than a number."""
-    while True:
-        yield from rng.standard_normal((_BLOCK, _CHANNELS)).tolist()
 
 
 def _specific_force(body: BodyState, nx: float, ny: float, nz: float) -> Vec3:
