@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fuzz_drone_wires import DRONE_WIRES
 from fuzz_files import FILES
+from fuzz_imports import IMPORTS
 from fuzz_kept import KEPT
 from fuzz_new_page import NEW_PAGE
 from fuzz_room_wires import ROOM_WIRES
@@ -14,5 +15,5 @@ from fuzz_web import WEB
 
 TARGETS: dict[str, FuzzTarget] = {
     **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **TWIN, **WEB,
-    **NEW_PAGE,
+    **NEW_PAGE, **IMPORTS,
 }  # fmt: skip

@@ -40,6 +40,8 @@ def read_mesh(path: Path) -> ScanFile:
     found = scene.dump()
     shapes = [part for part in found if getattr(part, "vertices", None) is not None]
     lost = len(found) - len(shapes)
+    if any(shape.vertices.ndim != 2 or shape.vertices.shape[1] != 3 for shape in shapes):
+        raise RoomError(f"{path.name} has points without three coordinates each")
     notes = (f"left out: {lost} parts that are neither points nor surfaces",) if lost else ()
     return ScanFile(tuple(_part(shape) for shape in shapes if len(shape.vertices)), None, notes)
 
@@ -84,13 +86,12 @@ def _compressed(path: Path, extension: str, way_out: str = "") -> RoomError:
 
 def _gltf_tree(path: Path) -> Any:
     try:
+        size = path.stat().st_size
         with path.open("rb") as file:
             if path.suffix.lower() == ".glb":
                 head = file.read(20)
-                size = struct.unpack("<I", head[12:16])[0] if len(head) == 20 else 0
-                text = file.read(min(size, _TREE_MAX))
-            else:
-                text = file.read(_TREE_MAX)
+                size = min(size, struct.unpack("<I", head[12:16].ljust(4, b"\0"))[0])
+            text = file.read(min(size, _TREE_MAX))
         return json.loads(text)
     except (OSError, ValueError, RecursionError):
         return None

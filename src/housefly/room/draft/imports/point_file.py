@@ -1,30 +1,24 @@
-"""Point clouds: PCD read by pypcd4, LAS and LAZ by laspy, E57 by pye57."""
+"""Point clouds: PCD read by pypcd4; LAS, LAZ and E57 in a process of their own."""
 
 from __future__ import annotations
 
-import re
 import struct
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import BinaryIO
 
 import numpy as np
 
 from housefly.errors import MissingPartError, RoomError
-from housefly.numeric import FloatArray
+from housefly.room.draft.imports.point_child import read_apart
 from housefly.room.draft.imports.scan_part import ScanFile, cloud_part, refuse_too_many_points
 
 _INSTALL = "pip install 'housefly[import]'"
 _HEADER_MAX = 4096
 """Longest header of a PCD [bytes]."""
-_CHUNK = 1_000_000
-_NOISE = (7, 18)
-"""Classes of LAS for low and high noise."""
-_GEO_UNIT = 3076
-"""GeoTIFF key of the linear unit."""
-_GEO_UNITS = {9001: 1.0, 9002: 0.3048, 9003: 0.304800609601219}
-_WKT_UNIT = re.compile(
-    r'(?:LENGTH)?UNIT\["(?:[^"]*(?:metre|meter|foot|feet)[^"]*)",\s*([\d.eE+-]+)', re.I
-)
+_FIELDS_MAX = 10_000
+_RECORD_MAX = 2000
+"""Longest point of a LAS [bytes]; usual ones have up to 70."""
 
 
 def read_pcd(path: Path) -> ScanFile:
@@ -39,6 +33,8 @@ def read_pcd(path: Path) -> ScanFile:
         except ValueError as error:
             raise RoomError(f"{path.name} has no good header of a PCD: {error}") from error
         refuse_too_many_points(header.points, path.name)
+        if sum(header.count) > _FIELDS_MAX:
+            raise RoomError(f"{path.name} has more than {_FIELDS_MAX} numbers a point")
         whole = header.points * header.build_dtype().itemsize
         there = path.stat().st_size - file.tell()
         if header.data.value == "binary" and there < whole:
@@ -71,56 +67,28 @@ def _pcd_header(file: BinaryIO) -> list[str]:
 
 
 def read_las(path: Path) -> ScanFile:
-    """Return the points of a LAS or LAZ; raises RoomError, or what broken ones raise in laspy."""
-    try:
-        import laspy
-        import lazrs  # noqa: F401
-    except ImportError as error:
-        raise MissingPartError("the reader of LAS and LAZ (laspy, lazrs)", _INSTALL) from error
-    parts, noise = list[FloatArray](), 0
-    with laspy.open(path) as reader:
-        header = reader.header
-        refuse_too_many_points(header.point_count, path.name)
-        for chunk in reader.chunk_iterator(_CHUNK):
-            points = np.column_stack([chunk.x, chunk.y, chunk.z]).astype(np.float64)
-            is_noise = np.isin(np.asarray(chunk.classification), _NOISE)
-            noise += int(is_noise.sum())
-            parts.append(points[~is_noise])
-    points = np.vstack([np.empty((0, 3)), *parts])
-    notes = (f"left out: {noise} points that it calls noise",) if noise else ()
-    return ScanFile((cloud_part(points),), _las_unit(header), notes)
-
-
-def _las_unit(header: Any) -> float | None:
-    """Return metres per unit where a LAS says them."""
-    for record in (*header.vlrs, *(header.evlrs or ())):
-        keys = getattr(record, "geo_keys", ())
-        for key in keys:
-            if key.id == _GEO_UNIT and key.value_offset in _GEO_UNITS:
-                return _GEO_UNITS[key.value_offset]
-        found = _WKT_UNIT.findall(getattr(record, "string", ""))
-        if found:
-            return float(found[0])
-    return None
+    """Return the points of a LAS or LAZ; raises RoomError."""
+    if not (find_spec("laspy") and find_spec("lazrs")):
+        raise MissingPartError("the reader of LAS and LAZ (laspy, lazrs)", _INSTALL)
+    with path.open("rb") as file:
+        head = file.read(247).ljust(247, b"\0")
+    start, records, _, length = struct.unpack_from("<IIBH", head, 96)
+    extended = struct.unpack_from("<I", head, 243)[0] if head[25] >= 4 else 0
+    whole = max(start, 54 * records, 60 * extended)
+    if head[:4] != b"LASF" or whole > path.stat().st_size or length > _RECORD_MAX:
+        raise RoomError(f"{path.name} has no good header of a LAS; is the file whole?")
+    return read_apart("las", path)
 
 
 def read_e57(path: Path) -> ScanFile:
-    """Return the points of all scans of an E57 together.
-
-    Raises RoomError, or what a broken file raises in pye57.
-    """
-    try:
-        import pye57
-    except ImportError as error:
-        raise MissingPartError("the reader of E57 (pye57)", _INSTALL) from error
-    document = pye57.E57(str(path))
-    try:
-        numbers = range(document.scan_count)
-        count = sum(document.get_header(number).point_count for number in numbers)
-        refuse_too_many_points(count, path.name)
-        scans = [document.read_scan(number, ignore_missing_fields=True) for number in numbers]
-    finally:
-        document.close()
-    axes = ("cartesianX", "cartesianY", "cartesianZ")
-    parts = tuple(cloud_part(np.column_stack([scan[axis] for axis in axes])) for scan in scans)
-    return ScanFile(parts, 1.0)
+    """Return the points of all scans of an E57 together; raises RoomError."""
+    if not find_spec("pye57"):
+        raise MissingPartError("the reader of E57 (pye57)", _INSTALL)
+    with path.open("rb") as file:
+        head = file.read(24).ljust(24, b"\0")
+    whole, there = struct.unpack_from("<Q", head, 16)[0], path.stat().st_size
+    if head[:8] != b"ASTM-E57":
+        raise RoomError(f"{path.name} has no good header of an E57; is the file whole?")
+    if whole != there:
+        raise RoomError(f"{path.name} ends in the middle: {there} of {whole} bytes are there")
+    return read_apart("e57", path)

@@ -76,7 +76,8 @@ def without_broken_points(
     """
     parts = tuple(parts)
     finite = [np.isfinite(part.vertices).all(axis=1) for part in parts]
-    corners = np.vstack([part.vertices[ok] for part, ok in zip(parts, finite, strict=True)])
+    found = [part.vertices[ok] for part, ok in zip(parts, finite, strict=True)]
+    corners = np.vstack([np.empty((0, 3)), *found])
     if corners.shape[0] == 0:
         raise RoomError(f"{name} holds no points, or none that is finite")
     low, middle, high = np.percentile(corners, (10.0, 50.0, 90.0), axis=0)
