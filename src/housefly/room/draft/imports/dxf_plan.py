@@ -18,8 +18,11 @@ from housefly.room.draft.model import SiteDraft
 
 _SAG_SHARE, _OWN_SAG_SHARE = 1e-3, 2e-2
 """Curves are followed to these shares of the drawing's size and of their own."""
-_METRE = 6
-"""$INSUNITS of metres."""
+_UNITS = {
+    1: 0.0254, 2: 0.3048, 3: 1609.344, 4: 0.001, 5: 0.01, 6: 1.0, 7: 1000.0, 9: 2.54e-5,
+    10: 0.9144, 13: 1e-6, 14: 0.1, 15: 10.0, 16: 100.0, 21: 0.3048006, 22: 0.0254, 23: 0.9144018,
+}  # fmt: skip
+"""Metres per unit by the file's own $INSUNITS; any other number says nothing."""
 _FEET_AND_INCHES = (3, 4)
 """$LUNITS of engineering and architectural lengths, which are counted in inches."""
 
@@ -32,7 +35,8 @@ def dxf_plan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
 def read_dxf(path: Path) -> PlanDrawing:
     """Return what the model space of a DXF draws; raises RoomError or MissingPartError."""
     try:
-        from ezdxf import DXFStructureError, filemanagement, recover
+        from ezdxf import filemanagement, recover
+        from ezdxf.lldxf.const import DXFStructureError
     except ImportError as error:
         raise MissingPartError(
             "the reader of DXF (ezdxf)", "pip install 'housefly[import]'"
@@ -116,16 +120,13 @@ def _points(path: Any, sag: float) -> tuple[Vec2, ...]:
         list(path.flattening(within)) if path.has_curves and own > 0.0 else path.control_vertices()
     )
     points = [(float(point.x), float(point.y)) for point in flat]
-    return tuple(a for a, b in pairwise([*points, None]) if a != b)
+    return (*(a for a, b in pairwise(points) if a != b), points[-1])
 
 
 def _unit(header: Any) -> tuple[float | None, str]:
     """Return metres per unit as the file says them, and its words."""
-    from ezdxf import units
-
-    code = int(header.get("$INSUNITS", 0))
-    if 0 < code <= 24:
-        unit = float(units.conversion_factor(code, _METRE))
+    unit = _UNITS.get(int(header.get("$INSUNITS", 0)))
+    if unit is not None:
         return unit, f"{unit:.4g} m each, as the file says"
     if int(header.get("$LUNITS", 2)) in _FEET_AND_INCHES:
         return 0.0254, "inches, as the file writes its lengths"

@@ -31,6 +31,7 @@ def read_mesh(path: Path) -> ScanFile:
         ) from error
     if path.suffix.lower() in (".glb", ".gltf"):
         _check_gltf(path)
+    scene: Any
     # Only files beside it may be named inside it, and nothing is fetched.
     with np.errstate(all="ignore"):
         scene = trimesh.load_scene(path, allow_remote=False, process=False)

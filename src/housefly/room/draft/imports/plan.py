@@ -177,9 +177,9 @@ def _unit(
         )
     unit = 1.0 if 1.0 in choices and not declared else choices[0]
     found = f"{words[unit]}, a room of {unit * length:.3g} m x {unit * width:.3g} m"
-    said = f"cannot be {drawing.unit_words}, and were {found}" if declared else f"are {found}"
+    why = f"cannot be {drawing.unit_words}, and were {found}" if declared else f"are {found}"
     return unit, (
-        f"its numbers ({length:.4g} x {width:.4g}) {said}: measure one wall, and say the unit if it"
+        f"its numbers ({length:.4g} x {width:.4g}) {why}: measure one wall, and say the unit if it"
         " is not so long"
     )
 

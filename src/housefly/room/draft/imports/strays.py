@@ -6,6 +6,7 @@ import numpy as np
 
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.drawing import PlanShape
+from housefly.room.reach import Mask
 
 _FEW, _SHORT = 0.25, 0.5
 """What is far away is a stray with at most these shares of all straight parts and their length."""
@@ -19,7 +20,7 @@ def without_strays(shapes: list[PlanShape]) -> tuple[list[PlanShape], list[PlanS
     boxes = np.array([_box(shape) for shape in shapes]).reshape(-1, 4)
     parts = np.array([max(1, len(shape.points) - 1) for shape in shapes], dtype=np.float64)
     lengths = np.array([_length(shape) for shape in shapes])
-    kept = np.ones(len(shapes), dtype=np.bool_)
+    kept: Mask = np.ones(len(shapes), dtype=np.bool_)
     for _ in range(_ROUNDS_MAX):
         far = _beyond_a_gap(boxes, parts, lengths, kept)
         if not far.any():
@@ -50,11 +51,9 @@ def _extent(boxes: FloatArray) -> float:
     return float((boxes[:, 2:].max(axis=0) - boxes[:, :2].min(axis=0)).max())
 
 
-def _beyond_a_gap(
-    boxes: FloatArray, parts: FloatArray, lengths: FloatArray, kept: FloatArray
-) -> FloatArray:
+def _beyond_a_gap(boxes: FloatArray, parts: FloatArray, lengths: FloatArray, kept: Mask) -> Mask:
     """Return which few shapes an empty strip parts from the rest that is wider than the rest."""
-    nothing = np.zeros(kept.shape, dtype=np.bool_)
+    nothing: Mask = np.zeros(kept.shape, dtype=np.bool_)
     here = np.flatnonzero(kept)
     for axis in (0, 1):
         order = here[np.argsort(boxes[here, axis], kind="stable")]
@@ -74,9 +73,9 @@ def _beyond_a_gap(
     return nothing
 
 
-def _lone(boxes: FloatArray, parts: FloatArray, kept: FloatArray) -> FloatArray:
+def _lone(boxes: FloatArray, parts: FloatArray, kept: Mask) -> Mask:
     """Return the one straight line, if any, without which the plan is far shorter."""
-    far = np.zeros(kept.shape, dtype=np.bool_)
+    far: Mask = np.zeros(kept.shape, dtype=np.bool_)
     here = np.flatnonzero(kept)
     if here.size < 2:
         return far
