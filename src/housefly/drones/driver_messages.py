@@ -13,11 +13,19 @@ from dataclasses import dataclass
 from math import isfinite
 
 from housefly.errors import WireError
-from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry, VideoFrame
+from housefly.messages import (
+    Action,
+    Command,
+    DroneStatus,
+    KnownMotion,
+    Setpoint,
+    Telemetry,
+    VideoFrame,
+)
 
 _MAGIC = b"HFd1"
 _HEADER = struct.Struct("<4sBI")
-_COMMAND = struct.Struct("<B5d")
+_COMMAND = struct.Struct("<B5d???4d")
 _TELEMETRY = struct.Struct("<Bdd4d3d???3d?d")
 _LINK = struct.Struct("<???d")
 _LIGHT = struct.Struct("<?")
@@ -105,19 +113,26 @@ def _decoded(kind: int, body: bytes) -> DriverMessage:
 
 
 def _command_bytes(timed: TimedCommand) -> bytes:
-    setpoint = timed.command.setpoint
+    setpoint, motion = timed.command.setpoint, timed.command.motion or KnownMotion()
+    is_tracked = motion.forward is not None and motion.left is not None
     return _COMMAND.pack(
         _ACTIONS.index(timed.command.action),
         timed.issued_at,
         *(setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate),
+        *(timed.command.motion is not None, is_tracked, motion.hovers),
+        *(motion.forward or 0.0, motion.left or 0.0, motion.theta, motion.phi),
     )
 
 
 def _command(body: bytes) -> TimedCommand:
-    action, issued_at, *setpoint = _COMMAND.unpack(body)
+    action, issued_at, *numbers = _COMMAND.unpack(body)
+    theta, phi, vz, yaw_rate, has_motion, is_tracked, hovers, forward, left, *level = numbers
     if not isfinite(issued_at):
         raise ValueError("the time is not finite")
-    return TimedCommand(Command(_ACTIONS[action], Setpoint(*setpoint)), issued_at)
+    velocity = (forward, left) if is_tracked else (None, None)
+    motion = KnownMotion(*velocity, *level, hovers=hovers) if has_motion else None
+    setpoint = Setpoint(theta, phi, vz, yaw_rate)
+    return TimedCommand(Command(_ACTIONS[action], setpoint, motion), issued_at)
 
 
 def _telemetry_bytes(report: Telemetry) -> bytes:

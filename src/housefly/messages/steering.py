@@ -117,8 +117,27 @@ class Action(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class KnownMotion:
+    """How the drone moves, for who has to bring it to rest when the pilot is silent.
+
+    Attributes:
+        forward, left: velocity in the body by tracking [m/s]; None where that is not believed.
+        theta, phi: the attitude that stands still against what pushes steadily [rad].
+        hovers: the drone's own hover can be left to itself.
+    """
+
+    forward: float | None = None
+    left: float | None = None
+    theta: float = 0.0
+    phi: float = 0.0
+    hovers: bool = True
+
+
+@dataclass(frozen=True, slots=True)
 class Command:
     """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
+
+    ``motion`` says nothing new where it is None.
 
     HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude,
     which drifts.
@@ -126,6 +145,7 @@ class Command:
 
     action: Action
     setpoint: Setpoint = LEVEL
+    motion: KnownMotion | None = None
 
 
 class SafetyMode(Enum):

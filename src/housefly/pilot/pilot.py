@@ -10,6 +10,7 @@ words, events and the mission.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf, nan
 
 from housefly.geometry import Vec2
@@ -39,6 +40,7 @@ from housefly.pilot.behavior.reported_status import ReportedStatus
 from housefly.pilot.behavior.steered_landing import MOVES_MAX, SteeredLanding
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.behavior.way_home import WayHome
+from housefly.pilot.behavior.way_planner import coasted
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.control.flow_hold import FlowHold, climb_to
 from housefly.pilot.control.landing_aim import landing_drift
@@ -52,6 +54,7 @@ from housefly.pilot.estimation.estimation_report import (
 from housefly.pilot.estimation.estimator import disturbance_of
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
+from housefly.pilot.kept_place import TO_FLOOR, KeptPlace, known_motion, sinking
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
 from housefly.pilot.safety.limits import is_flown_in
@@ -117,6 +120,8 @@ class Pilot:
         self._height = settings.flight_height
         self._landing: SteeredLanding | None = None
         self._flow_hold: FlowHold | None = None
+        self._kept: KeptPlace | None = None
+        self._held = False
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -252,7 +257,7 @@ class Pilot:
             standing_height=self._gate.standing_height,
             gauge_stuck=self._gate.gauge_stuck,
             maneuvering=self._maneuvering,
-            held=not is_flown_in(self._stepped.gate),
+            held=self._held,
             reference=self._trajectory_reference(),
             telemetry=telemetry,
             consistency=known,
@@ -314,10 +319,23 @@ class Pilot:
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         action = Action.FLY if blind else self._action(output, guidance)
         verdict = released(action, output.command, assessment)
+        verdict = self._with_motion(verdict, here, assessment)
         self._sent = verdict.command
+        is_off = assessment.held or assessment.waits
+        self._held = is_off or not is_flown_in(self._stepped.gate)
         self._maneuvering, self._height = override.active and not blind, output.target.z
         self._in_space = guidance.active and guidance.following and is_in_space(self._profile)
         return verdict
+
+    def _with_motion(
+        self, verdict: GateVerdict, here: PoseEstimate, assessment: GateAssessment
+    ) -> GateVerdict:
+        """Tell the driver how the drone moves, for the case that this is the last command."""
+        if self._params.is_paper or self._estimator is None or not assessment.airborne:
+            return verdict
+        push = disturbance_of(self._estimator.state, self._estimator.history)
+        motion = known_motion(here, push, assessment.knows_place, assessment.knows_speed)
+        return replace(verdict, command=replace(verdict.command, motion=motion))
 
     def _guidance(
         self, now: float, estimate: Estimate | None, assessment: GateAssessment
@@ -326,6 +344,14 @@ class Pilot:
         landing = self._steered_landing(now, estimate, assessment)
         if landing is not None:
             return landing
+        guidance = self._mission_guidance(estimate, assessment)
+        if estimate is None or self._params.is_paper or not (assessment.kept and guidance.active):
+            self._kept = None
+            return guidance
+        kept = self._kept = self._kept or KeptPlace.of(estimate)
+        return kept.guidance(guidance)
+
+    def _mission_guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
         task, mission = self._missions.task, self._missions.state
         active = estimate is not None and mission.phase in CRUISE_PHASES
         x, y = estimate.position[:2] if estimate else (0.0, 0.0)
@@ -357,12 +383,18 @@ class Pilot:
         self, now: float, estimate: Estimate | None, assessment: GateAssessment
     ) -> Guidance | None:
         """Return where to sink for a landing that the gate wants and the pilot may steer."""
-        if estimate is None or self._params.is_paper or not assessment.steered:
+        is_descent = assessment.mode is SafetyMode.DESCEND and assessment.airborne
+        if estimate is None or self._params.is_paper or not (assessment.steered or is_descent):
             self._landing = None
             return None
         here, height = estimate.position[:2], estimate.position[2]
-        landing = self._landing = self._landing_now(now, here, height)
-        x, y = self._landing_aim(landing.setpoint(now))
+        if not assessment.knows_place:
+            return sinking(estimate)
+        landing = self._landing = self._landing_now(now, estimate, assessment)
+        lowest = TO_FLOOR if assessment.to_floor else self._settings.sinks_to
+        x, y = landing.setpoint(now)
+        if not assessment.to_floor:
+            x, y = self._landing_aim((x, y))
         return Guidance(
             active=True,
             following=False,
@@ -370,15 +402,20 @@ class Pilot:
             y=y,
             yaw=estimate.yaw,
             arrival_yaw=nan,
-            height=landing.height_setpoint(now, here, height, self._settings.sinks_to),
+            height=landing.height_setpoint(now, here, height, lowest),
             speed_factor=1.0,
         )
 
-    def _landing_now(self, now: float, here: Vec2, height: float) -> SteeredLanding:
-        landing = self._landing
+    def _landing_now(
+        self, now: float, estimate: Estimate, assessment: GateAssessment
+    ) -> SteeredLanding:
+        """Return the landing; where a person or the mission asked for it, it is where it is."""
+        landing, here, height = self._landing, estimate.position[:2], estimate.position[2]
+        is_ordered = assessment.mode is not SafetyMode.LAND or self._missions.state.stopped
         if landing is None:
-            beside = self._map.clear_floor(here, height)
-            return SteeredLanding(here, height, now, beside or here)
+            rest = coasted(here, estimate.velocity[:2])
+            beside = None if is_ordered else self._map.clear_floor(here, height)
+            return SteeredLanding(here if beside else rest, height, now, beside or rest)
         may_move = landing.moves < MOVES_MAX and landing.sinks(now, here)
         found = self._missions.found_below(self._vehicle) if may_move and self._vehicle else ()
         if not found:
@@ -440,6 +477,11 @@ class Pilot:
     def _is_slow(assessment: GateAssessment) -> bool:
         return any(rule.mode is SafetyMode.SLOW for rule in assessment.broken)
 
+    @property
+    def _is_flown(self) -> bool:
+        """Whether control flew the drone along its reference in the last step."""
+        return self._sent.action is Action.FLY and self._kept is None
+
     def _gate_inputs(self, vehicle: VehicleStatus, late: float) -> GateInputs:
         mission, estimate = self._missions.state, vehicle.estimate
         is_free = self._maneuvering or self._missions.is_yielding
@@ -462,7 +504,7 @@ class Pilot:
             reference=self._reference() if is_tracking and not self._params.is_paper else None,
             flight_height=self._height,
             height_follows=self._in_space,
-            flown=self._sent.setpoint if self._sent.action is Action.FLY else None,
+            flown=self._sent.setpoint if self._is_flown else None,
             telemetry=vehicle.telemetry,
             consistency=vehicle.consistency,
             late=late,
@@ -470,6 +512,7 @@ class Pilot:
             home_time=self._way_home.duration,
             has_way_home=self._way_home.exists,
             below=self._missions.blind_landing.fault,
+            steers=not self._params.is_paper,
         )
 
     # --- answer ---

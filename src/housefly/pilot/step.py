@@ -116,6 +116,7 @@ class Guidance(NamedTuple):
         arrival_yaw: heading at the end of the path [rad]; nan keeps the path's.
         height: z_ref [m]; a trajectory in space has its own.
         speed_factor: share of the cruise speed to fly at, 0 to 1; 0 stops on the trajectory.
+        kept: the place is kept although a path is followed: its reference comes to rest.
     """
 
     active: bool
@@ -126,6 +127,7 @@ class Guidance(NamedTuple):
     arrival_yaw: float
     height: float
     speed_factor: float
+    kept: bool = False
 
 
 class Override(NamedTuple):
@@ -231,7 +233,7 @@ def step_commanded(
     """
     lead = 0.0
     if guidance.active:
-        if guidance.following and is_in_space(profile) and not params.is_paper:
+        if guidance.following and is_in_space(profile) and not (params.is_paper or guidance.kept):
             lead = tilt_lead(params.gains)
         state, target = _tracked(state, params, here, guidance, profile, now, dt)
         asked, flying = _asked(
@@ -365,7 +367,8 @@ def _tracked(
             state, params, here, profile, params.speed * guidance.speed_factor, dt
         )
         target = at_height(target, guidance.height)
-    yaw = _yaw_reference(state.yaw, params, here, guidance, target, dt)
+    aim = _held(guidance) if guidance.kept else target
+    yaw = _yaw_reference(state.yaw, params, here, guidance, aim, dt)
     acceptor = _accepted(state.acceptor, params, here, guidance, profile, target, yaw, now)
     state = StepState(progress=progress, yaw=yaw, acceptor=acceptor, gate=state.gate, scale=scale)
     return state, target
@@ -405,7 +408,7 @@ def _yaw_reference(
     dt: float,
 ) -> YawReference:
     wish = target.yaw
-    arrived = guidance.following and target.finished and not params.is_paper
+    arrived = guidance.following and target.finished and not (params.is_paper or guidance.kept)
     if arrived and isfinite(guidance.arrival_yaw):
         wish = guidance.arrival_yaw
     turn_max = inf if params.is_paper else YAW_REFERENCE_RATE * dt
@@ -455,7 +458,9 @@ def _asked(
 ) -> tuple[ControlOutput, bool]:
     """Return what control asks, and whether it flies: in mode paper's hover the drone does."""
     ahead = control_state(estimator, history, params.estimator, here, now)
-    if guidance.following and is_in_space(profile) and not params.is_paper:
+    if guidance.kept:
+        target = _held(guidance)
+    if guidance.following and is_in_space(profile) and not (params.is_paper or guidance.kept):
         delay = params.gains.delay + ahead.delay_change
         reference = feed_forward_reference(
             state.scale, profile, target, state.yaw.reference, params.gains, delay

@@ -128,7 +128,11 @@ class SensorFaults:
         flow: optical flow; OFF reads 0.
         flow_gain: factor of its speeds, 0 to 10.
         flow_bias: added to its speeds, forward and left, -10 to 10 m/s.
+        flow_noise: added one-sigma noise, 0 to 10 m/s.
         sonar: STUCK keeps its last value in silence; OFF does so and raises "ultrasound deaf".
+        sonar_bias: added to its height, -5 to 5 m.
+        sonar_noise: added one-sigma noise, 0 to 5 m.
+        tilt_bias: added to roll and pitch, each -0.5 to 0.5 rad.
         gyro_noise: added one-sigma noise, 0 to 10 rad/s.
         acceleration_noise: added one-sigma noise, 0 to 100 m/s^2.
     """
@@ -137,7 +141,11 @@ class SensorFaults:
     flow: SensorCondition = SensorCondition.OK
     flow_gain: float = 1.0
     flow_bias: Vec2 = (0.0, 0.0)
+    flow_noise: float = 0.0
     sonar: SensorCondition = SensorCondition.OK
+    sonar_bias: float = 0.0
+    sonar_noise: float = 0.0
+    tilt_bias: Vec2 = (0.0, 0.0)
     gyro_noise: float = 0.0
     acceleration_noise: float = 0.0
 
@@ -146,6 +154,10 @@ class SensorFaults:
             raise ConfigError("sensors.attitude", "must be ok or stuck: the drone cannot lose it")
         _check("sensors.flow_gain", "", 0.0, 10.0, self.flow_gain)
         _check("sensors.flow_bias", "m/s", -10.0, 10.0, *self.flow_bias)
+        _check("sensors.flow_noise", "m/s", 0.0, 10.0, self.flow_noise)
+        _check("sensors.sonar_bias", "m", -5.0, 5.0, self.sonar_bias)
+        _check("sensors.sonar_noise", "m", 0.0, 5.0, self.sonar_noise)
+        _check("sensors.tilt_bias", "rad", -0.5, 0.5, *self.tilt_bias)
         _check("sensors.gyro_noise", "rad/s", 0.0, 10.0, self.gyro_noise)
         _check("sensors.acceleration_noise", "m/s^2", 0.0, 100.0, self.acceleration_noise)
 

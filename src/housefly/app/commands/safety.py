@@ -55,6 +55,10 @@ def _add_arguments(parser: ArgumentParser) -> None:
         help="flights of each row (default: 300); with 0 only those of --wires are flown, and the"
         " page shows what was flown before",
     )  # fmt: skip
+    parser.add_argument(
+        "--crossed", type=int, default=50, metavar="N",
+        help="flights of each row that is crossed with a person's orders (default: 50)",
+    )  # fmt: skip
     parser.add_argument("--quick", action="store_true", help="few flights of each row, no pairs")
     parser.add_argument(
         "--workers", type=int, default=0, metavar="N", help="processes (default: one per core)"
@@ -71,6 +75,10 @@ def _add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument("--again", metavar="ROW", help="fly one flight and say how it went")
     parser.add_argument("--seed", type=int, default=0, help="of --again (default: 0)")
+    parser.add_argument(
+        "--order", choices=("nothing", "stop", "land", "resume", "dead pilot"), default="nothing",
+        help="of --again: what a person does (default: nothing)",
+    )  # fmt: skip
     parser.add_argument("--unguarded", action="store_true", help="of --again: without guards")
 
 
@@ -86,6 +94,8 @@ def _run(options: Namespace) -> int:
             raise ConfigError("--rows", f"{row!r} is not flown here; there are {', '.join(known)}")
     if not 0 <= options.seeds <= 100_000:
         raise ConfigError("--seeds", f"is {options.seeds}; allowed: 0 to 100000")
+    if not 0 <= options.crossed <= 100_000:
+        raise ConfigError("--crossed", f"is {options.crossed}; allowed: 0 to 100000")
     if not 0 <= options.wires <= 1000:
         raise ConfigError("--wires", f"is {options.wires}; allowed: 0 to 1000")
     if not 1 <= options.at_once <= _AT_ONCE_MAX:
@@ -125,10 +135,10 @@ def _plan(options: Namespace) -> SafetyPlan:
 
     rows = tuple(options.rows)
     if not options.seeds:
-        return SafetyPlan(0, 0, 0, 0, rows)
+        return SafetyPlan(0, 0, 0, 0, 0, rows)
     if options.quick:
-        return SafetyPlan(_QUICK_SEEDS, _QUICK_CONTROLS, 0, _QUICK_CALM, rows)
-    return SafetyPlan(seeds=options.seeds, rows=rows)
+        return SafetyPlan(_QUICK_SEEDS, _QUICK_CONTROLS, 0, _QUICK_CALM, _QUICK_SEEDS, rows)
+    return SafetyPlan(seeds=options.seeds, crossed=options.crossed, rows=rows)
 
 
 def _fly_all(options: Namespace) -> int:
@@ -186,7 +196,10 @@ def _unsafe_words(result: TrialResult | WiredResult) -> str:
     """Return which flight was unsafe and how, or "" for a safe one."""
     if not result.unsafe:
         return ""
-    return f"{result.key.row or 'calm'} seed {result.key.seed}: {'; '.join(result.violations)}"
+    order = getattr(result.key, "order", None)
+    ordered = f" {order.value}" if order is not None and order.value != "nothing" else ""
+    where = f"{result.key.row or 'calm'}{ordered} seed {result.key.seed}"
+    return f"{where}: {'; '.join(result.violations)}"
 
 
 def _row_again(text: str) -> str:
@@ -211,9 +224,10 @@ def _row_again(text: str) -> str:
 
 def _fly_again(row: str, options: Namespace) -> int:
     from housefly.app.safety_case.faulty_flight import fly_trial
-    from housefly.app.safety_case.trial import TrialKey
+    from housefly.app.safety_case.trial import PersonOrder, TrialKey
 
-    result = fly_trial(TrialKey(row, options.seed, not options.unguarded))
+    order = PersonOrder(options.order)
+    result = fly_trial(TrialKey(row, options.seed, not options.unguarded, order))
     for name, words in result.to_json().items():
         console.print(f"{name:<18}{words}", markup=False, soft_wrap=True)
     return 1 if result.unsafe else 0

@@ -13,13 +13,13 @@ from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.simulation import Simulation
 from housefly.app.safety_case.fault_phase import IN_FLIGHT_FAULT_PHASES, FaultPhase, has_begun
 from housefly.app.safety_case.oracle import Oracle
-from housefly.app.safety_case.trial import TrialKey, TrialResult
+from housefly.app.safety_case.trial import PersonOrder, TrialKey, TrialResult
 from housefly.config.site import changed
 from housefly.messages import Inputs, Order, OrderKind, PilotStep
 from housefly.twin.faults.catalogue import row_of
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.fault_row import FaultVariant
-from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
 
 SAFETY_SITE = "bsen"
 SAFETY_PLACE = "table"
@@ -37,6 +37,26 @@ _REACH_TIMEOUT = 60.0
 
 
 _SERVICE = Order(OrderKind.SERVICE, place=SAFETY_PLACE, look_s=_LOOK_TIME, sender="safety case")
+
+
+_PERSON = "a person"
+_ORDER_SPAN = (0.2, 3.0)
+"""A person gives an order so long after the fault began [s]."""
+_ORDERS: dict[PersonOrder, tuple[tuple[float, Order], ...]] = {
+    PersonOrder.NOTHING: (),
+    PersonOrder.STOP: (
+        (0.0, Order(OrderKind.STOP, sender=_PERSON)),
+        (8.0, Order(OrderKind.LAND, sender=_PERSON)),
+    ),
+    PersonOrder.LAND: ((0.0, Order(OrderKind.LAND, sender=_PERSON)),),
+    PersonOrder.RESUME: (
+        (0.0, Order(OrderKind.STOP, sender=_PERSON)),
+        (8.0, Order(OrderKind.RESUME, sender=_PERSON)),
+        (9.0, Order(OrderKind.LAND, sender=_PERSON)),
+    ),
+    PersonOrder.DEAD_PILOT: (),
+}
+"""What a person orders, and how long after the first order [s]; a landing ends each flight."""
 
 
 @lru_cache(maxsize=2)
@@ -117,6 +137,12 @@ def faults_of_key(key: TrialKey) -> tuple[Fault, ...]:
     )
 
 
+def _with_dead_pilot(faults: tuple[Fault, ...], key: TrialKey) -> tuple[Fault, ...]:
+    if key.order is not PersonOrder.DEAD_PILOT:
+        return faults
+    return (*faults, Fault(FaultComponent.PILOT, FaultKind.OFF, start=_ordered_after(key)))
+
+
 def phases_of(row: str) -> tuple[FaultPhase, ...]:
     """Return the phases in which a row may begin; a row without faults begins before take-off."""
     names = [name for name in row.split("+") if name]
@@ -136,7 +162,20 @@ def needs_intruders(row: str) -> bool:
 def needs_scanners(row: str) -> bool:
     """Return whether a row is flown in a room with scanners, which see what gets in the way."""
     unscanned = any(variant_of(name).unscanned for name in row.split("+") if name)
-    return needs_intruders(row) and not unscanned
+    faults = faults_of_key(TrialKey(row, 0))
+    fails = any(fault.component is FaultComponent.LASER for fault in faults)
+    return fails or (needs_intruders(row) and not unscanned)
+
+
+def orders_of(key: TrialKey) -> tuple[tuple[float, Order], ...]:
+    """Return what a person orders, and how long after the fault began [s]."""
+    begun = _ordered_after(key)
+    return tuple((begun + after, order) for after, order in _ORDERS[key.order])
+
+
+def _ordered_after(key: TrialKey) -> float:
+    rng = np.random.default_rng([key.seed, sum(map(ord, key.row)), len(PersonOrder)])
+    return float(rng.uniform(*_ORDER_SPAN))
 
 
 def _cannot_hover(row: str) -> bool:
@@ -156,6 +195,7 @@ class FaultyFlight:
         self._oracle = Oracle(self._simulation.world, site, base.room)
         self._reached: dict[FaultPhase, float] = {}
         self._ordered_at: float | None = None
+        self._waiting: list[tuple[float, Order]] = []
         self._last: PilotStep | None = None
 
     @property
@@ -175,6 +215,8 @@ class FaultyFlight:
         orders: tuple[Order, ...] = ()
         if self._ordered_at is None and simulation.now >= _ORDER_AT:
             orders, self._ordered_at = (_SERVICE,), simulation.now
+        while self._waiting and simulation.now >= self._waiting[0][0]:
+            orders = (*orders, self._waiting.pop(0)[1])
         inputs = simulation.inputs(*orders)
         self._last = simulation.step(inputs if self._guarded else _blind(inputs))
         self._oracle.watch(self._last)
@@ -193,6 +235,8 @@ class FaultyFlight:
         now = 0.0 if self._last is None else self._last.now
         self._oracle.faulty_since, self._oracle.cannot_hover = now, _cannot_hover(key.row)
         faults = faults_of_key(key) if faults is None else faults
+        faults = _with_dead_pilot(faults, key)
+        self._waiting = [(now + after, order) for after, order in orders_of(key)]
         self._simulation.inject(*(fault.shifted(now) for fault in faults))
         while not self.is_over:
             self.advance()

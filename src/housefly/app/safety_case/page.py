@@ -10,7 +10,7 @@ from housefly.app.safety_case.outcome_bounds import OutcomeBounds, bounds_of, mi
 from housefly.app.safety_case.plan import FAULT_FREE
 from housefly.app.safety_case.statistics import RowFigures, Spread, row_figures, row_number
 from housefly.app.safety_case.strip_plot import strip_plot
-from housefly.app.safety_case.trial import TrialResult
+from housefly.app.safety_case.trial import PersonOrder, TrialResult
 from housefly.app.safety_case.wired_flight import WiredResult
 from housefly.record.report_style import REPORT_CSS
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE
@@ -234,7 +234,9 @@ def _missed(results: Sequence[TrialResult]) -> str:
 
 
 def _again(result: TrialResult) -> str:
-    return f"housefly safety --again {result.key.row or 'calm'} --seed {result.key.seed}"
+    order = result.key.order
+    ordered = "" if order is PersonOrder.NOTHING else f" --order '{order.value}'"
+    return f"housefly safety --again {result.key.row or 'calm'} --seed {result.key.seed}{ordered}"
 
 
 def _text(words: str) -> str:

@@ -5,12 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations
 
-from housefly.app.safety_case.trial import TrialKey
+from housefly.app.safety_case.trial import PersonOrder, TrialKey
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE
 from housefly.twin.faults.fault_row import FaultRow
 
 FAULT_FREE = ""
 """The row without a fault: every word in it is a false alarm."""
+COURSES = 24
+"""Seeds of crossed flights are below this, each phase at each tracking rate: alike flights are
+flown once until their faults begin.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +26,7 @@ class SafetyPlan:
         controls: flights of each harmful row without guards.
         pairs: flights of each pair of rows.
         fault_free: flights without a fault.
+        crossed: flights of each row that is crossed with a person's orders.
         rows: only these rows; all when empty.
     """
 
@@ -29,6 +34,7 @@ class SafetyPlan:
     controls: int = 24
     pairs: int = 1
     fault_free: int = 300
+    crossed: int = 50
     rows: tuple[str, ...] = ()
 
     def keys(self) -> list[TrialKey]:
@@ -37,7 +43,14 @@ class SafetyPlan:
         keys = [
             TrialKey(name, seed)
             for row in rows
+            if not row.crossed
             for name, seed in shared_out(variants_flown(row), self.seeds)
+        ]
+        keys += [
+            key
+            for row in rows
+            if row.crossed
+            for key in crossed_out(variants_flown(row), self.crossed)
         ]
         keys += [
             TrialKey(name, seed, guarded=False)
@@ -47,9 +60,10 @@ class SafetyPlan:
         ]
         if not self.rows:
             keys += [TrialKey(FAULT_FREE, seed) for seed in range(self.fault_free)]
+            single = [row for row in rows if not row.crossed]
             keys += [
                 TrialKey(f"{a.number}+{b.number}", seed)
-                for a, b in combinations(rows, 2)
+                for a, b in combinations(single, 2)
                 for seed in range(self.pairs)
             ]
         return keys
@@ -71,3 +85,12 @@ def shared_out(names: tuple[str, ...], flights: int) -> list[tuple[str, int]]:
     """Return so many flights as names and seeds, shared out among the names in turn."""
     count = len(names)
     return [(names[n % count], n // count) for n in range(flights)] if names else []
+
+
+def crossed_out(names: tuple[str, ...], flights: int) -> list[TrialKey]:
+    """Return so many flights, shared out among the names, a person's orders, phases and rates."""
+    count, orders = len(names), tuple(PersonOrder)
+    return [
+        TrialKey(names[n % count], (n + turn) % COURSES, order=orders[turn % len(orders)])
+        for n, turn in ((n, n // count) for n in range(flights if names else 0))
+    ]

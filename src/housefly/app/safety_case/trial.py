@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from enum import Enum
 from typing import Any
 
 from pydantic import TypeAdapter
@@ -10,7 +11,17 @@ from pydantic import TypeAdapter
 from housefly.app.safety_case.fault_phase import FaultPhase
 
 
-@dataclass(frozen=True, slots=True, order=True)
+class PersonOrder(Enum):
+    """What a person does soon after the fault began."""
+
+    NOTHING = "nothing"
+    STOP = "stop"
+    LAND = "land"
+    RESUME = "resume"
+    DEAD_PILOT = "dead pilot"
+
+
+@dataclass(frozen=True, slots=True)
 class TrialKey:
     """One flight of the safety case.
 
@@ -18,11 +29,13 @@ class TrialKey:
         row: of the fault matrix, with its variant: ``F13/2cm``; a pair is joined by ``+``.
         seed: of everything random; it also chooses phase and tracking rate.
         guarded: with its guards, else the negative control.
+        order: what a person does.
     """
 
     row: str
     seed: int
     guarded: bool = True
+    order: PersonOrder = PersonOrder.NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +76,8 @@ class TrialResult:
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as plain values."""
-        return {**asdict(self), "phase": self.phase.value}
+        key = {**asdict(self.key), "order": self.key.order.value}
+        return {**asdict(self), "key": key, "phase": self.phase.value}
 
 
 _RESULT: TypeAdapter[TrialResult] = TypeAdapter(TrialResult)

@@ -139,6 +139,7 @@ def guided(
         arrival_yaw=route.arrival_yaw,
         height=route.height,
         speed_factor=1.0,
+        kept=False,
     )
     return task, progress, guidance
 

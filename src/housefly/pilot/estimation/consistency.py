@@ -18,6 +18,8 @@ class TrackingConsistency:
         height_drift: the same in the air, less the steps of the floor since it was seen last [m].
         latency_error: how much older the poses are than their stamps say [s].
         refused_for: how long poses have been refused because onboard motion disagrees [s].
+        flow_untold: in the air the drone does not tell its speed, or the same to the last bit.
+        flow_wrong: that speed is neither what tracking sees nor how the drone leans.
     """
 
     drift: float = nan
@@ -27,6 +29,13 @@ class TrackingConsistency:
     height_drift: float = nan
     latency_error: float = nan
     refused_for: float = 0.0
+    flow_untold: bool = False
+    flow_wrong: bool = False
+
+    @property
+    def flow_believed(self) -> bool:
+        """Whether the drone's own hover, which flies by optical flow, can be left to itself."""
+        return not (self.flow_untold or self.flow_wrong)
 
 
 NOTHING_KNOWN = TrackingConsistency()

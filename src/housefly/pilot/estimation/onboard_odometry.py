@@ -159,7 +159,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     unchanged_since = _unchanged_since(s, report)
     silent = report.at - unchanged_since > UNTOLD_AFTER
     since = s.since
-    flown = dt if s.reports == 0 else _drone_seconds(before.drone_time, report.drone_time, dt)
+    flown = dt if s.reports == 0 else drone_seconds(before.drone_time, report.drone_time, dt)
     is_hole = max(dt, flown) > REPORT_GAP_MAX
     if is_hole or silent or isnan(s.heading):
         since = report.at
@@ -207,7 +207,7 @@ def _unchanged_since(s: OdometryState, report: OnboardReport) -> float:
 
 
 @compiled
-def _drone_seconds(before: float, now: float, received: float) -> float:
+def drone_seconds(before: float, now: float, received: float) -> float:
     """Return the time between two reports [s] by the drone's clock, or by ours.
 
     A link that holds reports back, and a simulated drone whose machine stood still, stretch the
@@ -243,6 +243,11 @@ def _world_velocity(
         psi = odometry_at(s, ring, report.at - FLOW_DELAY).psi
     c, n = cos(psi + s.heading), sin(psi + s.heading)
     return c * forward - n * left, n * forward + c * left
+
+
+def flow_is_told(s: OdometryState, at: float) -> bool:
+    """Return whether the newest report tells a velocity, at its time [s]."""
+    return not at - s.unchanged_since > UNTOLD_AFTER
 
 
 @compiled

@@ -76,7 +76,7 @@ class PoseEstimator:
         self.box: CompiledBox[EstimatorState] = boxed(estimator_created(self.history, params, now))
         self.accepted: Sighting | None = None
         tolerance = OdometryTolerance(params.position_noise, odometry_error)
-        self.monitor = TrackingMonitor(tolerance)
+        self.monitor = TrackingMonitor(tolerance, params.model.drag)
 
     @property
     def state(self) -> EstimatorState:
@@ -124,6 +124,7 @@ class PoseEstimator:
             return self._rejections.reject(fault, now)
         if self._repeats(sighting) and not grounded and not self._trusting:
             return self._rejections.reject(RejectionReason.FROZEN, now)
+        self.monitor.see(sighting)
         is_back = gate.initialized and sighting.captured_at - gate.last_capture >= GAP_MIN
         predicted = self._predicted(sighting.captured_at) if is_back else None
         if not (self._trusting or self.monitor.agrees(sighting, predicted)):

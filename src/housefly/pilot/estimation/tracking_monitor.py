@@ -19,6 +19,7 @@ from housefly.pilot.estimation.climb_odometry import ClimbOdometry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
+from housefly.pilot.estimation.flow_monitor import USUAL_DRAG, FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
@@ -27,7 +28,9 @@ from housefly.pilot.estimation.onboard_odometry import (
     REPORT_GAP_MAX,
     OdometryAt,
     OnboardReport,
+    drone_seconds,
     flow_bias_variance,
+    flow_is_told,
     odometry_advanced,
     odometry_at,
     odometry_headed,
@@ -68,9 +71,10 @@ class TrackingMonitor:
 
     Args:
         tolerance: what tracking and odometry may be off by.
+        drag: linear drag over mass of the drone [1/s].
     """
 
-    def __init__(self, tolerance: OdometryTolerance) -> None:
+    def __init__(self, tolerance: OdometryTolerance, drag: float = USUAL_DRAG) -> None:
         self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
         self._odometry = NO_ODOMETRY
@@ -78,6 +82,8 @@ class TrackingMonitor:
         self._windows = EMPTY_WINDOWS
         self._bank = lag_bank()
         self._latency = NO_LATENCY
+        self._flow = FlowMonitor(drag)
+        self._report: OnboardReport | None = None
         self._carry = CarryDetector()
         self._climb, self._climbed_then = ClimbOdometry(), 0.0
         self._airborne = False
@@ -121,10 +127,25 @@ class TrackingMonitor:
         )
         if all(map(isfinite, report[:-2])):
             self._odometry = odometry_advanced(self._odometry, self._motion, report)
+            self._witness(report)
+
+    def _witness(self, report: OnboardReport) -> None:
+        """Let a third witness know how the drone leans."""
+        before, self._report = self._report, report
+        if before is None or not report.airborne or report.at <= before.at:
+            return
+        seconds = drone_seconds(before.drone_time, report.drone_time, report.at - before.at)
+        self._flow.feel(report, seconds, self._odometry, self._motion)
+
+    def see(self, sighting: Sighting) -> None:
+        """Take in a sighting before it is judged."""
+        if self._airborne and self._odometry.reports > 0:
+            self._flow.see(sighting, self._odometry, self._motion)
 
     def _leave_or_reach_ground(self, airborne: bool) -> None:
         self._airborne = airborne
         self._windows = windows_cleared(self._windows)
+        self._flow.restart()
         self._latency, self._rest = NO_LATENCY, None
         self._start = self._last[0].pose.position if self._last and airborne else None
 
@@ -181,7 +202,8 @@ class TrackingMonitor:
     def _is_covered(self, since: float, until: float) -> bool:
         """Return whether the odometry has no hole between two times [s]."""
         is_fresh = until <= self._reported_at + REPORT_GAP_MAX
-        return self._attitude_told and is_fresh and self._odometry.since <= since
+        is_told = self._attitude_told and not self._flow.is_wrong
+        return is_told and is_fresh and self._odometry.since <= since
 
     def vouches(self, at: float) -> bool:
         """Return whether the odometry leads from the last believed pose to a time [s]."""
@@ -236,6 +258,9 @@ class TrackingMonitor:
         if not self._airborne:
             self._rest_at(pose.position)
             return
+        if self._flow.is_wrong:
+            self._windows, self._latency = windows_cleared(self._windows), NO_LATENCY
+            return
         if not self._is_covered(since, at):
             self._windows = windows_restarted(self._windows)
             self._latency = NO_LATENCY
@@ -280,6 +305,8 @@ class TrackingMonitor:
             height_drift=self._height_drift,
             latency_error=self._latency.error,
             refused_for=refused,
+            flow_untold=self._airborne and not flow_is_told(self._odometry, self._reported_at),
+            flow_wrong=self._flow.is_wrong,
         )
 
     def _moved_at_rest(self) -> float:

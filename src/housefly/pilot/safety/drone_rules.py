@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, inf
 
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
@@ -49,11 +49,16 @@ def descent_time(c: RuleContext) -> float:
     return c.fence.ceiling / DESCENT_RATE + DESCENT_MARGIN
 
 
+def rise(c: RuleContext) -> float:
+    """Return how far above where it stood the drone is [m]; infinite where that is unknown."""
+    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
+        return inf
+    return c.now.position[2] - c.seen.standing_height
+
+
 def lies_on_floor(c: RuleContext) -> bool:
     """Return whether tracking sees the drone as low as it stood before."""
-    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
-        return False
-    return c.now.position[2] - c.seen.standing_height < LOW_HEIGHT
+    return rise(c) < LOW_HEIGHT
 
 
 def _lies_still(c: RuleContext) -> bool:
@@ -134,6 +139,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
             f" (limit {c.limits.telemetry_age:g} s): landing"
         ),
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="drone_fault",
@@ -143,6 +149,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: bool(_complaints(c, ends_flight=True)),
         words=lambda c: f"the drone says: {_complaints(c, ends_flight=True)}; landing",
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="not_configured",
@@ -167,6 +174,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         ),
         after=BATTERY_DEBOUNCE,
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="battery_cliff",
@@ -180,6 +188,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         ),
         after=0.4,
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="flight_time_over",
@@ -215,6 +224,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
             f" (limit {HELD_TIME_MAX:g} s): landing"
         ),
         clears=Clearing.GROUND,
+        steered=True,
         waits=True,
     ),
     SafetyRule(
@@ -225,6 +235,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: c.now.stopped,
         words=lambda _: "STOP: hovering until resumed",
         clears=Clearing.RESUME,
+        steered=True,
     ),
     SafetyRule(
         code="battery_return",

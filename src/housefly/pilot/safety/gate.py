@@ -1,8 +1,8 @@
 """The last gate before the drone: it may only make a command smaller.
 
-"Level" means the drone's own hover (Action.HOVER): an AR.Drone told to keep level drifts, while its
-hover holds the place by optical flow. A landing, once begun here, is kept until the drone says that
-it stands; then nothing moves without a fresh order.
+What holds the drone or lands it is flown by our setpoint or by the drone's own hover
+(``means``). A landing, once begun here, is kept until the drone says that it stands; then nothing
+moves without a fresh order.
 """
 
 from __future__ import annotations
@@ -11,16 +11,19 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages.flight import Event, Severity
+from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
-from housefly.pilot.safety.fallbacks import (
-    can_steer_landing,
-    can_wait_to_land,
-    possible_mode,
-)
+from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
+from housefly.pilot.safety.means import (
+    Means,
+    knows_place,
+    lands_on_floor,
+    means_to_hold,
+    means_to_land,
+)
 from housefly.pilot.safety.observer import FlightObserver
 from housefly.pilot.safety.rule import COUNTED, RuleContext, SafetyRule
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
@@ -30,6 +33,7 @@ A, M = Action, SafetyMode
 _FLOWN = {A.RESET: A.HOVER}
 _HELD = {A.FLY: A.HOVER, A.TAKE_OFF: A.HOVER, A.RESET: A.HOVER}
 _LANDINGS = (M.LAND, M.DESCEND)
+_FLOWN_BY_MEANS = (M.HOLD, M.STOPPED, M.LAND)
 _LANDED = dict.fromkeys((A.FLY, A.HOVER, A.TAKE_OFF, A.IDLE, A.RESET), A.LAND)
 
 AIRBORNE_ACTIONS: dict[SafetyMode, dict[Action, Action]] = {
@@ -72,7 +76,7 @@ class BrokenRule:
         code: of the rule.
         mode: what is done about it, knowledge permitting.
         words: for people.
-        steered: the pilot steers the landing.
+        steered: the pilot may steer the hold or the landing.
         clears: what ends the answer.
         waits: the landing waits for the floor below to be clear.
     """
@@ -94,6 +98,11 @@ class GateAssessment:
         code, reason: of the deciding rule, "" when nothing is wrong.
         status: the drone's own status.
         broken: every broken rule, worst first.
+        means: by what a hold or a landing is flown.
+        lands: a landing is under way, of the gate or of the mission.
+        to_floor: our setpoint has to sink to the floor: the drone's own last bit is in doubt.
+        knows_place: tracking is believed.
+        knows_speed: the drone's own hover is.
     """
 
     mode: SafetyMode
@@ -101,6 +110,11 @@ class GateAssessment:
     reason: str
     status: DroneStatus
     broken: tuple[BrokenRule, ...] = ()
+    means: Means = Means.HOVER
+    lands: bool = False
+    to_floor: bool = False
+    knows_place: bool = False
+    knows_speed: bool = True
 
     @property
     def airborne(self) -> bool:
@@ -109,8 +123,19 @@ class GateAssessment:
 
     @property
     def steered(self) -> bool:
-        """Whether the pilot steers the landing that is under way."""
-        return self.mode is SafetyMode.LAND and any(rule.steered for rule in self.broken[:1])
+        """Whether our setpoint flies the landing that is under way."""
+        is_ours = self.means is not Means.HOVER
+        return self.lands and is_ours and self.mode not in (SafetyMode.DESCEND, SafetyMode.CUT)
+
+    @property
+    def held(self) -> bool:
+        """Whether the drone is to stay where it is."""
+        return not self.lands and self.motion in (SafetyMode.HOLD, SafetyMode.STOPPED)
+
+    @property
+    def kept(self) -> bool:
+        """Whether our setpoint keeps the place of a drone that is held."""
+        return self.held and self.means is not Means.HOVER
 
     @property
     def waits(self) -> bool:
@@ -133,8 +158,8 @@ class GateAssessment:
 
     @property
     def severity(self) -> int:
-        """What the compiled gate is told: a landing that is steered, or waits, is flown."""
-        is_flown = self.steered or self.waits
+        """What the compiled gate is told: a hold or landing by our setpoint, and a wait, is flown."""
+        is_flown = self.steered or self.kept or self.waits
         return MODE_SEVERITY[SafetyMode.RETURN if is_flown else self.motion]
 
 
@@ -229,9 +254,23 @@ class Gate:
         self._returning = inputs.airborne and (is_called_home or self._returning)
         is_held = any(rule.mode is SafetyMode.HOLD for rule in broken)
         self._held = is_held and not self.landing_waits
-        if worst is None:
-            return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
-        return GateAssessment(worst.mode, worst.code, worst.words, inputs.status, broken)
+        lands = self._landing is not None or inputs.phase is Phase.LANDING
+        return GateAssessment(
+            mode=worst.mode if worst else SafetyMode.NOMINAL,
+            code=worst.code if worst else "",
+            reason=worst.words if worst else "",
+            status=inputs.status,
+            broken=broken,
+            means=self._means(broken, context, lands),
+            lands=lands,
+            to_floor=lands_on_floor(context),
+            knows_place=knows_place(context),
+            knows_speed=inputs.consistency.flow_believed,
+        )
+
+    def _means(self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool) -> Means:
+        is_steered = all(rule.steered for rule in broken if rule.mode in _FLOWN_BY_MEANS)
+        return means_to_land(c, is_steered) if lands else means_to_hold(c, is_steered)
 
     def _land(self, broken: tuple[BrokenRule, ...], c: RuleContext) -> tuple[BrokenRule, ...]:
         """Begin a landing, or keep one; once the pilot cannot steer it, the drone lands itself."""
@@ -243,9 +282,10 @@ class Gate:
         reasons = (landing, *due, *filter(None, (before,)))
         is_steered = all(rule.steered for rule in reasons)
         may_wait = all(rule.code in self._waiting for rule in reasons)
+        is_ours = means_to_land(c, is_steered) is Means.PLACE
         landing = replace(
             landing,
-            steered=is_steered and can_steer_landing(c),
+            steered=is_steered and is_ours,
             waits=may_wait and can_wait_to_land(c),
         )
         self._landing = landing
@@ -304,10 +344,10 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
     mode, code, reason = assessment.mode, assessment.code, assessment.words
     motion = assessment.motion
     is_finite = gated.mode == assessment.severity
-    is_flown = assessment.steered or assessment.waits
-    if is_flown and action is Action.FLY and is_finite and gated.flown:
+    is_ours = assessment.steered or assessment.kept or assessment.waits
+    if is_ours and action is Action.FLY and is_finite and gated.flown:
         return GateVerdict(_flown(gated), mode, code, reason, assessment.broken)
-    if not (is_finite or is_flown):
+    if not (is_finite or is_ours):
         mode = motion = SafetyMode.HOLD
         code = "not_finite"
         reason = "the command was not a number: the drone holds itself"

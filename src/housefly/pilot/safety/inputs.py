@@ -43,6 +43,7 @@ class GateInputs:
         silence: of the sensors that look for people.
         below: why a drone that can hold its place without tracking is not to land there, in words;
             "" to land.
+        steers: our setpoint may hold the drone and land it; mode paper leaves that to the drone.
     """
 
     now: float
@@ -66,6 +67,7 @@ class GateInputs:
     has_way_home: bool = True
     silence: PeopleSilence = NO_SILENCE
     below: str = ""
+    steers: bool = True
 
     @property
     def airborne(self) -> bool:

@@ -94,7 +94,10 @@ def gated(
         mode = SafetyCode.HOLD.value
     if mode == SafetyCode.DESCEND.value and airborne:
         sink = -min(DESCENT_RATE, limits.vertical_speed_max)
-        return GatedCommand(mode, True, 0.0, 0.0, sink, 0.0)
+        is_braked = flying and is_finite
+        theta = clipped(asked.theta, limits.tilt_max) if is_braked else 0.0
+        phi = clipped(asked.phi, limits.tilt_max) if is_braked else 0.0
+        return GatedCommand(mode, True, theta, phi, sink, 0.0)
     if not (flying and airborne and is_finite and is_flown_in(mode)):
         return GatedCommand(mode, False, 0.0, 0.0, 0.0, 0.0)
     return GatedCommand(

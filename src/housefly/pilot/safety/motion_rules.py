@@ -144,6 +144,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         ),
         words=lambda c: f"more than {c.limits.fence_margin} m outside the map: landing",
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="too_high",
@@ -153,6 +154,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         broken=_is_too_high,
         words=lambda c: f"higher than {c.fence.ceiling:.1f} m: landing",
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="too_low",
@@ -169,6 +171,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         ),
         after=0.4,
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="height_error",
@@ -227,6 +230,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: blow(c) > BLOW_ACCELERATION or c.seen.velocity_change > BLOW_SPEED,
         words=_contact_words,
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="stuck",
@@ -252,6 +256,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             f" (limit {CONTROL_ERROR_LAND:g} m): landing"
         ),
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="near_fence",
@@ -261,6 +266,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: _leaving(c) > LEAVING_MAX,
         words=lambda c: f"about to leave the map by {_leaving(c):.1f} m: the drone holds itself",
         lasts=0.5,
+        steered=True,
     ),
     SafetyRule(
         code="tilt_error",
@@ -286,6 +292,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             f" (limit {CONTROL_ERROR_HOLD:g} m): the drone holds itself"
         ),
         after=0.5,
+        steered=True,
     ),
     SafetyRule(
         code="drifting",
@@ -299,6 +306,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         ),
         after=0.5,
         lasts=1.0,
+        steered=True,
     ),
     SafetyRule(
         code="too_fast",
@@ -312,6 +320,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         ),
         after=0.2,
         lasts=1.0,
+        steered=True,
     ),
     SafetyRule(
         code="height_off",

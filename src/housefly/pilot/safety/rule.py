@@ -55,7 +55,8 @@ class SafetyRule:
         after: it counts once it was wrong for this long [s].
         lasts: it goes on counting for this long [s].
         clears: what ends the answer; it says so to people, and a test holds the gate to it.
-        steered: the pilot may steer the landing, because what is wrong is not what it knows.
+        steered: the pilot may steer the hold or the landing: what is wrong is not what it knows,
+            and not how the drone obeys.
         waits: the landing may wait for the floor below to be clear: the drone's own motion is not
             what is wrong.
     """

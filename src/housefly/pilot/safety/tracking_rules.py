@@ -57,6 +57,11 @@ def _is_unseen_by_itself(c: RuleContext) -> bool:
     return is_by_itself and too_old(c.now.pose_age, c.limits.pose_age_level)
 
 
+def _knows_nothing(c: RuleContext) -> bool:
+    is_old = too_old(c.now.pose_age, c.limits.pose_age_level)
+    return c.now.steers and is_old and not c.now.consistency.flow_believed
+
+
 def _tracking_lost(age: float, limit: float) -> str:
     since = f"lost for {age:.1f} s" if isfinite(age) else "has not shown the drone yet"
     return f"tracking {since} (limit {limit:g} s)"
@@ -86,6 +91,33 @@ def _latency_words(c: RuleContext) -> str:
 
 
 TRACKING_RULES: tuple[SafetyRule, ...] = (
+    SafetyRule(
+        code="nothing_believed",
+        mode=M.DESCEND,
+        counts=N.FLYING,
+        condition="no place to believe, and the drone's own speed is not either",
+        broken=_knows_nothing,
+        words=lambda c: (
+            f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_level)}, and the drone's own speed"
+            " is not believed: sinking level"
+        ),
+        after=0.25,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="flow_wrong",
+        mode=M.LAND,
+        counts=N.FLYING,
+        condition="the drone's own speed is neither what tracking sees nor how it leans",
+        broken=lambda c: c.now.consistency.flow_wrong,
+        words=lambda _: (
+            "the drone's own speed is not what tracking sees and how it leans: it cannot hold"
+            " itself, landing by tracking"
+        ),
+        after=0.2,
+        clears=Clearing.GROUND,
+        steered=True,
+    ),
     SafetyRule(
         code="tracking_lost",
         mode=M.LAND,
@@ -243,6 +275,15 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: isnan(c.now.consistency.drift),
         words=lambda _: "the drone does not tell how it moves: tracking is not checked",
         after=UNCHECKED_AFTER,
+    ),
+    SafetyRule(
+        code="flow_untold",
+        mode=M.WARN,
+        counts=N.FLYING,
+        condition="the drone does not see how it moves, or says the same to the last bit",
+        broken=lambda c: c.now.consistency.flow_untold,
+        words=lambda _: "the drone does not see how it moves: it cannot hold itself",
+        after=0.3,
     ),
     SafetyRule(
         code="tracking_height_off",

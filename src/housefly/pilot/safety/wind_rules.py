@@ -11,7 +11,7 @@ from math import dist, hypot, inf, sqrt
 from housefly.geometry import GRAVITY
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
-from housefly.pilot.safety.limits import too_old
+from housefly.pilot.safety.drone_rules import rise
 from housefly.pilot.safety.observer import VELOCITY_ERROR_SPAN
 from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
 
@@ -35,13 +35,6 @@ BLOWN_ABOUT = 0.15
 """A velocity error above this for seconds (rms) is wind; still air leaves 0.03 [m/s]."""
 
 
-def _rise(c: RuleContext) -> float:
-    """Return how far above where it stood the drone is [m]; infinite where that is unknown."""
-    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
-        return inf
-    return c.now.position[2] - c.seen.standing_height
-
-
 def _own_height(c: RuleContext) -> float:
     """Return how high the drone says it is [m]; infinite where it says nothing."""
     return c.now.telemetry.height if c.now.telemetry else inf
@@ -55,7 +48,7 @@ def _drift(c: RuleContext) -> float:
     start, position, drift = c.seen.start, c.now.position, c.seen.drift
     if start is None or position is None or drift is None:
         return 0.0
-    landing = LANDING_TURN + (_rise(c) + LANDING_RISE) / LANDING_SINK
+    landing = LANDING_TURN + (rise(c) + LANDING_RISE) / LANDING_SINK
     if landing > (STEERABLE_AT - position[2]) / STEERABLE_RATE:
         return 0.0
     rest = (p + landing * v for p, v in zip(position[:2], drift, strict=True))
@@ -64,7 +57,7 @@ def _drift(c: RuleContext) -> float:
 
 def _is_just_above_floor(c: RuleContext) -> bool:
     """Return whether a fall from here does no harm, by tracking and by the drone's own height."""
-    height = max(_rise(c), _own_height(c), 0.0)
+    height = max(rise(c), _own_height(c), 0.0)
     sink = c.now.velocity[2] if c.now.velocity else 0.0
     return sqrt(sink * sink + 2.0 * GRAVITY * height) < HARMLESS_FALL
 
@@ -97,7 +90,7 @@ WIND_RULES: tuple[SafetyRule, ...] = (
         ),
         words=lambda c: (
             f"blown {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m) and only"
-            f" {max(_rise(c), 0.0):.2f} m up: cutting the motors"
+            f" {max(rise(c), 0.0):.2f} m up: cutting the motors"
         ),
         clears=Clearing.RESET,
     ),
@@ -109,7 +102,7 @@ WIND_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: _is_just_above_floor(c) and _speed(c) > LANDING_DRIFT,
         words=lambda c: (
             f"blown along at {_speed(c):.1f} m/s (limit {LANDING_DRIFT:g} m/s) and only"
-            f" {max(_rise(c), 0.0):.2f} m above the floor: cutting the motors"
+            f" {max(rise(c), 0.0):.2f} m above the floor: cutting the motors"
         ),
         clears=Clearing.RESET,
     ),

@@ -34,7 +34,9 @@ class FaultySensors:
             motors_turn: whether a damaged propeller shakes.
         """
         faults = disturbances.sensors
-        reading = self._shaken(reading, disturbances, motors_turn)
+        reading = self._noisy(self._shaken(reading, disturbances, motors_turn), faults)
+        roll, pitch = faults.tilt_bias
+        reading = reading._replace(phi=reading.phi + roll, theta=reading.theta + pitch)
         if faults.flow is not SensorCondition.STUCK:
             reading = _flow(reading, faults)
         stuck = {
@@ -61,6 +63,18 @@ class FaultySensors:
             rate=self._blurred(reading.rate, rate),
             acceleration=self._blurred(reading.acceleration, acceleration),
         )
+
+    def _noisy(self, reading: SensorReading, faults: SensorFaults) -> SensorReading:
+        """Return the reading with the noise of flow and sonar, and the sonar's bias."""
+        if faults.flow_noise > 0.0:
+            forward, left, _ = self._blurred(
+                (reading.forward, reading.left, 0.0), faults.flow_noise
+            )
+            reading = reading._replace(forward=forward, left=left)
+        if faults.sonar_noise <= 0.0 and faults.sonar_bias == 0.0:
+            return reading
+        blur, _, _ = self._blurred((0.0, 0.0, 0.0), faults.sonar_noise)
+        return reading._replace(height=max(0.0, reading.height + faults.sonar_bias + blur))
 
     def _blurred(self, value: Vec3, sigma: float) -> Vec3:
         x, y, z = (np.array(value) + sigma * self._random.standard_normal(3)).tolist()

@@ -1,4 +1,4 @@
-"""The fault matrix: its 45 rows, what injects each, where, and the safe outcome that it demands.
+"""The fault matrix: its 51 rows, what injects each, where, and the safe outcome that it demands.
 
 A row that is no fault of the simulated room names the test or command that covers it, or says that
 nothing does. ``docs/faults.md`` is made from this table.
@@ -11,6 +11,7 @@ from math import inf
 from housefly.errors import ConfigError
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.fault_row import FaultRow, FaultVariant
+from housefly.twin.faults.onboard_rows import ONBOARD_ROWS
 from housefly.twin.faults.vocabulary import LOCKSTEP, WIRES, FaultComponent, FaultKind, Injection
 
 
@@ -448,5 +449,6 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         covered_by="tests/web/test_server.py::test_a_page_of_another_site_cannot_open_a_socket,"
         " tests/bus/test_stop.py::test_a_replayed_datagram_does_nothing",
     ),
+    *ONBOARD_ROWS,
 )  # fmt: skip
 """The rows, in order."""

@@ -38,13 +38,14 @@ class FaultRow:
     """One row of the fault matrix.
 
     Attributes:
-        number: F01 to F45.
+        number: F01 to F51.
         title: what happens.
         safe_outcome: how it must end, in words.
         where: where it can be made; without LOCKSTEP and WIRES it is no fault of the twin.
         variants: ways to inject it, the first being meant when none is named.
         harmful: whether the same flight without its guards is expected to do harm.
         covered_by: the test or command that shows it where no variant does.
+        crossed: it is flown with each of a person's orders, too.
     """
 
     number: str
@@ -54,6 +55,7 @@ class FaultRow:
     variants: tuple[FaultVariant, ...] = ()
     harmful: bool = False
     covered_by: str = field(default="", kw_only=True)
+    crossed: bool = field(default=False, kw_only=True)
 
     def faults_of(self, variant: str = "") -> tuple[Fault, ...]:
         """Return the faults of a variant, the first without a name; raises ConfigError."""

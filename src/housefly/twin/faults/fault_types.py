@@ -190,11 +190,18 @@ FAULT_TYPES: tuple[FaultType, ...] = (
     FaultType(_C.MOTOR, "rear_left", _K.OFF, "likewise"),
     FaultType(_C.SONAR, "", _K.OFF, "no echo"),
     FaultType(_C.SONAR, "", _K.STUCK, "the same height, in silence"),
+    FaultType(_C.SONAR, "", _K.WRONG, "added to the height", "m", 0.3, -5.0, 5.0),
+    FaultType(_C.SONAR, "", _K.GARBAGE, "noise on the height", "m", 0.3, 0.0, 5.0),
     FaultType(_C.FLOW, "", _K.OFF, "the speeds read 0"),
     FaultType(_C.FLOW, "", _K.STUCK, "the speeds keep their values"),
     FaultType(_C.FLOW, "gain", _K.WRONG, "factor of the speeds", "1", 0.5, 0.0, 10.0),
     FaultType(_C.FLOW, "bias", _K.WRONG, "added to the forward speed", "m/s", 0.2, -10.0, 10.0),
+    FaultType(
+        _C.FLOW, "bias_left", _K.WRONG, "added to the speed to the left", "m/s", 0.2, -10.0, 10.0
+    ),
+    FaultType(_C.FLOW, "", _K.GARBAGE, "noise on the speeds", "m/s", 0.5, 0.0, 10.0),
     FaultType(_C.IMU, "", _K.STUCK, "roll, pitch and yaw keep their values"),
+    FaultType(_C.IMU, "", _K.WRONG, "added to the pitch", "rad", 0.05, -0.5, 0.5),
     FaultType(_C.IMU, "gyro", _K.GARBAGE, "noise on the gyros", "rad/s", 0.2, 0.0, 10.0),
     FaultType(
         _C.IMU, "acceleration", _K.GARBAGE, "noise on the accelerometers", "m/s^2", 2.0, 0.0, 100.0

@@ -113,8 +113,12 @@ def _sensor_size(key: str) -> Disturb:
     )
 
 
-def _flow_biased(so_far: Disturbances, fault: Fault, truth: GroundTruth) -> Disturbances:
-    return replace(so_far, sensors=replace(so_far.sensors, flow_bias=(fault.size, 0.0)))
+def _sensor_pair(key: str, x: float, y: float) -> Disturb:
+    """Return a fault of two axes; its size counts along the unit vector (x, y)."""
+    return lambda so_far, fault, truth: replace(
+        so_far,
+        sensors=replace(so_far.sensors, **{key: (fault.size * x, fault.size * y)}),  # type: ignore[arg-type]
+    )
 
 
 _C, _K = FaultComponent, FaultKind
@@ -146,7 +150,12 @@ _DISTURB: dict[tuple[FaultComponent, FaultKind, str], Disturb] = {
     (_C.FLOW, _K.OFF, ""): _sensor(flow=SensorCondition.OFF),
     (_C.FLOW, _K.STUCK, ""): _sensor(flow=SensorCondition.STUCK),
     (_C.FLOW, _K.WRONG, "gain"): _sensor_size("flow_gain"),
-    (_C.FLOW, _K.WRONG, "bias"): _flow_biased,
+    (_C.FLOW, _K.WRONG, "bias"): _sensor_pair("flow_bias", 1.0, 0.0),
+    (_C.FLOW, _K.WRONG, "bias_left"): _sensor_pair("flow_bias", 0.0, 1.0),
+    (_C.FLOW, _K.GARBAGE, ""): _sensor_size("flow_noise"),
+    (_C.SONAR, _K.WRONG, ""): _sensor_size("sonar_bias"),
+    (_C.SONAR, _K.GARBAGE, ""): _sensor_size("sonar_noise"),
+    (_C.IMU, _K.WRONG, ""): _sensor_pair("tilt_bias", 0.0, 1.0),
     (_C.IMU, _K.STUCK, ""): _sensor(attitude=SensorCondition.STUCK),
     (_C.IMU, _K.GARBAGE, "gyro"): _sensor_size("gyro_noise"),
     (_C.IMU, _K.GARBAGE, "acceleration"): _sensor_size("acceleration_noise"),

@@ -1,15 +1,17 @@
-"""Bringing a drone to rest by its own report, when nobody else steers any more.
+"""Bringing a drone to rest when nobody else steers any more.
 
-Pure. The drone's own hover brakes as well, but gently, and only where its flow camera sees enough:
-a drone that reports no speed at all is braked by the speed that its attitude must have given it.
+Pure. The velocity is the last one that tracking gave, carried on by the attitude that the drone
+reports. Where tracking was not believed it is the drone's own, and where that is none, the speed
+that its attitude must have given it. The drone's own hover brakes as well, but gently, and only
+where its flow camera sees enough: a drone whose speed is not believed sinks level in its place.
 """
 
 from __future__ import annotations
 
-from math import atan, cos, hypot, isfinite, sin
+from math import atan, cos, hypot, inf, isfinite, sin
 
 from housefly.geometry import GRAVITY, Vec2, wrap_angle
-from housefly.messages import DroneStatus, Setpoint, Telemetry
+from housefly.messages import DroneStatus, KnownMotion, Setpoint, Telemetry
 
 BRAKE_GAIN = 4.0
 """Deceleration per speed [1/s]: twice that of the drone's own hover, and still well damped."""
@@ -23,6 +25,12 @@ _SPEED_AGE_MAX = 0.15
 """An older report says nothing about the present speed [s]."""
 _DRAG = 0.58
 """Linear drag over mass of the AR.Drone 2.0 [1/s]."""
+SINK_RATE = 0.3
+"""How fast a drone sinks that cannot be left to its own hover [m/s]."""
+ON_FLOOR, SINK_TIME_MAX = 0.12, 9.0
+"""It is on the floor when its sonar says less than this [m], or after so long [s]."""
+KNOWN_FOR = 12.0
+"""The last velocity by tracking is carried on for so long [s]."""
 _GAP_MAX = 0.3
 """After a longer gap between reports the speed from attitude starts anew [s]."""
 
@@ -32,11 +40,26 @@ class AttitudeSpeed:
 
     Attributes:
         velocity: forward and left [m/s].
+        motion: what the pilot knew last.
     """
 
     def __init__(self) -> None:
         self.velocity: Vec2 = (0.0, 0.0)
+        self.motion = KnownMotion()
+        self._known_at = -inf
         self._last: Telemetry | None = None
+
+    def know(self, motion: KnownMotion, at: float) -> None:
+        """Take in what the pilot knew at a time [s]."""
+        self.motion = motion
+        forward, left = motion.forward, motion.left
+        if forward is None or left is None or not (isfinite(forward) and isfinite(left)):
+            return
+        self.velocity, self._known_at = (forward, left), at
+
+    def is_known(self, now: float) -> bool:
+        """Return whether the velocity is carried on from one that tracking gave."""
+        return now - self._known_at < KNOWN_FOR
 
     def update(self, report: Telemetry) -> None:
         """Take in a report; one that was taken in before changes nothing."""
@@ -55,21 +78,24 @@ class AttitudeSpeed:
             cos(turned) * forward + sin(turned) * left,
             cos(turned) * left - sin(turned) * forward,
         )
+        level = self.motion
+        ahead = GRAVITY * (sin(report.theta) - sin(level.theta))
+        aside = GRAVITY * (sin(level.phi) - sin(report.phi))
         self.velocity = (
-            forward + dt * (GRAVITY * sin(report.theta) - _DRAG * forward),
-            left + dt * (-GRAVITY * sin(report.phi) - _DRAG * left),
+            forward + dt * (ahead - _DRAG * forward),
+            left + dt * (aside - _DRAG * left),
         )
 
 
 def braking_setpoint(
-    now: float, report: Telemetry, by_attitude: Vec2, tilt_max: float
+    now: float, report: Telemetry, speed: AttitudeSpeed, tilt_max: float
 ) -> Setpoint | None:
-    """Return the tilt that brings a flying drone to rest, or None when its own hover does.
+    """Return the tilt that brings a flying drone to rest, or None once it is, or nothing is known.
 
     Args:
         now: [s].
         report: the newest.
-        by_attitude: speed forward and left [m/s] where the report has none (``AttitudeSpeed``).
+        speed: what is known of its speed.
         tilt_max: largest tilt [rad].
 
     A report with numbers that are none leaves it to the drone's own hover.
@@ -77,16 +103,40 @@ def braking_setpoint(
     is_known = all(map(isfinite, (report.theta, report.phi)))
     if not is_known or now - report.received_at > _SPEED_AGE_MAX:
         return None
+    forward, left = _velocity(now, report, speed)
+    level = speed.motion
+    forward += BRAKE_LEAD * GRAVITY * (sin(report.theta) - sin(level.theta))
+    left -= BRAKE_LEAD * GRAVITY * (sin(report.phi) - sin(level.phi))
+    length = hypot(forward, left)
+    if not isfinite(length) or length < AT_REST_SPEED:
+        return None
+    return Setpoint(
+        theta=_tilt(-forward, level.theta, tilt_max), phi=_tilt(left, level.phi, tilt_max)
+    )
+
+
+def sinking_setpoint(
+    now: float, report: Telemetry | None, speed: AttitudeSpeed, tilt_max: float
+) -> Setpoint:
+    """Return the setpoint of a drone that sinks as level as it stands still; arguments as above."""
+    braked = None if report is None else braking_setpoint(now, report, speed, tilt_max)
+    level = speed.motion
+    theta = braked.theta if braked else _limited(level.theta, tilt_max)
+    phi = braked.phi if braked else _limited(level.phi, tilt_max)
+    return Setpoint(theta, phi, -SINK_RATE, 0.0)
+
+
+def _velocity(now: float, report: Telemetry, speed: AttitudeSpeed) -> Vec2:
+    """Return forward and left [m/s] by who is believed most."""
     measured = report.velocity[:2]
     # a flow camera that sees nothing reports zeros to the last bit
-    forward, left = measured if any(measured) else by_attitude
-    forward += BRAKE_LEAD * GRAVITY * sin(report.theta)
-    left -= BRAKE_LEAD * GRAVITY * sin(report.phi)
-    speed = hypot(forward, left)
-    if not isfinite(speed) or speed < AT_REST_SPEED:
-        return None
-    return Setpoint(theta=_tilt(-forward, tilt_max), phi=_tilt(left, tilt_max))
+    sees = speed.motion.hovers and any(measured)
+    return speed.velocity if speed.is_known(now) or not sees else measured
 
 
-def _tilt(speed: float, tilt_max: float) -> float:
-    return max(-tilt_max, min(tilt_max, atan(BRAKE_GAIN * speed / GRAVITY)))
+def _tilt(speed: float, level: float, tilt_max: float) -> float:
+    return _limited(level + atan(BRAKE_GAIN * speed / GRAVITY), tilt_max)
+
+
+def _limited(tilt: float, tilt_max: float) -> float:
+    return max(-tilt_max, min(tilt_max, tilt if isfinite(tilt) else 0.0))

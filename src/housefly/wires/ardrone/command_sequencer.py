@@ -18,7 +18,14 @@ from math import isfinite, radians
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.brake import BRAKE_TIME_MAX, AttitudeSpeed, braking_setpoint
+from housefly.wires.ardrone.brake import (
+    BRAKE_TIME_MAX,
+    ON_FLOOR,
+    SINK_TIME_MAX,
+    AttitudeSpeed,
+    braking_setpoint,
+    sinking_setpoint,
+)
 from housefly.wires.ardrone.conversions import Maxima, pcmd_from_setpoint
 from housefly.wires.ardrone.emergency_button import EmergencyButton
 
@@ -85,6 +92,7 @@ class CommandSequencer:
         self._is_gone = False
         self._refused_at: float | None = None
         self._braking_since: float | None = None
+        self._sinking_since: float | None = None
         self._speed = AttitudeSpeed()
         self._button = EmergencyButton()
         self._table: dict[Action, Callable[[float, Telemetry | None], tuple[at.AtCommand, ...]]] = {
@@ -116,6 +124,8 @@ class CommandSequencer:
         self._commanded_at = at_time
         self._is_gone = False
         self._setpoint = command.setpoint
+        if command.motion is not None:
+            self._speed.know(command.motion, at_time)
         changed = command.action is not self._action
         if changed:
             self._action = command.action
@@ -135,11 +145,26 @@ class CommandSequencer:
         action = self._action_in_force(now, report)
         if action not in (Action.CUT, Action.RESET):
             self._button.release(now)
-        if action is not Action.HOVER or not self._is_silent(now):
-            self._braking_since = None
-        elif report is not None and report.status is DroneStatus.FLYING:
+        is_left = self._is_silent(now) and action in (Action.HOVER, Action.LAND)
+        is_flying = report is not None and report.status is DroneStatus.FLYING
+        if not (is_left and is_flying):
+            self._sinking_since = self._braking_since = None
+        elif not self._speed.motion.hovers:
+            return self._sink(now, report)
+        elif action is Action.HOVER and report is not None:
             return self._brake(now, report)
         return self._table[action](now, report)
+
+    def _sink(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
+        """Brake and sink level: the drone's own hover would fly by a speed that is wrong."""
+        if self._sinking_since is None:
+            self._sinking_since = now
+        is_low = report is not None and report.height < ON_FLOOR
+        is_long = now - self._sinking_since > SINK_TIME_MAX
+        if is_long or (is_low and now - self._sinking_since > 1.0):
+            return (_LAND, _HOVER)
+        setpoint = sinking_setpoint(now, report, self._speed, self.maxima.tilt)
+        return (pcmd_from_setpoint(setpoint, self.maxima),)
 
     def _is_silent(self, now: float) -> bool:
         return self._watched and (self._is_gone or now - self._commanded_at > HOVER_AFTER)
@@ -181,7 +206,7 @@ class CommandSequencer:
             self._braking_since = now
         setpoint = None
         if now - self._braking_since <= BRAKE_TIME_MAX:
-            setpoint = braking_setpoint(now, report, self._speed.velocity, self.maxima.tilt)
+            setpoint = braking_setpoint(now, report, self._speed, self.maxima.tilt)
         if setpoint is None:
             self._braking_since = float("-inf")
             return (_HOVER,)

@@ -1,0 +1,162 @@
+"""Whether the drone's own speed can be believed: a third witness decides between it and tracking.
+
+Optical flow and tracking each tell how the drone moves. Where they part, the one that moves
+otherwise than the drone leans is wrong (``felt_motion``). Where the witness cannot tell, nobody is
+blamed here, and what parts is a drift (``track_windows``).
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from math import hypot, isnan
+
+import numpy as np
+
+from housefly.geometry import Vec2
+from housefly.messages.sensing import Sighting
+from housefly.pilot.estimation.felt_motion import (
+    FELT_MOTION,
+    FELT_RING_SIZE,
+    NOTHING_FELT,
+    felt_advanced,
+    felt_place,
+    felt_tied,
+)
+from housefly.pilot.estimation.onboard_odometry import (
+    FLOW_DELAY,
+    MotionRing,
+    OdometryState,
+    OnboardReport,
+    odometry_at,
+)
+
+USUAL_DRAG = 0.58
+"""Linear drag over mass of an AR.Drone 2.0 [1/s]."""
+LOOK = 0.1
+"""Velocities are compared over this [s]: shorter is noise, longer finds it later ..."""
+LOOK_MAX = 0.5
+"""... and no longer than this: so much of tracking may be missing [s]."""
+PARTED = 0.12
+"""Velocities that differ by more contradict each other [m/s]."""
+TOGETHER, TOGETHER_TIME = 0.06, 3.0
+"""Nearer than this [m/s] for so long [s], flow that was wrong is believed again."""
+BLAME = 0.4
+"""Who is blamed is so much nearer to the contradiction than to the witness: 1 is all of it."""
+WITNESS_TIME = 2.0
+"""The witness alone is worth something for so long [s]."""
+ALONE = 0.4
+"""Without tracking, flow that differs more from the witness is wrong [m/s]."""
+
+
+class FlowMonitor:
+    """Holds flow and tracking of one drone against the witness.
+
+    Args:
+        drag: linear drag over mass of the drone [1/s].
+
+    Attributes:
+        is_wrong: flow is not what tracking sees and the drone leans.
+    """
+
+    def __init__(self, drag: float) -> None:
+        self._drag = drag
+        self._ring = np.zeros(FELT_RING_SIZE, FELT_MOTION)
+        self._felt = NOTHING_FELT
+        self._seen: deque[tuple[float, float, float]] = deque(maxlen=128)
+        self.is_wrong = False
+        self._reported_at = 0.0
+        self._looked_at = 0.0
+        self._parted_since: float | None = None
+        self._together_since: float | None = None
+
+    def restart(self) -> None:
+        """Begin anew: the drone has just left or reached the ground."""
+        self._felt = NOTHING_FELT
+        self._seen.clear()
+        self.is_wrong = False
+        self._parted_since = self._together_since = None
+
+    def feel(
+        self, report: OnboardReport, seconds: float, odometry: OdometryState, motion: MotionRing
+    ) -> None:
+        """Take in a report of a drone in the air, so long after the one before [s]."""
+        if isnan(odometry.heading):
+            return
+        heading = odometry.heading + report.psi
+        self._felt = felt_advanced(
+            self._felt, self._ring, report.at, seconds, report.theta, report.phi, heading,
+            self._drag,
+        )  # fmt: skip
+        self._reported_at = report.at
+        is_unseen = not self._seen or report.at - self._seen[-1][0] > LOOK_MAX
+        if is_unseen and report.at - self._looked_at >= LOOK:
+            self._look_alone(report.at, odometry, motion)
+
+    def see(self, sighting: Sighting, odometry: OdometryState, motion: MotionRing) -> None:
+        """Take in a sighting of the drone, believed or not."""
+        at, (x, y, _) = sighting.captured_at, sighting.pose.position
+        before = next((seen for seen in reversed(self._seen) if at - seen[0] >= LOOK), None)
+        if not self._seen or at > self._seen[-1][0]:
+            self._seen.append((at, x, y))
+        if before is None or not self._is_covered(before[0], at, odometry):
+            return
+        since, x0, y0 = before
+        seconds = at - since
+        tracked = (x - x0) / seconds, (y - y0) / seconds
+        flow = _flow(odometry, motion, since, at)
+        self._judge(at, tracked, flow, self._felt_velocity(since, at), odometry.since <= since)
+
+    def _is_covered(self, since: float, at: float, odometry: OdometryState) -> bool:
+        is_felt = self._felt.reports > 0 and self._felt.since <= since
+        is_fresh = at <= self._reported_at + LOOK
+        return at - since <= LOOK_MAX and is_felt and is_fresh
+
+    def _felt_velocity(self, since: float, at: float) -> Vec2:
+        x0, y0 = felt_place(self._felt, self._ring, since)
+        x1, y1 = felt_place(self._felt, self._ring, at)
+        return (x1 - x0) / (at - since), (y1 - y0) / (at - since)
+
+    def _judge(self, at: float, tracked: Vec2, flow: Vec2, felt: Vec2, is_told: bool) -> None:
+        """Blame who has changed without a cause, and tie the witness to who is believed."""
+        seconds, self._looked_at = min(max(at - self._looked_at, 0.0), LOOK), at
+        tx, ty = tracked[0] - felt[0], tracked[1] - felt[1]
+        if not is_told:
+            self._felt = felt_tied(self._felt, tx, ty, seconds)
+            return
+        fx, fy = flow[0] - felt[0], flow[1] - felt[1]
+        dx, dy = fx - tx, fy - ty
+        parted = hypot(dx, dy)
+        if parted > PARTED:
+            self._together_since = None
+            self._parted_since = at if self._parted_since is None else self._parted_since
+            blame = (dx * (fx + tx) + dy * (fy + ty)) / (parted * parted)
+            is_fresh = at - self._parted_since <= WITNESS_TIME
+            self.is_wrong |= blame > BLAME and is_fresh
+            if self.is_wrong:
+                self._felt = felt_tied(self._felt, tx, ty, seconds)
+            elif blame < -BLAME or not is_fresh:
+                self._felt = felt_tied(self._felt, fx, fy, seconds)
+            return
+        self._parted_since = None
+        if parted < TOGETHER:
+            self._together_since = at if self._together_since is None else self._together_since
+            self.is_wrong &= at - self._together_since < TOGETHER_TIME
+        self._felt = felt_tied(self._felt, 0.5 * (fx + tx), 0.5 * (fy + ty), seconds)
+
+    def _look_alone(self, at: float, odometry: OdometryState, motion: MotionRing) -> None:
+        """Hold flow against the witness where nobody sees the drone."""
+        self._looked_at = at
+        until = at - FLOW_DELAY
+        since = until - LOOK
+        if max(self._felt.since, odometry.since) > since:
+            return
+        flow, felt = _flow(odometry, motion, since, until), self._felt_velocity(since, until)
+        fx, fy = flow[0] - felt[0], flow[1] - felt[1]
+        self.is_wrong |= hypot(fx, fy) > ALONE
+        if not self.is_wrong:
+            self._felt = felt_tied(self._felt, fx, fy, LOOK)
+
+
+def _flow(odometry: OdometryState, motion: MotionRing, since: float, at: float) -> Vec2:
+    a, b = odometry_at(odometry, motion, since), odometry_at(odometry, motion, at)
+    return (b.x - a.x) / (at - since), (b.y - a.y) / (at - since)

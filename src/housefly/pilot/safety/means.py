@@ -1,0 +1,107 @@
+"""By what a hold, a STOP or a landing is flown: the one table of what is believed.
+
+Where tracking is believed, our setpoint brakes, keeps the place and sinks there. The drone's own
+hover flies by optical flow, and nobody checks that but us: it is left to itself only where flow is
+believed. Where neither is, our setpoint brakes by the motion that was known last, and sinks.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from housefly.messages.sensing import DroneStatus
+from housefly.pilot.behavior.drone_faults import DEAF_SONAR
+from housefly.pilot.safety.drone_rules import LOW_HEIGHT, descent_time, rise
+from housefly.pilot.safety.limits import too_old
+from housefly.pilot.safety.observer import control_error
+from housefly.pilot.safety.rule import RuleContext
+from housefly.pilot.safety.tracking_rules import LATENCY_HOLD, is_disproved, seems_low
+
+STEERED_MAX = 8.0
+"""A landing that the pilot steers has to be near the floor after this [s]."""
+STEERED_ERROR_MAX = 0.8
+"""Farther from its spot than this the pilot does not steer what it believes to steer [m]."""
+ON_FLOOR = 0.04
+"""A landing that the pilot steers to the floor ends so near to it [m]."""
+
+
+class Means(Enum):
+    """Who flies, and by what."""
+
+    PLACE = "our setpoint, by tracking"
+    HOVER = "the drone's own hover, by optical flow"
+    LEVEL = "our setpoint, level, by what was known last"
+
+
+MEANS: dict[tuple[bool, bool], Means] = {
+    (True, True): Means.PLACE,
+    (True, False): Means.PLACE,
+    (False, True): Means.HOVER,
+    (False, False): Means.LEVEL,
+}
+"""By whether the place is believed, and whether the drone's own hover is."""
+
+
+def knows_place(c: RuleContext) -> bool:
+    """Return whether there is a fresh place to believe."""
+    is_fresh = not too_old(c.now.pose_age, c.limits.pose_age_level)
+    return is_fresh and c.now.position is not None and is_believed(c)
+
+
+def is_believed(c: RuleContext) -> bool:
+    """Return whether nothing shows that tracking lies."""
+    known = c.now.consistency
+    is_late = known.latency_error > LATENCY_HOLD
+    return not (seems_low(c) or known.mirrored or is_disproved(known) or is_late)
+
+
+def knows_height(c: RuleContext) -> bool:
+    """Return whether the drone can be trusted to find the floor by itself."""
+    return DEAF_SONAR not in c.now.faults and not seems_low(c)
+
+
+def means_to_hold(c: RuleContext, steered: bool) -> Means:
+    """Return by what a hold is flown.
+
+    Args:
+        c: what is known.
+        steered: what is wrong leaves commands and place alone. Else the drone's own hover is better
+            while it is believed.
+    """
+    if not _is_ours(c):
+        return Means.HOVER
+    hovers = c.now.consistency.flow_believed
+    return MEANS[knows_place(c) and (steered or not hovers), hovers]
+
+
+def means_to_land(c: RuleContext, steered: bool) -> Means:
+    """Return by what a landing goes on; arguments as above. The last bit is the drone's own."""
+    hovers = not lands_on_floor(c) if _is_ours(c) else knows_height(c)
+    if hovers or _is_down(c):
+        is_steered = steered and _is_ours(c) and knows_place(c) and _can_steer(c)
+        return Means.PLACE if is_steered and not _is_down(c) else Means.HOVER
+    return MEANS[_is_ours(c) and knows_place(c), False]
+
+
+def lands_on_floor(c: RuleContext) -> bool:
+    """Return whether our setpoint must sink to the floor: the drone's own last bit is in doubt."""
+    return not (c.now.consistency.flow_believed and knows_height(c))
+
+
+def _is_ours(c: RuleContext) -> bool:
+    """Return whether our setpoints count: mode paper has none, take-off and landing obey none."""
+    return c.now.steers and c.now.status is DroneStatus.FLYING
+
+
+def _can_steer(c: RuleContext) -> bool:
+    """Return whether the pilot still steers a landing whose last bit is the drone's own."""
+    lowest = c.limits.landing_height + 0.05
+    is_high = c.now.position is not None and c.now.position[2] > lowest
+    is_in_time = c.seen.landing_for < STEERED_MAX and not c.seen.late_steps
+    return is_high and is_in_time and control_error(c.now) < STEERED_ERROR_MAX
+
+
+def _is_down(c: RuleContext) -> bool:
+    """Return whether the drone is on the floor, or must be by the time that it sinks."""
+    low = LOW_HEIGHT if c.now.consistency.flow_believed else ON_FLOOR
+    return rise(c) < low or c.seen.landing_for > descent_time(c)
