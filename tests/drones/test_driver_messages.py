@@ -17,15 +17,29 @@ from housefly.drones.driver_messages import (
     encode_driver_message,
 )
 from housefly.errors import WireError
-from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry, VideoFrame
+from housefly.messages import (
+    Action,
+    Command,
+    DroneStatus,
+    KnownMotion,
+    Setpoint,
+    Telemetry,
+    VideoFrame,
+)
 
 numbers = st.floats(allow_nan=False)
 vectors = st.tuples(numbers, numbers, numbers)
 words = st.lists(st.text(max_size=30), max_size=3).map(tuple)
+motions = st.builds(KnownMotion, numbers, numbers, numbers, numbers, st.booleans()) | st.builds(
+    KnownMotion, theta=numbers, phi=numbers, hovers=st.booleans()
+)
 commands = st.builds(
     TimedCommand,
     st.builds(
-        Command, st.sampled_from(Action), st.builds(Setpoint, numbers, numbers, numbers, numbers)
+        Command,
+        st.sampled_from(Action),
+        st.builds(Setpoint, numbers, numbers, numbers, numbers),
+        st.none() | motions,
     ),
     st.floats(allow_nan=False, allow_infinity=False),
 )

@@ -146,6 +146,13 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "battery_weak": (now(battery=0.27), now(battery=0.29), 0.0),
     "battery_gauge": (now(battery=0.8), now(), 60.0),
     "tracking_lost": (now(pose_age=2.01), now(pose_age=2.0), 0.0),
+    "nothing_believed": (
+        now(pose_age=0.26, consistency=TrackingConsistency(drift=0.0, flow_wrong=True)),
+        now(pose_age=0.25, consistency=TrackingConsistency(drift=0.0, flow_wrong=True)),
+        0.0,
+    ),
+    "flow_wrong": (seen(flow_wrong=True), seen(flow_untold=True), 0.0),
+    "flow_untold": (seen(flow_untold=True), seen(flow_wrong=True), 0.0),
     "poses_refused_long": (seen(refused_for=2.01), seen(refused_for=2.0), 0.0),
     "tracking_drift": (seen(drift=DRIFT_LAND + 0.01), seen(drift=DRIFT_LAND), 0.0),
     "tracking_frame": (

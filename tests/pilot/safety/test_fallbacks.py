@@ -79,9 +79,10 @@ def test_a_place_in_doubt_for_a_moment_is_no_reason_to_land_on_the_way_home(
 
 def test_a_drone_that_does_not_know_its_height_sinks_by_our_setpoint() -> None:
     assert mode(M.LAND) is M.LAND
-    assert mode(M.LAND, telemetry=DEAF) is M.DESCEND
+    assert mode(M.LAND, telemetry=DEAF) is M.LAND, "the pilot sinks it to the floor"
+    assert mode(M.LAND, telemetry=DEAF, pose_age=0.3) is M.DESCEND
     assert mode(M.LAND, consistency=TrackingConsistency(height_error=-0.31)) is M.DESCEND
-    assert mode(M.RETURN, has_way_home=False, telemetry=DEAF) is M.DESCEND
+    assert mode(M.RETURN, has_way_home=False, telemetry=DEAF, pose_age=0.3) is M.DESCEND
     assert mode(M.RETURN, consistency=TrackingConsistency(height_error=-0.31)) is M.DESCEND
 
 
@@ -90,8 +91,16 @@ def test_something_below_is_no_reason_to_sink_onto_it() -> None:
 
 
 def test_a_descent_ends_on_the_floor_or_where_the_floor_must_be() -> None:
-    assert mode(M.LAND, telemetry=DEAF, position=(5.0, 2.0, 0.09)) is M.LAND
-    assert mode(M.LAND, telemetry=DEAF, position=(5.0, 2.0, 0.11)) is M.DESCEND
+    own = {"telemetry": DEAF, "steers": False}
+    assert mode(M.LAND, **own, position=(5.0, 2.0, 0.09)) is M.LAND
+    assert mode(M.LAND, **own, position=(5.0, 2.0, 0.11)) is M.DESCEND
     assert mode(M.LAND, telemetry=DEAF, position=None) is M.DESCEND
-    assert mode(M.LAND, LONGEST - 0.1, telemetry=DEAF) is M.DESCEND
-    assert mode(M.LAND, LONGEST + 0.1, telemetry=DEAF) is M.LAND
+    assert mode(M.LAND, LONGEST - 0.1, **own) is M.DESCEND
+    assert mode(M.LAND, LONGEST + 0.1, **own) is M.LAND
+
+
+@pytest.mark.parametrize("flow", ["flow_wrong", "flow_untold"])
+def test_without_place_and_own_speed_no_landing_is_left_to_the_drone(flow: str) -> None:
+    doubted = TrackingConsistency(**{flow: True})  # type: ignore[arg-type]
+    assert mode(M.LAND, consistency=doubted, pose_age=0.3) is M.DESCEND
+    assert mode(M.LAND, consistency=doubted) is M.LAND, "the pilot sinks it to the floor"

@@ -25,10 +25,11 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.estimation.consistency import TrackingConsistency
-from housefly.pilot.safety.fallbacks import STEERED_MAX, possible_mode
+from housefly.pilot.safety.fallbacks import possible_mode
 from housefly.pilot.safety.gate import (
     AIRBORNE_ACTIONS,
     GROUND_ACTIONS,
+    KEPT_SLACK,
     BrokenRule,
     Gate,
     GateAssessment,
@@ -38,6 +39,7 @@ from housefly.pilot.safety.gate import (
 )
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import DESCENT_RATE, GatedCommand
+from housefly.pilot.safety.means import STEERED_MAX, Means
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObserver
 from housefly.pilot.safety.rule import COUNTED, RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, ORDER_RULES, SAFETY_RULES
@@ -46,6 +48,7 @@ LIMITS = LimitsConfig()
 FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
 FINE = GateInputs(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
+REPORT = Telemetry(10.0, DroneStatus.FLYING, 0.9)
 DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=("ultrasound deaf",))
 CLEAR = GateVerdict(Command(Action.HOVER), SafetyMode.NOMINAL)
 OLD = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old")
@@ -96,7 +99,9 @@ def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
         assert abs(out.vz) <= LIMITS.vertical_speed_max and abs(out.yaw_rate) <= LIMITS.yaw_rate_max
         asked = command.setpoint
         if verdict.mode is SafetyMode.DESCEND and verdict.command.action is Action.FLY:
-            assert out == Setpoint(vz=-DESCENT_RATE)
+            assert (out.vz, out.yaw_rate) == (-DESCENT_RATE, 0.0)
+            assert abs(out.theta) <= abs(asked.theta) or not isfinite(asked.theta)
+            assert abs(out.phi) <= abs(asked.phi) or not isfinite(asked.phi)
             continue
         if verdict.command.action is Action.FLY:
             assert hypot(out.theta, out.phi) <= hypot(asked.theta, asked.phi) + 1e-12
@@ -135,10 +140,14 @@ def test_numbers_leave_the_gate_exactly_when_the_command_is_to_fly(
     for each in series:
         numbers, verdict = gate.judged(Command(Action.FLY, setpoint), each)
         assert numbers.flown == (verdict.command.action is Action.FLY)
-        is_steered = verdict.mode is SafetyMode.LAND and numbers.flown
+        is_ours = verdict.mode in (*STOPPING, SafetyMode.RETURN) and numbers.flown
         waits = verdict.mode is SafetyMode.RETURN and holds(verdict)
         told = SafetyMode.HOLD if waits else verdict.mode
-        assert is_steered or numbers.mode == MODE_SEVERITY[told]
+        assert is_ours or numbers.mode == MODE_SEVERITY[told]
+
+
+STOPPING = (SafetyMode.HOLD, SafetyMode.STOPPED, SafetyMode.LAND)
+"""Modes in which our setpoint may keep the place, or sink."""
 
 
 def holds(verdict: GateVerdict) -> bool:
@@ -146,16 +155,67 @@ def holds(verdict: GateVerdict) -> bool:
     return any(rule.mode is SafetyMode.HOLD for rule in verdict.broken)
 
 
-@given(setpoints, st.lists(inputs, min_size=1, max_size=6))
-def test_a_drone_that_a_rule_holds_is_not_flown_though_it_is_called_home(
-    setpoint: Setpoint, series: list[GateInputs]
+@given(st.lists(inputs, min_size=1, max_size=6))
+def test_a_drone_that_a_rule_holds_is_kept_or_left_to_itself_though_it_is_called_home(
+    series: list[GateInputs],
 ) -> None:
-    gate = GateBench(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE)
     for n, each in enumerate(series):
-        homeward = replace(each, now=1.5 * n, home_time=1e4)
-        verdict = gate.judge(Command(Action.FLY, setpoint), homeward)
-        if holds(verdict) and verdict.mode not in (SafetyMode.LAND, SafetyMode.DESCEND):
-            assert verdict.command.action is not Action.FLY
+        found = gate.assess(replace(each, now=1.5 * n, home_time=1e4))
+        is_held = any(rule.mode is SafetyMode.HOLD for rule in found.broken)
+        if is_held and found.mode in (SafetyMode.RETURN, SafetyMode.HOLD) and not found.lands:
+            assert found.held and found.kept is (found.means is not Means.HOVER)
+
+
+@pytest.mark.parametrize("steers", [True, False])
+def test_stop_is_flown_by_our_setpoint_while_the_place_is_believed_and_kept(steers: bool) -> None:
+    gate = GateBench(LIMITS, FENCE)
+    stopped = replace(FINE, stopped=True, steers=steers, velocity=(0.5, 0.0, 0.0))
+    first = gate.judge(FLY, stopped)
+    assert first.mode is SafetyMode.STOPPED
+    assert first.command == (FLY if steers else Command(Action.HOVER))
+    reach = 0.5 * 0.3 + 0.5 * 0.5**2 + KEPT_SLACK
+    near = replace(stopped, now=10.5, position=(5.0 + 0.99 * reach, 2.0, 1.1))
+    assert (gate.judge(FLY, near).command.action is Action.FLY) is steers
+    gone = replace(stopped, now=10.6, position=(5.0 + 1.01 * reach, 2.0, 1.1))
+    assert gate.judge(FLY, gone).command == Command(Action.HOVER)
+
+
+WRONG = TrackingConsistency(flow_wrong=True)
+UNTOLD = TrackingConsistency(flow_untold=True)
+
+
+@pytest.mark.parametrize("doubt", [WRONG, UNTOLD])
+def test_without_tracking_and_flow_it_brakes_and_sinks_level_at_once(
+    doubt: TrackingConsistency,
+) -> None:
+    unseen = replace(FINE, pose_age=0.3, stopped=True, consistency=doubt)
+    gate = GateBench(LIMITS, FENCE)
+    assert gate.judge(FLY, unseen).command == FLY, "not left to a hover that flies by nothing"
+    sinking = gate.judge(FLY, replace(unseen, now=10.3, pose_age=0.6))
+    assert sinking.mode is SafetyMode.DESCEND and sinking.code == "nothing_believed"
+    assert sinking.command.setpoint == replace(FLY.setpoint, vz=-DESCENT_RATE, yaw_rate=0.0)
+
+
+def test_flow_that_is_wrong_lands_the_drone_by_our_setpoint_down_to_the_floor() -> None:
+    gate = GateBench(LIMITS, FENCE)
+    standing = replace(FINE, status=DroneStatus.LANDED, position=(5.0, 2.0, 0.05))
+    gate.judge(Command(Action.IDLE), standing)
+    doubted = replace(FINE, consistency=WRONG, phase=Phase.LANDING)
+    gate.judge(FLY, replace(doubted, now=10.7))
+    for n, z in enumerate((1.1, 0.25, 0.12)):
+        verdict = gate.judge(FLY, replace(doubted, now=11.0 + n, position=(5.0, 2.0, z)))
+        assert verdict.mode is SafetyMode.LAND and verdict.command.action is Action.FLY
+    down = gate.judge(FLY, replace(doubted, now=14.0, position=(5.0, 2.0, 0.08)))
+    assert down.command.action is Action.LAND
+
+
+def test_what_is_wrong_with_the_commands_leaves_the_drone_to_its_own_hover() -> None:
+    unheard = replace(REPORT, hears_us=False)
+    first, held = (replace(FINE, now=at, telemetry=unheard) for at in (10.0, 10.5))
+    assert judge(FLY, first, held) == (SafetyMode.HOLD, Command(Action.HOVER))
+    blind = replace(held, consistency=WRONG)
+    assert judge(FLY, replace(first, consistency=WRONG), blind)[1].action is Action.FLY
 
 
 @given(inputs)
@@ -190,12 +250,14 @@ def test_what_is_right_passes_unchanged() -> None:
         ({"pose_age": 0.251}, SafetyMode.HOLD, Action.HOVER),
         ({"pose_age": nan}, SafetyMode.LAND, Action.LAND),
         ({"pose_age": 2.01}, SafetyMode.LAND, Action.LAND),
-        ({"telemetry_age": 1.01}, SafetyMode.LAND, Action.LAND),
-        ({"position": (11.01, 2.0, 1.0)}, SafetyMode.LAND, Action.LAND),
-        ({"position": (5.0, -1.01, 1.0)}, SafetyMode.LAND, Action.LAND),
+        ({"telemetry_age": 1.01, "steers": False}, SafetyMode.LAND, Action.LAND),
+        ({"telemetry_age": 1.01}, SafetyMode.LAND, Action.FLY),
+        ({"position": (11.01, 2.0, 1.0)}, SafetyMode.LAND, Action.FLY),
+        ({"position": (5.0, -1.01, 1.0)}, SafetyMode.LAND, Action.FLY),
         ({"position": (5.0, nan, 1.0)}, SafetyMode.LAND, Action.LAND),
-        ({"position": (5.0, 2.0, 2.51)}, SafetyMode.LAND, Action.LAND),
-        ({"stopped": True}, SafetyMode.STOPPED, Action.HOVER),
+        ({"position": (5.0, 2.0, 2.51)}, SafetyMode.LAND, Action.FLY),
+        ({"stopped": True}, SafetyMode.STOPPED, Action.FLY),
+        ({"stopped": True, "pose_age": 0.3}, SafetyMode.STOPPED, Action.HOVER),
         ({"cutting": True}, SafetyMode.CUT, Action.CUT),
         ({"stopped": True, "pose_age": 3.0}, SafetyMode.LAND, Action.LAND),
         ({"cutting": True, "pose_age": 3.0}, SafetyMode.CUT, Action.CUT),
@@ -204,7 +266,8 @@ def test_what_is_right_passes_unchanged() -> None:
 def test_each_fault_has_its_answer(
     change: dict[str, object], mode: SafetyMode, action: Action
 ) -> None:
-    assert judge(FLY, replace(FINE, **change)) == (mode, Command(action))  # type: ignore[arg-type]
+    expected = FLY if action is Action.FLY else Command(action)
+    assert judge(FLY, replace(FINE, **change)) == (mode, expected)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("battery", [0.149, nan, -inf])
@@ -255,9 +318,8 @@ def test_a_landing_for_a_wrong_height_is_steered_until_the_drone_is_low_and_then
         {"position": None},
         {"late": 0.2},
         {"status": DroneStatus.LANDING},
-        {"consistency": TrackingConsistency(refused_for=0.1)},
-        {"telemetry_age": 3.0},
-        {"stopped": True},
+        {"consistency": TrackingConsistency(refused_for=2.1)},
+        {"consistency": TrackingConsistency(drift=0.2)},
         {"reference": Reference((5.9, 2.0, 1.1), (0.0, 0.0, 0.0), 0.0)},
     ],
 )

@@ -70,12 +70,17 @@ def test_a_return_waits_for_whatever_holds_the_drone_and_goes_on_after_it(code: 
     flight = HomewardFlight(code)
     held = flight.go_on(2.0, BROKEN[code][0], until=tells(code))[-1]
     assert tells(code)(held) and tells("flight_time")(held)
-    assert (held.mode, held.command) == (SafetyMode.RETURN, Command(Action.HOVER))
+    is_kept = RULES[code].steered
+    assert (held.mode, held.command) == (
+        SafetyMode.RETURN,
+        FLY if is_kept else Command(Action.HOVER),
+    )
     (words,) = (rule.words for rule in held.broken if rule.code == code)
     assert held.reason.endswith(f": coming home; {words}")
     later = flight.go_on(RULES[code].lasts + 0.2)
     assert all(verdict.mode is SafetyMode.RETURN for verdict in later)
-    assert all((verdict.command == FLY) is not tells(code)(verdict) for verdict in later)
+    if not is_kept:
+        assert all((verdict.command == FLY) is not tells(code)(verdict) for verdict in later)
     assert later[-1].command == FLY
 
 

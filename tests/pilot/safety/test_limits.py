@@ -36,7 +36,9 @@ def test_limits_make_smaller_and_never_larger(
     passed = gated(asked, flying, int(mode), airborne, COMMAND_LIMITS)
     is_finite = all(isfinite(number) for number in asked[:4])
     if mode is SafetyCode.DESCEND and airborne:
-        assert passed == (mode, True, 0.0, 0.0, -DESCENT_RATE, 0.0)
+        is_braked = flying and is_finite
+        tilt = [min(max(a, -0.21), 0.21) if is_braked else 0.0 for a in (asked.theta, asked.phi)]
+        assert passed == (mode, True, *tilt, -DESCENT_RATE, 0.0)
         return
     is_ours = bool(is_flown_in(int(mode)))
     assert passed.flown == (flying and airborne and is_finite and is_ours)

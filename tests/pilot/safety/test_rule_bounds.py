@@ -28,14 +28,10 @@ from housefly.pilot.safety.drone_rules import (
     lies_on_floor,
 )
 from housefly.pilot.safety.energy import GAUGE_STILL_TIME, NO_ENERGY, EnergyBudget
-from housefly.pilot.safety.fallbacks import (
-    STEERED_ERROR_MAX,
-    STEERED_MAX,
-    can_steer_landing,
-    possible_mode,
-)
+from housefly.pilot.safety.fallbacks import possible_mode
 from housefly.pilot.safety.gate import Gate
 from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.means import STEERED_ERROR_MAX, STEERED_MAX, Means, means_to_land
 from housefly.pilot.safety.motion_rules import (
     BLOW_ACCELERATION,
     BLOW_SPEED,
@@ -248,6 +244,10 @@ def test_a_height_counts_from_the_moment_at_which_it_should_be_reached() -> None
     assert height_off(placed(z=1.0, climbing_for=5.99)) == 0.0
 
 
+def can_steer_landing(c: RuleContext) -> bool:
+    return means_to_land(c, steered=True) is Means.PLACE
+
+
 def test_a_landing_is_steered_up_to_its_bounds() -> None:
     lowest = LIMITS.landing_height + 0.05
     assert can_steer_landing(context())
@@ -263,7 +263,7 @@ def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None
     deaf = replace(REPORT, faults=("ultrasound deaf",))
     enough = descent_time(context())
     modes = [
-        possible_mode(SafetyMode.LAND, context(telemetry=deaf, landing_for=t))
+        possible_mode(SafetyMode.LAND, context(telemetry=deaf, landing_for=t, pose_age=0.3))
         for t in (enough, enough + 0.01)
     ]
     assert modes == [SafetyMode.DESCEND, SafetyMode.LAND]

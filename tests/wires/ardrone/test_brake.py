@@ -10,12 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.geometry import GRAVITY
-from housefly.messages import LEVEL, DroneStatus, Telemetry
+from housefly.messages import LEVEL, DroneStatus, KnownMotion, Telemetry
 from housefly.wires.ardrone.brake import (
     AT_REST_SPEED,
     BRAKE_TIME_MAX,
+    KNOWN_FOR,
+    SINK_RATE,
     AttitudeSpeed,
     braking_setpoint,
+    sinking_setpoint,
 )
 
 TILT_MAX = 0.21
@@ -35,12 +38,27 @@ def report(
     return Telemetry(at, status, 1.0, phi, theta, psi, 1.0, (*velocity, 0.0))
 
 
+def by_attitude(forward: float = 0.0, left: float = 0.0) -> AttitudeSpeed:
+    speed = AttitudeSpeed()
+    speed.velocity = (forward, left)
+    return speed
+
+
+def by_tracking(forward: float, left: float = 0.0, *, hovers: bool = True) -> AttitudeSpeed:
+    speed = AttitudeSpeed()
+    speed.know(KnownMotion(forward, left, hovers=hovers), 0.0)
+    return speed
+
+
 @given(speeds, speeds, tilts, tilts, speeds, speeds)
 def test_the_brake_never_leans_further_than_it_may_and_never_moves_in_height_or_heading(
     forward: float, left: float, theta: float, phi: float, by_forward: float, by_left: float
 ) -> None:
     newest = report(theta=theta, phi=phi, velocity=(forward, left))
-    leaning = braking_setpoint(0.1, newest, (by_forward, by_left), TILT_MAX)
+    known = by_tracking(by_forward, by_left)
+    sinking = sinking_setpoint(0.1, newest, known, TILT_MAX)
+    assert max(abs(sinking.theta), abs(sinking.phi)) <= TILT_MAX and sinking.vz == -SINK_RATE
+    leaning = braking_setpoint(0.1, newest, by_attitude(by_forward, by_left), TILT_MAX)
     if leaning is not None:
         assert abs(leaning.theta) <= TILT_MAX and abs(leaning.phi) <= TILT_MAX
         assert isfinite(leaning.theta) and isfinite(leaning.phi)
@@ -55,19 +73,46 @@ def test_it_leans_against_the_speed(speed: float) -> None:
         ((0.0, speed), lambda s: s.phi > 0),
         ((0.0, -speed), lambda s: s.phi < 0),
     ):
-        assert leans(braking_setpoint(0.0, report(velocity=velocity), (0.0, 0.0), TILT_MAX))
+        assert leans(braking_setpoint(0.0, report(velocity=velocity), by_attitude(), TILT_MAX))
+        assert leans(braking_setpoint(0.0, report(), by_tracking(*velocity), TILT_MAX))
+
+
+@pytest.mark.parametrize("frozen", [0.5, -0.6])
+def test_the_brake_takes_the_speed_that_tracking_gave_and_not_the_flow_that_lies(
+    frozen: float,
+) -> None:
+    speed = by_tracking(0.4)
+    leaning = braking_setpoint(0.0, report(velocity=(frozen, 0.0)), speed, TILT_MAX)
+    assert leaning is not None and leaning.theta < 0
+    for step in range(1, 300):
+        speed.update(report(step * STEP))
+    later = 3.0
+    assert 0.0 < speed.velocity[0] < 0.1, "drag has stopped it"
+    assert braking_setpoint(later, report(later, velocity=(frozen, 0.0)), speed, TILT_MAX) is None
+    wrong = report(KNOWN_FOR, velocity=(frozen, 0.0))
+    assert braking_setpoint(KNOWN_FOR, wrong, speed, TILT_MAX) is not None, "too long ago"
+
+
+def test_against_a_steady_push_it_leans_as_the_pilot_did() -> None:
+    speed = AttitudeSpeed()
+    speed.know(KnownMotion(0.0, 0.0, theta=0.05, phi=-0.02, hovers=False), 0.0)
+    for step in range(200):
+        speed.update(report(step * STEP, theta=0.05, phi=-0.02))
+    assert hypot(*speed.velocity) < 1e-9, "so it stands still"
+    sinking = sinking_setpoint(2.0, report(2.0, 0.05, -0.02), speed, TILT_MAX)
+    assert (sinking.theta, sinking.phi) == (0.05, -0.02)
 
 
 def test_at_rest_or_without_a_fresh_report_it_leaves_the_drone_to_its_own_hover() -> None:
     slow = report(velocity=(0.5 * AT_REST_SPEED, 0.0))
-    assert braking_setpoint(0.0, slow, (1.0, 1.0), TILT_MAX) is None
-    assert braking_setpoint(0.5, report(velocity=(0.5, 0.0)), (0.0, 0.0), TILT_MAX) is None
+    assert braking_setpoint(0.0, slow, by_attitude(1.0, 1.0), TILT_MAX) is None
+    assert braking_setpoint(0.5, report(velocity=(0.5, 0.0)), by_attitude(), TILT_MAX) is None
 
 
 @pytest.mark.parametrize("odd", [nan, inf, -inf, 1e308])
 def test_numbers_that_are_none_leave_it_to_the_drone_and_are_forgotten(odd: float) -> None:
     for newest in (report(velocity=(odd, 1.0)), report(theta=odd), report(phi=odd)):
-        leaning = braking_setpoint(0.0, newest, (0.0, 0.0), TILT_MAX)
+        leaning = braking_setpoint(0.0, newest, by_attitude(), TILT_MAX)
         assert leaning is None or abs(odd) == 1e308, "full tilt on a number that is none"
     speed = AttitudeSpeed()
     for step, theta in enumerate((0.03, odd, 0.03, 0.03)):
@@ -91,7 +136,7 @@ def test_with_and_without_its_flow_camera_a_drone_comes_nearly_to_rest_in_time(
         now = 10.0 + step * STEP
         newest = report(now, theta, velocity=(velocity if flow_sees else 0.0, 0.0))
         cruise.update(newest)
-        setpoint = braking_setpoint(now, newest, cruise.velocity, TILT_MAX)
+        setpoint = braking_setpoint(now, newest, cruise, TILT_MAX)
         if setpoint is None or now > 10.0 + BRAKE_TIME_MAX:
             setpoint = LEVEL
         asked.append(setpoint.theta)

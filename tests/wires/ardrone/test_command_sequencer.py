@@ -10,9 +10,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, Telemetry
+from housefly.messages import (
+    LEVEL,
+    Action,
+    Command,
+    DroneStatus,
+    KnownMotion,
+    Setpoint,
+    Telemetry,
+)
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.wires.ardrone import at
+from housefly.wires.ardrone.brake import SINK_TIME_MAX
 from housefly.wires.ardrone.command_sequencer import (
     HOVER_AFTER,
     LAND_AFTER,
@@ -329,6 +338,40 @@ def test_in_silence_it_leans_against_its_speed_and_then_hovers_for_the_rest_of_i
     flying = commanded(Action.FLY, Setpoint(theta=0.1))
     flying.next_commands(0.3, moving(0.3, 0.5))
     assert flying.next_commands(1.2, moving(1.2, 0.5)) == (HOVER,)
+
+
+def lowered(at_time: float, height: float) -> Telemetry:
+    wrong = (0.8, 0.0, 0.0)
+    return replace(report(DroneStatus.FLYING, at_time), height=height, velocity=wrong)
+
+
+@pytest.mark.parametrize("last", [Action.FLY, Action.HOVER, Action.LAND])
+def test_a_drone_whose_own_speed_is_wrong_sinks_level_in_silence_and_lands_on_the_floor(
+    last: Action,
+) -> None:
+    made = CommandSequencer(MAXIMA, 0.0)
+    made.update(Command(last, motion=KnownMotion(0.0, 0.0, hovers=False)), 0.0)
+    for at_time in (0.3, 1.0, 2.5):
+        (sinking,) = made.next_commands(at_time, lowered(at_time, 1.3 - 0.3 * at_time))
+        assert isinstance(sinking, at.Pcmd) and sinking.gaz < 0.0
+        assert sinking.flags is at.PcmdFlag.PROGRESSIVE
+        assert sinking.pitch == sinking.roll == 0.0, "it stands by what tracking said last"
+    assert made.next_commands(4.0, lowered(4.0, 0.05)) == (LAND, HOVER)
+
+
+def test_a_sonar_that_shows_no_floor_does_not_keep_it_in_the_air() -> None:
+    made = CommandSequencer(MAXIMA, 0.0)
+    made.update(Command(Action.FLY, motion=KnownMotion(0.0, 0.0, hovers=False)), 0.0)
+    made.next_commands(0.3, lowered(0.3, 1.0))
+    assert made.next_commands(0.4 + SINK_TIME_MAX, lowered(9.4, 1.0)) == (LAND, HOVER)
+
+
+def test_a_pilot_that_says_nothing_new_of_the_motion_takes_nothing_back() -> None:
+    made = CommandSequencer(MAXIMA, 0.0)
+    made.update(Command(Action.FLY, motion=KnownMotion(0.0, 0.0, hovers=False)), 0.0)
+    made.update(Command(Action.HOVER), 0.01)
+    (sinking,) = made.next_commands(0.4, lowered(0.4, 1.0))
+    assert isinstance(sinking, at.Pcmd) and sinking.gaz < 0.0
 
 
 def test_a_hover_of_the_pilot_is_the_drones_own_whatever_its_speed() -> None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import degrees, isfinite, radians
+from math import degrees, hypot, isfinite, radians
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.preflight import (
@@ -27,6 +27,8 @@ from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX, PAD_HEADING_MAX
 
 TILT_ON_PAD_MAX = radians(6.0)
 """A drone that leans more than this slides off its pad as it takes off, from 8 degrees on [rad]."""
+OWN_SPEED_ON_PAD_MAX = 0.15
+"""A drone that stands and says that it moves faster than this cannot hold itself [m/s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +63,12 @@ class PreflightInputs:
         """How far the drone leans by its own word [rad]; 0 before the first."""
         told = self.vehicle.telemetry
         return max(abs(told.phi), abs(told.theta)) if told else 0.0
+
+    @property
+    def own_speed(self) -> float:
+        """How fast the drone moves by its own word [m/s]; 0 before the first."""
+        told = self.vehicle.telemetry
+        return hypot(*told.velocity[:2]) if told else 0.0
 
     @property
     def notes(self) -> str:
@@ -167,6 +175,16 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         lambda _: f"at most {degrees(TILT_ON_PAD_MAX):.0f} deg",
         "a drone that leans takes off sideways",
         "put it level on its pad",
+    ),
+    PreflightRule(
+        "drone_still",
+        "it stands still, by its own word",
+        "the drone says that it moves while it stands",
+        lambda i: i.own_speed <= OWN_SPEED_ON_PAD_MAX,
+        lambda i: f"{i.own_speed:.2f} m/s",
+        lambda _: f"at most {OWN_SPEED_ON_PAD_MAX:g} m/s",
+        "it takes off and holds itself by that speed",
+        "look at its bottom camera and the floor below, then switch it off and on",
     ),
     PreflightRule(
         "drone_configured",

@@ -8,12 +8,14 @@ moves without a fresh order.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import inf
+from math import dist, hypot, inf
 
 from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2, stopping_distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
@@ -32,6 +34,8 @@ A, M = Action, SafetyMode
 
 _FLOWN = {A.RESET: A.HOVER}
 _HELD = {A.FLY: A.HOVER, A.TAKE_OFF: A.HOVER, A.RESET: A.HOVER}
+KEPT_SLACK = 0.5
+"""Who is held by our setpoint and comes to rest this much farther away is not kept by it [m]."""
 _LANDINGS = (M.LAND, M.DESCEND)
 _FLOWN_BY_MEANS = (M.HOLD, M.STOPPED, M.LAND)
 _LANDED = dict.fromkeys((A.FLY, A.HOVER, A.TAKE_OFF, A.IDLE, A.RESET), A.LAND)
@@ -212,6 +216,7 @@ class Gate:
         self._until: dict[str, float] = {}
         self._landing: BrokenRule | None = None
         self._held = False
+        self._kept_from: tuple[Vec2, float] | None = None
         self._returning = False
         self._standing_height = 0.0
         self._gauge_stuck = False
@@ -270,7 +275,23 @@ class Gate:
 
     def _means(self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool) -> Means:
         is_steered = all(rule.steered for rule in broken if rule.mode in _FLOWN_BY_MEANS)
-        return means_to_land(c, is_steered) if lands else means_to_hold(c, is_steered)
+        if lands:
+            return means_to_land(c, is_steered)
+        is_held = any(rule.mode in (M.HOLD, M.STOPPED) for rule in broken)
+        return means_to_hold(c, is_steered and self._keeps_place(c.now, is_held))
+
+    def _keeps_place(self, now: GateInputs, is_held: bool) -> bool:
+        """Return whether a drone that is held has stayed where it could come to rest."""
+        if not is_held or now.position is None:
+            self._kept_from = None
+            return True
+        place = now.position[:2]
+        if self._kept_from is None:
+            speed = hypot(*now.velocity[:2]) if now.velocity else 0.0
+            way = stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
+            self._kept_from = place, way + KEPT_SLACK
+        begun, reach = self._kept_from
+        return dist(place, begun) <= reach
 
     def _land(self, broken: tuple[BrokenRule, ...], c: RuleContext) -> tuple[BrokenRule, ...]:
         """Begin a landing, or keep one; once the pilot cannot steer it, the drone lands itself."""

@@ -8,6 +8,7 @@ believed. Where neither is, our setpoint brakes by the motion that was known las
 from __future__ import annotations
 
 from enum import Enum
+from math import isfinite
 
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.drone_faults import DEAF_SONAR
@@ -44,15 +45,16 @@ MEANS: dict[tuple[bool, bool], Means] = {
 
 def knows_place(c: RuleContext) -> bool:
     """Return whether there is a fresh place to believe."""
-    is_fresh = not too_old(c.now.pose_age, c.limits.pose_age_level)
-    return is_fresh and c.now.position is not None and is_believed(c)
+    known, position = c.now.consistency, c.now.position
+    is_seen = position is not None and all(map(isfinite, position))
+    is_fresh = is_seen and not too_old(c.now.pose_age, c.limits.pose_age_level)
+    is_doubtful = is_disproved(known) or known.latency_error > LATENCY_HOLD
+    return is_fresh and is_believed(c) and not is_doubtful
 
 
 def is_believed(c: RuleContext) -> bool:
-    """Return whether nothing shows that tracking lies."""
-    known = c.now.consistency
-    is_late = known.latency_error > LATENCY_HOLD
-    return not (seems_low(c) or known.mirrored or is_disproved(known) or is_late)
+    """Return whether tracking shows neither a mirror image nor a height that cannot be."""
+    return not (seems_low(c) or c.now.consistency.mirrored)
 
 
 def knows_height(c: RuleContext) -> bool:

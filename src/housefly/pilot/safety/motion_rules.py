@@ -264,7 +264,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         counts=N.CRUISE,
         condition="would come to rest outside the map, or at its ceiling (v^2 / 2a and reaction)",
         broken=lambda c: _leaving(c) > LEAVING_MAX,
-        words=lambda c: f"about to leave the map by {_leaving(c):.1f} m: the drone holds itself",
+        words=lambda c: f"about to leave the map by {_leaving(c):.1f} m: held",
         lasts=0.5,
         steered=True,
     ),
@@ -289,7 +289,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: control_error(c.now) > CONTROL_ERROR_HOLD,
         words=lambda c: (
             f"{control_error(c.now):.1f} m from where it should be"
-            f" (limit {CONTROL_ERROR_HOLD:g} m): the drone holds itself"
+            f" (limit {CONTROL_ERROR_HOLD:g} m): held"
         ),
         after=0.5,
         steered=True,
@@ -300,10 +300,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         counts=N.CRUISE,
         condition="moves otherwise than told",
         broken=_is_drifting,
-        words=lambda _: (
-            f"moves more than {VELOCITY_ERROR_MAX:g} m/s otherwise than told:"
-            " the drone holds itself"
-        ),
+        words=lambda _: f"moves more than {VELOCITY_ERROR_MAX:g} m/s otherwise than told: held",
         after=0.5,
         lasts=1.0,
         steered=True,
@@ -314,10 +311,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         counts=N.CRUISE,
         condition="faster than it cruises and makes way, plus slack",
         broken=lambda c: level_speed(c) > speed_bound(c),
-        words=lambda c: (
-            f"flies at {level_speed(c):.1f} m/s (limit {speed_bound(c):.1f} m/s):"
-            " the drone holds itself"
-        ),
+        words=lambda c: f"flies at {level_speed(c):.1f} m/s (limit {speed_bound(c):.1f} m/s): held",
         after=0.2,
         lasts=1.0,
         steered=True,

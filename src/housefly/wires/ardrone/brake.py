@@ -57,6 +57,9 @@ class AttitudeSpeed:
             return
         self.velocity, self._known_at = (forward, left), at
 
+    def _forget(self) -> None:
+        self.velocity, self._known_at = (0.0, 0.0), -inf
+
     def is_known(self, now: float) -> bool:
         """Return whether the velocity is carried on from one that tracking gave."""
         return now - self._known_at < KNOWN_FOR
@@ -64,13 +67,15 @@ class AttitudeSpeed:
     def update(self, report: Telemetry) -> None:
         """Take in a report; one that was taken in before changes nothing."""
         last, self._last = self._last, report
-        if last is None or report.status is not DroneStatus.FLYING:
-            self.velocity = (0.0, 0.0)
+        if last is None:
+            return
+        if report.status is not DroneStatus.FLYING:
+            self._forget()
             return
         dt = report.received_at - last.received_at
         is_known = all(map(isfinite, (report.theta, report.phi, report.psi, last.psi)))
         if not (is_known and 0.0 <= dt <= _GAP_MAX):
-            self.velocity = (0.0, 0.0)
+            self._forget()
             return
         turned = wrap_angle(report.psi - last.psi)
         forward, left = self.velocity
