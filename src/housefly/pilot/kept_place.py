@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan, cos, nan, sin
+from math import atan, cos, hypot, nan, sin
 
 from housefly.geometry import GRAVITY, Vec2
 from housefly.messages.sensing import Estimate
@@ -13,6 +13,8 @@ from housefly.pilot.behavior.way_planner import coasted
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.step import Guidance
 
+HOVER_PUSH_MAX = 0.35
+"""Against a larger steady push the drone's own hover drifts away [m/s^2]: it knows of none."""
 TO_FLOOR = -0.2
 """Height to want where our setpoint sinks to the floor [m]: the drone touches it still sinking."""
 
@@ -75,5 +77,5 @@ def known_motion(
         left=c * here.vy - s * here.vx,
         theta=-atan(ahead / GRAVITY),
         phi=atan(aside / GRAVITY),
-        hovers=knows_speed,
+        hovers=knows_speed and hypot(*push) < HOVER_PUSH_MAX,
     )
