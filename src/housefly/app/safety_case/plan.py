@@ -15,6 +15,8 @@ COURSES = 24
 """Seeds of crossed flights are below this, each phase at each tracking rate: alike flights are
 flown once until their faults begin.
 """
+_V_STEP, _O_STEP = 7, 11
+"""Cells beside each other begin at other courses: numbers without a common factor with those."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,8 +91,10 @@ def shared_out(names: tuple[str, ...], flights: int) -> list[tuple[str, int]]:
 
 def crossed_out(names: tuple[str, ...], flights: int) -> list[TrialKey]:
     """Return so many flights, shared out among the names, a person's orders, phases and rates."""
-    count, orders = len(names), tuple(PersonOrder)
+    orders = tuple(PersonOrder)
+    cells = [(v, o) for o in range(len(orders)) for v in range(len(names))]
     return [
-        TrialKey(names[n % count], (n + turn) % COURSES, order=orders[turn % len(orders)])
-        for n, turn in ((n, n // count) for n in range(flights if names else 0))
-    ]
+        TrialKey(names[v], (_V_STEP * v + _O_STEP * o + lap) % COURSES, order=orders[o])
+        for lap in range(flights // max(len(cells), 1) + 1)
+        for v, o in cells
+    ][:flights]
