@@ -144,7 +144,7 @@ class WallCheck:
                     (self._expected(scan, _moved(here, *step)) - walls) / max(step)
                     for step in steps
                 ]
-            dx, dy, turn = _least_squares(off, *slopes, _OUTLIER)
+            dx, dy, turn = _least_squares(off, slopes[0], slopes[1], slopes[2], _OUTLIER)
             here = _moved(here, dx, dy, turn)
             if not (abs(here.x) < 1000.0 and abs(here.y) < 1000.0 and abs(here.yaw) < 3.14):
                 return None
