@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from housefly.geometry import distance
 from housefly.messages import Scan
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.wall_check import LOOK_PERIOD, LOOKS
@@ -48,6 +49,19 @@ def test_distances_that_are_off_are_told_with_how_far(make_hall: Make, by: float
     assert not hall.tracker.update(longer(by)(hall.scan()), hall.now + 0.01, None).obstacles
 
 
+def test_whom_a_wrong_scanner_sees_is_put_where_they_are(make_hall: Make) -> None:
+    """Not seen at all they would be flown into."""
+    hall = make_hall()
+    hang(hall)
+    told(hall, longer(0.5))
+    hall.things = {"anna": ((5.0, 3.0), 0.25)}
+    for _ in range(10):
+        hall.now += 0.025
+        seen = hall.tracker.update(longer(0.5)(hall.scan()), hall.now, None)
+    (anna,) = seen.obstacles
+    assert distance(anna.position, (5.0, 3.0)) < 0.1 and seen.problem
+
+
 @pytest.mark.parametrize(
     ("x", "y", "turn"), [(0.5, 0.0, 0.0), (0.0, -0.3, 0.0), (0.3, 0.4, 0.1), (0.0, 0.0, 0.15)]
 )
@@ -79,5 +93,12 @@ def test_people_and_things_before_the_walls_are_no_error_of_the_scanner(
     assert not told(hall)
 
 
-def test_an_error_that_lasts_less_than_a_second_is_not_told(make_hall: Make) -> None:
-    assert not told(make_hall(), longer(0.5), scans=round((LOOKS - 1) * LOOK_PERIOD / 0.025))
+def test_in_flight_an_error_that_lasts_less_than_a_second_is_not_told(make_hall: Make) -> None:
+    hall = make_hall()
+    assert not told(hall)
+    assert not told(hall, longer(0.5), scans=round((LOOKS - 1) * LOOK_PERIOD / 0.025))
+
+
+def test_the_first_scans_tell_it_at_once(make_hall: Make) -> None:
+    """Before anybody can order a take-off."""
+    assert told(make_hall(), longer(0.5), scans=LOOKS)

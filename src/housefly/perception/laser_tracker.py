@@ -43,6 +43,9 @@ SEE_THROUGH_MARGIN = 0.2
 """Beams see through a place if they end this far behind it [m]."""
 
 
+_BackgroundKey = tuple[str, float, float, int, tuple[float, float, float]]
+
+
 @dataclass(frozen=True, slots=True)
 class OwnFootprint:
     """The drone itself, which is no obstacle.
@@ -78,7 +81,7 @@ class TrackingResult:
     Attributes:
         obstacles: the confirmed ones as the pilot receives them; a lost one comes once more with
             confidence 0.
-        problem: why the input was refused, in words, or "".
+        problem: why the input was refused, or is not to be relied on, in words, or "".
     """
 
     obstacles: tuple[Obstacle, ...] = ()
@@ -96,7 +99,7 @@ class LaserTracker:
     def __init__(self, room: Room, lasers: tuple[LaserConfig, ...]) -> None:
         self._room = room
         self._lasers = {laser.name: laser for laser in lasers}
-        self._backgrounds: dict[tuple[str, float, float, int], BeamBackground] = {}
+        self._backgrounds: dict[_BackgroundKey, BeamBackground] = {}
         self._last: dict[str, BeamScan] = {}
         self._alike: dict[str, int] = {}
         self._tracks = TrackSet()
@@ -119,7 +122,13 @@ class LaserTracker:
         problem = self._fault(scan, now)
         if problem:
             return TrackingResult(problem=f"{scan.source}: {problem}")
-        laser, at = self._lasers[scan.source], scan.captured_at
+        laser, at, doubt = self._lasers[scan.source], scan.captured_at, ""
+        error = self._wall_check.look(scan, laser)
+        if error is not None:
+            doubt = f"{scan.source}: {error.words}"
+            if error.laser is None:
+                return TrackingResult(problem=doubt)
+            laser, scan = error.laser, replace(scan, ranges=scan.ranges - error.longer)
         ends, beams = _foreground(scan, self._background(scan, laser), laser)
         if own is not None:
             other = own.others(ends, known_discs(self._tracks, at))
@@ -129,10 +138,11 @@ class LaserTracker:
         self._tracks = self._tracks.updated(clusters, at, partial(_sees_through, scan, laser))
         confirmed = (track for track in self._tracks.tracks if track.confirmed)
         gone = (_gone(track, at) for track in self._tracks.gone)
-        return TrackingResult((*(obstacle_of(track) for track in confirmed), *gone))
+        return TrackingResult((*(obstacle_of(track) for track in confirmed), *gone), doubt)
 
     def _background(self, scan: BeamScan, laser: LaserConfig) -> BeamBackground:
-        key = (scan.source, scan.first_angle, scan.step, len(scan.ranges))
+        place = laser.x, laser.y, laser.yaw
+        key = (scan.source, scan.first_angle, scan.step, len(scan.ranges), place)
         if key not in self._backgrounds:
             self._backgrounds = {
                 known: background
@@ -157,7 +167,7 @@ class LaserTracker:
             return "the same distances to the last bit again and again: it stands still"
         if np.count_nonzero(ranges < _COVERED_DISTANCE) > _COVERED_SHARE * len(ranges):
             return "something covers it"
-        return self._wall_check.problem(scan, self._lasers[scan.source])
+        return ""
 
     def _nonsense(self, scan: BeamScan, now: float) -> str:
         if scan.source not in self._lasers:

@@ -45,8 +45,26 @@ _STEPS = 8
 """The place that fits is found in so many steps ..."""
 _MOVED, _TURNED = 0.01, 0.005
 """... by derivatives over this way and turn [m, rad]."""
+_BEHIND = 0.3
+"""A beam that ends farther behind its wall than this has gone through it [m]."""
+_DISTRUST = "what it sees is put right, and it is not relied on"
 _OUTLIER = 1.0
 """Beams that end farther from their wall are no part of it [m]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WallError:
+    """What is wrong with a scanner, and what is right.
+
+    Attributes:
+        words: for people.
+        longer: its distances are too long by this [m].
+        laser: where it is by the walls; None where nothing explains what it sees.
+    """
+
+    words: str
+    longer: float = 0.0
+    laser: LaserConfig | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,14 +74,18 @@ class WallView:
     Attributes:
         walls: distance of the wall on which each beam should end [m]; infinite for other beams.
         due: when to look again [s].
+        looks: so many so far.
         strikes: looks in a row that did not see the walls.
-        words: what is wrong, for people, or "".
+        share: of the beams that should end on a wall did, when it was explained last.
+        error: what is wrong, or None.
     """
 
     walls: FloatArray
     due: float = -inf
+    looks: int = 0
     strikes: int = 0
-    words: str = ""
+    share: float = 1.0
+    error: WallError | None = None
 
 
 class WallCheck:
@@ -74,15 +96,25 @@ class WallCheck:
         self._walls = tuple(solid for solid in room.solids if solid.thing == "wall")
         self._views: dict[str, WallView] = {}
 
-    def problem(self, scan: BeamScan, laser: LaserConfig) -> str:
-        """Return what is wrong with a scanner, in words, or ""; looks every ``LOOK_PERIOD``."""
+    def look(self, scan: BeamScan, laser: LaserConfig) -> WallError | None:
+        """Return what is wrong with a scanner, or None.
+
+        It looks at the first scans, and every ``LOOK_PERIOD`` from then on.
+        """
         view = self._views.get(scan.source)
         if view is None or len(view.walls) != len(scan.ranges):
             view = WallView(self._expected(scan, laser))
         if scan.captured_at >= view.due or scan.captured_at < view.due - LOOK_PERIOD:
-            view = self._looked(view, scan, laser)
+            looks = view.looks + 1
+            due = scan.captured_at + (LOOK_PERIOD if looks >= LOOKS else 0.0)
+            view = self._looked(replace(view, due=due, looks=looks), scan, laser)
         self._views[scan.source] = view
-        return view.words
+        is_open = view.looks < LOOKS and view.strikes > 0
+        return (
+            WallError("it is compared with the walls of the map", laser=laser)
+            if is_open
+            else (view.error)
+        )
 
     def _expected(self, scan: BeamScan, laser: LaserConfig) -> FloatArray:
         """Return the distance of the wall on which each beam should end [m]; else infinite."""
@@ -93,44 +125,43 @@ class WallCheck:
         return np.where(is_seen, walls, inf)
 
     def _looked(self, view: WallView, scan: BeamScan, laser: LaserConfig) -> WallView:
-        due = scan.captured_at + LOOK_PERIOD
         on_wall = np.isfinite(view.walls) & np.isfinite(scan.ranges)
-        if np.count_nonzero(on_wall) < BEAMS_MIN:
-            return replace(view, due=due, strikes=0, words="")
-        if _agreeing(scan.ranges, view.walls) >= SEEN_SHARE:
-            return replace(view, due=due, strikes=0, words="")
-        strikes, words = view.strikes + 1, view.words
-        if strikes % EXPLAINED_EVERY == LOOKS:
-            words = self._explained(view.walls, scan, laser)
-        return replace(view, due=due, strikes=strikes, words=words)
+        share = _agreeing(scan.ranges, view.walls)
+        if np.count_nonzero(on_wall) < BEAMS_MIN or share >= SEEN_SHARE:
+            return replace(view, strikes=0, share=1.0, error=None)
+        strikes = view.strikes + 1
+        is_due = strikes % EXPLAINED_EVERY == LOOKS or share < view.share - EXPLAINED_MORE
+        if strikes < LOOKS or not is_due:
+            return replace(view, strikes=strikes)
+        error = self._explained(view.walls, scan, laser)
+        return replace(view, strikes=strikes, share=share, error=error)
 
-    def _explained(self, walls: FloatArray, scan: BeamScan, laser: LaserConfig) -> str:
-        """Return which error makes the scan fit the walls, in words, or ""."""
+    def _explained(self, walls: FloatArray, scan: BeamScan, laser: LaserConfig) -> WallError | None:
+        """Return which error makes the scan fit the walls, or None."""
         on_wall = np.isfinite(walls) & np.isfinite(scan.ranges)
         off = float(np.median(scan.ranges[on_wall] - walls[on_wall]))
         enough = max(EXPLAINED_SHARE, _agreeing(scan.ranges, walls) + EXPLAINED_MORE)
         if _agreeing(scan.ranges - off, walls) >= enough:
             way = "long" if off > 0.0 else "short"
-            return (
-                f"its distances are {abs(off):.2f} m too {way} by the walls of the map: it is not"
-                " believed; restart it, and see its settings and its model"
-            )
+            words = f"its distances are {abs(off):.2f} m too {way} by the walls of the map"
+            return WallError(f"{words}: {_DISTRUST}; restart it, and see its settings", off, laser)
         found = self._fitted(scan, laser)
         if found is not None and _agreeing(scan.ranges, self._expected(scan, found)) >= enough:
             moved = hypot(found.x - laser.x, found.y - laser.y)
-            return (
+            turned = abs(degrees(found.yaw - laser.yaw))
+            words = (
                 f"by the walls of the map it is {moved:.2f} m from where the site has it, turned by"
-                f" {abs(degrees(found.yaw - laser.yaw)):.0f} deg: it is not believed;"
-                f" x = {found.x:.2f}, y = {found.y:.2f}, yaw = {found.yaw:.2f} in [[lasers]] fit,"
-                " or put it back"
+                f" {turned:.0f} deg: {_DISTRUST}; x = {found.x:.2f}, y = {found.y:.2f},"
+                f" yaw = {found.yaw:.2f} in [[lasers]] fit, or put it back"
             )
-        behind = np.count_nonzero(scan.ranges[on_wall] > walls[on_wall] + 0.3)
+            return WallError(words, laser=found)
+        behind = np.count_nonzero(scan.ranges[on_wall] > walls[on_wall] + _BEHIND)
         if behind > THROUGH_SHARE * np.count_nonzero(on_wall):
-            return (
+            return WallError(
                 "it sees through the walls of the map: it is not believed; compare its place and"
                 " the map with the room"
             )
-        return ""
+        return None
 
     def _fitted(self, scan: BeamScan, laser: LaserConfig) -> LaserConfig | None:
         """Return the place of the scanner that fits the walls; None where none near it does."""

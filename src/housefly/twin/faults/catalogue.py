@@ -369,6 +369,14 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             _one(_C.PEOPLE, _K.WRONG, "walking", 1.0, name="walks_up"),
             _one(_C.PEOPLE, _K.WRONG, "walking", 1.5, name="head_on"),
             _one(_C.PEOPLE, _K.WRONG, "crossing", 1.0, name="crosses"),
+            FaultVariant(
+                "wrong_scanners",
+                (
+                    Fault(_C.LASER, _K.WRONG, magnitude=0.5),
+                    Fault(_C.PEOPLE, _K.WRONG, start=14.0, magnitude=1.5),
+                ),
+                from_start=True,
+            ),
         ), True,
     ),
     FaultRow(
