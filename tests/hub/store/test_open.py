@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sqlite3
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -16,6 +18,31 @@ def test_a_path_opens_a_file_and_an_older_one_again(tmp_path: Path) -> None:
         store = open_store(tmp_path / "house.db")
         assert store.notices == ()
         store.close()
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"my diary\n" * 500, "is no database of Housefly, or its beginning is damaged"),
+        (b"\0" * 4096, "is no database of Housefly, or its beginning is damaged"),
+        (None, r"is another program's database \(it holds photos\)"),
+    ],
+)
+def test_a_file_that_is_not_ours_is_refused_and_left_as_it_is(
+    tmp_path: Path, content: bytes | None, words: str
+) -> None:
+    path = tmp_path / "other.db"
+    if content is None:
+        with closing(sqlite3.connect(path)) as other:
+            other.execute("CREATE TABLE photos (id INTEGER)")
+            other.commit()
+        content = path.read_bytes()
+    else:
+        path.write_bytes(content)
+    with pytest.raises(StoreError, match=f"{words}; it stays as it is: move it away"):
+        open_store(path)
+    assert path.read_bytes() == content
+    assert [file.name for file in tmp_path.iterdir()] == ["other.db"]
 
 
 def test_a_server_that_does_not_answer_is_said_in_words(tmp_path: Path) -> None:

@@ -250,15 +250,18 @@ def test_a_writer_that_is_killed_loses_less_than_a_second(tmp_path: Path, after:
 
 def test_a_damaged_file_is_moved_aside_with_words_and_a_new_one_begun(tmp_path: Path) -> None:
     address = tmp_path / "house.db"
-    address.write_bytes(b"this is no database at all" * 400)
+    content = b"SQLite format 3\0" + b"\xff" * 4096
+    address.write_bytes(content)
     store = open_store(address)
     aside = [file for file in tmp_path.iterdir() if "damaged" in file.name]
-    assert [file.read_bytes() for file in aside] == [b"this is no database at all" * 400]
+    assert [file.read_bytes() for file in aside] == [content]
     assert store.notices == (
         f"{address} was damaged: it is kept as {aside[0].name}, a new one was begun",
     )
     store.write([seen(1)])
     store.close()
+    with writing(lambda: open_store(address)) as writer:  # the next start says so, too
+        assert writer.report().startswith(f"{address} was damaged before: {aside[0].name} has")
 
 
 def test_a_file_that_is_damaged_while_it_is_written_is_moved_aside_and_writing_goes_on(

@@ -6,7 +6,9 @@ from pathlib import Path
 
 from housefly.config.site import Site
 from housefly.config.state import database_file
+from housefly.errors import StoreError
 from housefly.hub.store.database import Database
+from housefly.hub.store.foreign import refuse_foreign_file
 from housefly.hub.store.sql_store import SqlStore
 from housefly.hub.store.sqlite import SqliteDatabase
 from housefly.hub.store.store import DEFAULT_KEEP_DAYS
@@ -22,10 +24,17 @@ def open_store(address: str | Path, *, keep_days: float = DEFAULT_KEEP_DAYS) -> 
         keep_days: how long samples are kept [days].
 
     Raises:
-        StoreError: it cannot be opened, or a newer version made it.
+        StoreError: it cannot be opened, it is another program's, or a newer version made it.
         MissingPartError: PostgreSQL is asked for and its driver is not installed.
     """
-    return SqlStore(_database(address), keep_days=keep_days)
+    if not str(address).startswith(SERVER_SCHEMES):
+        refuse_foreign_file(Path(address))
+    try:
+        return SqlStore(_database(address), keep_days=keep_days)
+    except StoreError:
+        if str(address).startswith(SERVER_SCHEMES) or Path(address).exists():
+            raise
+        return SqlStore(_database(address), keep_days=keep_days)  # the damaged one is kept aside
 
 
 def open_site_store(site: Site) -> SqlStore:

@@ -7,6 +7,7 @@ committed. Neither damages the file.
 
 from __future__ import annotations
 
+import glob
 import os
 import sqlite3
 import time
@@ -60,6 +61,7 @@ class SqliteDatabase:
             if path.exists():  # another problem than damage
                 raise
             self._open()
+        self.notices = self.notices or self._damaged_before()
 
     def query(self, sql: str, values: Sequence[object] = ()) -> Iterable[Row]:
         """Run one statement and return its rows."""
@@ -128,6 +130,17 @@ class SqliteDatabase:
             if code in _DAMAGED:
                 raise StoreError(self._moved_aside()) from error
             raise StoreError(_REASONS.get(code, str(error)), f"database {self.path}") from error
+
+    def _damaged_before(self) -> tuple[str, ...]:
+        """Return a notice of the newest damaged file beside this one, if there is any."""
+        with suppress(OSError):
+            kept = sorted(self.path.parent.glob(f"{glob.escape(self.path.name)}.damaged-*[0-9]"))
+            if kept:
+                return (
+                    f"{self.path} was damaged before: {kept[-1].name} has what was in it; delete"
+                    " that file when it is no longer needed",
+                )
+        return ()
 
     def _moved_aside(self) -> str:
         """Move the file and its companions aside; return a message."""
