@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -182,6 +183,20 @@ def test_missing_steps_are_counted(tmp_path: Path, flight: tuple[PilotStep, ...]
     with_gap = flight[:10] + flight[15:20]
     verdict = verify(write(tmp_path / "flight.mcap", with_gap), lambda: Parrot(with_gap))
     assert (verdict.steps, verdict.missing) == (15, 5)
+
+
+def test_of_a_recording_that_was_cut_it_is_known_how_much_is_there(
+    recording: Path, flight: tuple[PilotStep, ...], tmp_path: Path
+) -> None:
+    whole = verify(recording, lambda: Parrot(flight))
+    assert (whole.is_whole, whole.recorded, whole.share) == (True, None, None)
+    cut = tmp_path / "flight.mcap"
+    cut.write_bytes(recording.read_bytes()[: recording.stat().st_size // 3])
+    (tmp_path / "summary.json").write_text(json.dumps({"steps": len(flight)}))
+    verdict = verify(tmp_path, lambda: Parrot(flight))
+    assert 0 < verdict.steps < len(flight) and verdict.difference is None
+    assert (verdict.is_whole, verdict.recorded) == (False, len(flight))
+    assert verdict.share == verdict.steps / len(flight)
 
 
 @pytest.mark.parametrize("content", [MCAP0_MAGIC, None])

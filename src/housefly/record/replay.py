@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import os
 import struct
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -152,11 +154,21 @@ class ReplayResult:
         missing: steps that the recording lacks; a pilot that never saw them may rightly decide
             otherwise.
         difference: the first difference, or None when every command is the same bit for bit.
+        recorded: steps that the summary beside the recording speaks of; None without one.
+        is_whole: whether the recording has its end: a cut copy, a full disk and a power cut leave
+            none.
     """
 
     steps: int
     missing: int
     difference: Difference | None
+    recorded: int | None = None
+    is_whole: bool = True
+
+    @property
+    def share(self) -> float | None:
+        """Share of the recorded steps that are there, None where nobody has counted them."""
+        return min(1.0, self.steps / self.recorded) if self.recorded else None
 
 
 def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> ReplayResult:
@@ -164,15 +176,35 @@ def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> ReplayResul
 
     Raises RecordingError like ``read_steps``, and where there is no step at all.
     """
-    pilot = pilot_factory()
+    path = path / "flight.mcap" if path.is_dir() else path
+    pilot, recorded, is_whole = pilot_factory(), _steps_in_summary(path), _has_end(path)
     count, missing, last = 0, 0, None
     for step in read_steps(path):
         missing += max(0, step.sequence - last - 1) if last is not None else 0
         last = step.sequence
         command = pilot.step(step.now, step.inputs).command
         if repr(command) != repr(step.outputs.command):
-            return ReplayResult(count, missing, Difference(step, command))
+            return ReplayResult(count, missing, Difference(step, command), recorded, is_whole)
         count += 1
     if count == 0:
         raise RecordingError(f"{path} holds no step of a flight: there is nothing to compare")
-    return ReplayResult(count, missing, None)
+    return ReplayResult(count, missing, None, recorded, is_whole)
+
+
+def _has_end(path: Path) -> bool:
+    """Return whether a recording ends as it does when its writer has closed it."""
+    try:
+        with path.open("rb") as file:
+            file.seek(-len(MCAP0_MAGIC), os.SEEK_END)
+            return file.read() == MCAP0_MAGIC
+    except OSError:
+        return False
+
+
+def _steps_in_summary(path: Path) -> int | None:
+    """Return how many steps the summary beside a recording counts, None without one."""
+    try:
+        steps = json.loads(path.with_name("summary.json").read_text("utf-8"))["steps"]
+    except (OSError, ValueError, TypeError, KeyError):
+        return None
+    return steps if isinstance(steps, int) and steps > 0 else None

@@ -8,6 +8,9 @@ from pathlib import Path
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 
+_CUT_OFF = 3
+"""Exit code: what is there is the same, but not all of it is there."""
+
 
 def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("recording", metavar="DIR|flight.mcap", help="a recorded flight")
@@ -34,6 +37,14 @@ def _run(options: Namespace) -> int:
     if verdict.difference is not None:
         console.print(f"differs: {verdict.difference}", markup=False)
         return 1
+    if not verdict.is_whole or (verdict.share or 1.0) < 1.0:
+        of = "" if verdict.recorded is None else f" of {verdict.recorded} ({verdict.share:.0%})"
+        console.print(
+            f"the recording is cut off: {verdict.steps}{of} steps are there, every command in them"
+            " is the same, bit for bit; nothing is known of the rest (a cut copy, a full disk, a"
+            " power cut?)"
+        )
+        return _CUT_OFF
     console.print(f"{verdict.steps} steps replayed; every command is the same, bit for bit")
     return 0
 
@@ -43,7 +54,7 @@ REPLAY_COMMAND = Subcommand(
     help="give a recording to a fresh pilot and compare every command",
     description=(
         "Feed the inputs of a recorded flight to a fresh pilot. Exit code 0 when every command"
-        " is the same, bit for bit."
+        " is the same, bit for bit; 1 when one differs; 3 when the recording is cut off."
     ),
     add_arguments=_add_arguments,
     run=_run,
