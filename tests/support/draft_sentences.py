@@ -8,7 +8,9 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from drafts import whole_draft
+from PIL import Image
 
 from housefly.errors import HouseflyError
 from housefly.room.draft.alignment import rigid_fit
@@ -124,7 +126,7 @@ def refusal_sentences(folder: Path) -> set[str]:
         partial(with_size, SiteDraft(), 0.1, 4.0),
         partial(rigid_fit, ()),
     ]
-    for name, text, hints in _FILES:
+    for name, text, hints in (*_FILES, *_FOREIGN):
         (folder / name).write_text(text, encoding="utf-8")
         tries.append(partial(imported, SiteDraft(), folder / name, hints))
     found = {_refused(one) for one in tries}
@@ -168,7 +170,7 @@ def _refused(work: Callable[[], object]) -> str:
 
 
 def import_sentences(folder: Path) -> set[str]:
-    """Return what is said of plans that are read: with and without layers, closed and open."""
+    """Return what is said of plans, maps and scans that are read, and of what is left out."""
     rooms = {
         "walls.svg": (_ROOM, _ANY),
         "lines.svg": (_SVG.format(layer="l", size='width="6" height="4"'), ImportHints(unit=1.0)),
@@ -177,12 +179,77 @@ def import_sentences(folder: Path) -> set[str]:
             '<line x1="0" y1="0" x2="0" y2="4"/></svg>',
             _ANY,
         ),
+        "much.svg": (_MUCH, _ANY),
+        "inches.dxf": (_DXF % (0, 240, 180), _ANY),
+        "wrong.dxf": (_DXF % (4, 6, 4), _ANY),
+        "cut.dxf": (_DXF % (6, 6, 4) + "0\nSECTION\n", _ANY),
+        "map.yaml": (_MAP, ImportHints(unexplored="free")),
+        "sparse.obj": (_scan(0.05) + "v nan 0 0\nv 1e9 0 0\n", _ANY),
+        "feet.obj": (_scan(0.02, 3.281), ImportHints(unit=0.3048)),
     }
+    Image.new("L", (90, 70), 254).save(folder / "map.png")
+    with Image.open(folder / "map.png") as picture:
+        picture.paste(205, (0, 0, 20, 70))
+        picture.save(folder / "map.png")
     found: set[str] = set()
     for name, (text, hints) in rooms.items():
         (folder / name).write_text(text, encoding="utf-8")
         found |= set(imported(SiteDraft(), folder / name, hints).notes)
     return found
+
+
+_MUCH = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" viewBox="0 0 200 150">'
+    '<rect width="100%" height="100%"/><text>a</text><g id="walls"><rect width="160" height="90"/>'
+    '<path d="q"/><circle r="0.01"/><line x2="9" display="none"/><line x1="9e4" x2="9e4" y2="1"/>'
+    '</g><g id="doors"><line x2="20"/></g></svg>'
+)
+_DXF = (
+    "0\nSECTION\n2\nHEADER\n9\n$LUNITS\n70\n4\n9\n$INSUNITS\n70\n%d\n0\nENDSEC\n0\nSECTION\n2\n"
+    "ENTITIES\n0\nSOLID\n8\nwalls\n10\n0\n20\n0\n11\n%d\n21\n0\n12\n0\n22\n%d\n0\nENDSEC\n0\nEOF\n"
+)
+_MAP = (
+    "image: /maps/map.png\nresolution: '0.05'\norigin: [0, 0, 0]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.25\n"
+)
+
+
+def _scan(spacing: float, scale: float = 1.0) -> str:
+    """Return the points of a floor and a wall as OBJ."""
+    x, y, z = (np.arange(0.0, side, spacing) for side in (3.0, 2.0, 2.5))
+    floor = np.stack(np.meshgrid(x, y, [0.0]), axis=-1).reshape(-1, 3)
+    wall = np.stack(np.meshgrid(x, [2.0], z), axis=-1).reshape(-1, 3)
+    points = scale * np.vstack([floor, wall])
+    return "".join(f"v {a:.3f} {b:.3f} {c:.3f}\n" for a, b, c in points)
+
+
+def _gltf(**keys: object) -> str:
+    return json.dumps({"asset": {"version": "2.0"}, **keys})
+
+
+_FOREIGN = (
+    *((f"room.{end}", "", _ANY) for end in ("pgm", "pdf", "dwg", "usdz", "pts")),
+    ("draco.gltf", _gltf(extensionsUsed=["KHR_draco_mesh_compression"]), _ANY),
+    ("packed.gltf", _gltf(extensionsRequired=["EXT_meshopt_compression"]), _ANY),
+    ("half.gltf", _gltf(buffers=[{"uri": "half.bin"}]), _ANY),
+    ("whole.gltf", "{", _ANY),
+    (
+        "numbers.gltf",
+        _gltf(
+            accessors=[{"componentType": 5122, "normalized": True}],
+            meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        ),
+        _ANY,
+    ),
+    ("far.obj", _scan(0.14), _ANY),
+    ("line.obj", "".join(f"v {n} 0 0\n" for n in range(600)), _ANY),
+    ("nothing.obj", "v nan 0 0\nv 0 nan 0\n", _ANY),
+    ("a.pcd", "VERSION 0.7\n", _ANY),
+    ("a.las", "LASF", _ANY),
+    ("a.e57", "ASTM", _ANY),
+    ("entities.svg", '<!DOCTYPE svg [<!ENTITY a "b">]><svg/>', _ANY),
+    ("text.svg", "<svg><text>a</text></svg>", _ANY),
+)
 
 
 SAID = (

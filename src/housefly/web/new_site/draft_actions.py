@@ -60,6 +60,7 @@ class ImportRoom:
     unit: Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)] | None = None
     up: Literal["auto", "y", "z"] = "auto"
     layers: Annotated[tuple[Annotated[str, Field(max_length=60)], ...], Field(max_length=20)] = ()
+    unexplored: Literal["wall", "free"] = "wall"
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +113,8 @@ def _import(service: DraftService, uploads: Uploads, body: bytes) -> DraftView:
 
     asked = parsed_request(ImportRoom, body)
     path = uploads.path_of(asked.file)
-    found = imported(service.draft(), path, ImportHints(asked.unit, asked.up, asked.layers))
+    hints = ImportHints(asked.unit, asked.up, asked.layers, asked.unexplored)
+    found = imported(service.draft(), path, hints)
     return service.change(
         asked.based_on,
         lambda _: found.draft,

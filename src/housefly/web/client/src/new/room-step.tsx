@@ -10,9 +10,11 @@ import type { Key } from "./messages/en";
 import { t } from "./messages/texts";
 
 /** The files that are read as rooms; what comes with them has other endings. */
-const ROOMS = /\.(ya?ml|ply|obj|glb|gltf|stl|svg|dxf)$/i;
+const ROOMS = /\.(ya?ml|ply|obj|glb|gltf|stl|pcd|la[sz]|e57|svg|dxf)$/i;
+const PLANS = /\.(svg|dxf)$/i;
 const ACCEPTED =
-  ".yaml,.yml,.pgm,.png,.ply,.obj,.mtl,.glb,.gltf,.bin,.stl,.svg,.dxf,.jpg,.jpeg";
+  ".yaml,.yml,.pgm,.png,.ply,.obj,.mtl,.glb,.gltf,.bin,.stl,.pcd,.las,.laz,.e57,.svg,.dxf," +
+  ".jpg,.jpeg";
 const UNITS = [
   ["", "found out"],
   ["1", "metres"],
@@ -26,6 +28,11 @@ const UPS = [
   ["z", "z"],
   ["y", "y"],
 ] as const;
+
+const UNSEEN = [
+  ["wall", "a wall"],
+  ["free", "free floor"],
+] as const satisfies [string, Key][];
 
 const named = <Value extends string>(all: readonly (readonly [Value, Key | "z" | "y"])[]) =>
   all.map(([value, words]): [Value, string] => [
@@ -110,18 +117,20 @@ function FileForm() {
   const [unit, setUnit] = useState<(typeof UNITS)[number][0]>("");
   const [up, setUp] = useState<(typeof UPS)[number][0]>("auto");
   const [layers, setLayers] = useState("");
+  const [unexplored, setUnexplored] = useState<(typeof UNSEEN)[number][0]>("wall");
   const main = files.value.find((file) => ROOMS.test(file.name));
   const read = async (): Promise<void> => {
     for (const file of files.value) if (!(await upload(file))) return;
     const words = layers.split(",").map((word) => word.trim()).filter(Boolean);
-    const asked = { file: main!.name, unit: unit ? Number(unit) : null, up, layers: words };
-    await act("/draft/import", asked, t("Reading {file} …", { file: main!.name }));
+    const file = main!.name;
+    const asked = { file, unit: unit ? Number(unit) : null, up, layers: words, unexplored };
+    await act("/draft/import", asked, t("Reading {file} …", { file }));
   };
   return (
     <fieldset class="file">
       <legend>{t("Or a file of it")}</legend>
       <label>
-        {t("ROS map (yaml and its picture), scan (ply, obj, gltf, glb, stl), plan (svg, dxf)")}
+        {t("ROS map (yaml and its picture), scan (ply, obj, gltf, e57, las, pcd …), plan (svg, dxf)")}
         <input
           type="file"
           multiple
@@ -136,7 +145,15 @@ function FileForm() {
         <Choice name={t("Unit of the file")} value={unit} options={named(UNITS)} set={setUnit} />
         <Choice name={t("Up in a scan")} value={up} options={named(UPS)} set={setUp} />
       </div>
-      {main && /\.(svg|dxf)$/i.test(main.name) && (
+      {main && !PLANS.test(main.name) && (
+        <Choice
+          name={t("Floor that was never seen is")}
+          value={unexplored}
+          options={named(UNSEEN)}
+          set={setUnexplored}
+        />
+      )}
+      {main && PLANS.test(main.name) && (
         <Text
           name={t("Layers of the plan that hold the walls (may be empty)")}
           value={layers}

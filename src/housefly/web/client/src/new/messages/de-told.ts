@@ -199,8 +199,6 @@ export const DE_TOLD: Templates = {
     "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; Decke {c} m",
   "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m (not in the scan: as usual)":
     "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; Decke {c} m (nicht im Scan: wie üblich)",
-  "floor that no point was measured on is unexplored, and not flown over":
-    "Boden ohne gemessenen Punkt gilt als unerkundet und wird nicht überflogen",
   "walls are taken from the layers {name}": "Wände stammen aus den Ebenen {name}",
   "every line is taken for a wall: no layer is called so":
     "jede Linie gilt als Wand: Keine Ebene heißt so",
@@ -228,13 +226,10 @@ export const DE_TOLD: Templates = {
     "{name}: {a} m x {b} m, {n} Linien wurden Wände bis zur Decke (auch Türen und Fenster, " +
       "wo sie auf derselben Ebene liegen)",
   "{name} points up, as you said": "{name} zeigt nach oben, wie angegeben",
-  "y points up, as glTF has it": "y zeigt nach oben, wie glTF es hat",
   "{name} was taken to point up": "{name} gilt als oben",
   "{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?":
     "{name} enthält keine Linien: Sind die Wände als Linien oder Formen gezeichnet, nicht " +
       "als Bild?",
-  "{name} has a line with an end that is not finite":
-    "{name} hat eine Linie mit einem Ende, das nicht endlich ist",
   "{name} has {n} lines, at most {m} are read: say which layers hold the walls; it has: {thing}":
     "{name} hat {n} Linien, höchstens {m} werden gelesen: angeben, welche Ebenen die Wände " +
       "enthalten; es gibt: {thing}",
@@ -249,8 +244,6 @@ export const DE_TOLD: Templates = {
       "(0.001 for millimetres), and which axis points up"]:
     "{name} misst {thing}: in keiner üblichen Einheit ein Raum; angeben, wie viele Meter " +
       "eine Einheit ist (0.001 für Millimeter) und welche Achse nach oben zeigt",
-  "{name} holds no points, or some that are not finite":
-    "{name} enthält keine Punkte oder solche, die nicht endlich sind",
   "{name} has {n} points; at least {m} are needed, better one on each 2 cm of wall and floor":
     "{name} hat {n} Punkte; mindestens {m} sind nötig, besser einer je 2 cm Wand und Boden",
   ["{name} holds {n} points, at most {m} are read: thin the scan out, 2 cm between " +
@@ -270,10 +263,115 @@ export const DE_TOLD: Templates = {
   "{name} cannot be read as SVG: {thing}": "{name} kann nicht als SVG gelesen werden: {thing}",
   "{name} cannot be read as DXF: {thing}": "{name} kann nicht als DXF gelesen werden: {thing}",
   "{name} cannot be read: {thing}": "{name} kann nicht gelesen werden: {thing}",
-  "{name} is too long, or defines entities; save it as plain SVG":
-    "{name} ist zu lang oder definiert Entitäten; als einfaches SVG speichern",
   "{name}: no room is read from such a file; allowed: {thing}":
     "{name}: aus so einer Datei wird kein Raum gelesen; erlaubt: {thing}",
   "{name} is no file; check its name": "{name} ist keine Datei; den Namen prüfen",
   "{name} is missing; install it with: {thing}": "{name} fehlt; zu installieren mit: {thing}",
+  ["{a} % of its {b} m^2 were never seen: unexplored, not flown over " +
+      "(unexplored=free changes that)"]:
+    "{a} % seiner {b} m² wurden nie gesehen: unerkundet, wird nicht überflogen (oben änderbar)",
+  "unexplored floor counts as free, as you said":
+    "unerkundeter Boden gilt als frei, wie angegeben",
+  "the drone fits nowhere: {a} % of the floor were never seen":
+    "die Drohne passt nirgends hin: {a} % des Bodens wurden nie gesehen",
+  "{name} has the text {thing}, read as the number {n}":
+    "{name} hat den Text {thing}, gelesen als Zahl {n}",
+  "image is {thing}, which is not there: {name} beside the yaml was read":
+    "image ist {thing}, das es nicht gibt: Gelesen wurde {name} neben der yaml-Datei",
+  ["grey 205 counts as never seen, although free_thresh ({a}) calls it free: " +
+      "map_saver writes it for that"]:
+    "Grau 205 gilt als nie gesehen, obwohl free_thresh ({a}) es frei nennt: " +
+      "map_saver schreibt es dafür",
+  ["every line is taken for a wall: no layer is called so; say layers= if only " +
+      "some hold them: {name}"]:
+    "jede Linie gilt als Wand: Keine Ebene heißt so; die Ebenen angeben, wenn nur " +
+      "manche Wände enthalten: {name}",
+  "{name} and {n} more": "{name} und {n} weitere",
+  ["its numbers ({a} x {b}) are {words}, a room of {c} m x {d} m: measure one " +
+      "wall, and say the unit if it is not so long"]:
+    "seine Zahlen ({a} x {b}) gelten als {words}, ein Raum von {c} m x {d} m: eine " +
+      "Wand messen und die Einheit angeben, wenn sie nicht so lang ist",
+  ["its numbers ({a} x {b}) cannot be {words}, and were {then}, a room of {c} m x " +
+      "{d} m: measure one wall, and say the unit if it is not so long"]:
+    "seine Zahlen ({a} x {b}) können nicht „{words}“ sein und gelten als {then}, " +
+      "ein Raum von {c} m x {d} m: eine Wand messen und die Einheit angeben, wenn " +
+      "sie nicht so lang ist",
+  ["its numbers ({a} x {b}) are inches, as the file writes its lengths: measure " +
+      "one wall, and say the unit if it is not so long"]:
+    "seine Zahlen ({a} x {b}) sind Zoll, wie die Datei Längen schreibt: eine Wand " +
+      "messen und die Einheit angeben, wenn sie nicht so lang ist",
+  "inches, as the file writes its lengths": "Zoll, wie die Datei Längen schreibt",
+  "{c} m each, as the file says": "je {c} m, wie die Datei sagt",
+  "taken for {words}": "{words}",
+  "drawn at 1:{n}": "Zeichnung 1:{n}",
+  "feet": "Fuß",
+  "its numbers ({thing}) are {a} m each, as the file says":
+    "seine Zahlen ({thing}) sind laut Datei je {a} m",
+  "left out: {name} ({words})": "ausgelassen: {name} ({words})",
+  "left out: {n} of {m} points ({words})": "ausgelassen: {n} von {m} Punkten ({words})",
+  "left out: {n} points that it calls noise": "ausgelassen: {n} Punkte, die sie Rauschen nennt",
+  "left out: {n} parts that are neither points nor surfaces":
+    "ausgelassen: {n} Teile, die weder Punkte noch Flächen sind",
+  "no lines or shapes": "keine Linien oder Formen",
+  "hidden, or on a layer that is frozen or off":
+    "verborgen oder auf einer gefrorenen oder ausgeschalteten Ebene",
+  "cannot be read": "nicht lesbar",
+  "on layers without walls": "auf Ebenen ohne Wände",
+  "2 cm and smaller": "2 cm und kleiner",
+  "far away from all the rest": "weit weg von allem anderen",
+  "no numbers": "keine Zahlen",
+  "the file is damaged; faults in it that were mended or left out: {n}":
+    "die Datei ist beschädigt; behobene oder ausgelassene Fehler: {n}",
+  "the file ends in the middle: it was cut off":
+    "die Datei endet mittendrin: Sie wurde abgeschnitten",
+  "the file ends in the middle: {n} points are missing":
+    "die Datei endet mittendrin: {n} Punkte fehlen",
+  "its points are about {a} cm apart: cells of {b} cm":
+    "ihre Punkte liegen etwa {a} cm auseinander: Zellen von {b} cm",
+  ["{name} has points more than {a} cm apart, too few to tell walls from gaps: " +
+      "export it denser, 2 cm between points are best, or as a mesh; or is its unit " +
+      "another one?"]:
+    "die Punkte von {name} liegen mehr als {a} cm auseinander, zu wenig, um Wände " +
+      "von Lücken zu unterscheiden: dichter ausgeben, am besten alle 2 cm, oder als " +
+      "Flächen; oder ist die Einheit eine andere?",
+  "{name} points up, as the format has it": "{name} zeigt nach oben, wie das Format es hat",
+  "{name} measures {thing}: all its points lie on one line or plane":
+    "{name} misst {thing}: alle Punkte liegen auf einer Linie oder Ebene",
+  "{name} stores its surfaces by {thing}, which is not read: export it without compression":
+    "{name} speichert Flächen mit {thing}, das nicht gelesen wird: ohne Kompression ausgeben",
+  ["{name} stores its surfaces by {thing}, which is not read: export it without " +
+      "compression, or pip install DracoPy"]:
+    "{name} speichert Flächen mit {thing}, das nicht gelesen wird: ohne " +
+      "Kompression ausgeben oder pip install DracoPy",
+  ["{name} stores its surfaces by {thing}, which is not read: export it without " +
+      "compression or quantization"]:
+    "{name} speichert Flächen mit {thing}, das nicht gelesen wird: ohne " +
+      "Kompression und Quantisierung ausgeben",
+  "{name} needs {thing}, which is not beside it: choose both files, or export it as one .glb":
+    "{name} braucht {thing}, das nicht daneben liegt: beide Dateien wählen oder " +
+      "als ein .glb ausgeben",
+  "{name} holds no points, or none that is finite":
+    "{name} enthält keine Punkte oder keine endlichen",
+  "{name} has points without three coordinates each": "{name} hat Punkte ohne drei Koordinaten",
+  "{name} ends in the middle: {a} of {b} bytes are there":
+    "{name} endet mittendrin: {a} von {b} Bytes sind da",
+  "{name} is damaged: its points are not as long as it says":
+    "{name} ist beschädigt: Die Punkte sind nicht so lang wie angegeben",
+  "{name} has no good header of a PCD: {thing}":
+    "{name} hat keinen guten Kopf einer PCD-Datei: {thing}",
+  "{name} has no good header of a LAS": "{name} hat keinen guten Kopf einer LAS-Datei",
+  "{name} has no good header of an E57": "{name} hat keinen guten Kopf einer E57-Datei",
+  "is the file whole?": "ist die Datei vollständig?",
+  "{name} has no field {thing}; it has: {place}": "{name} hat kein Feld {thing}; es hat: {place}",
+  "{name} has more than {n} numbers a point": "{name} hat mehr als {n} Zahlen je Punkt",
+  "{name} defines entities; save it as plain SVG":
+    "{name} definiert Entitäten; als einfaches SVG speichern",
+  "{name}: no room is read from such a file; {words}; allowed: {thing}":
+    "{name}: Aus so einer Datei wird kein Raum gelesen; {words}; erlaubt: {thing}",
+  "give the map's yaml file, which names the picture":
+    "die yaml-Datei der Karte angeben, die das Bild nennt",
+  "export the plan as .svg or .dxf": "den Grundriss als .svg oder .dxf ausgeben",
+  "export the walls as .dxf": "die Wände als .dxf ausgeben",
+  "export the scan as .glb or .ply": "den Scan als .glb oder .ply ausgeben",
+  "export the scan as .ply or .e57": "den Scan als .ply oder .e57 ausgeben",
 };

@@ -74,10 +74,13 @@ const texts: Record<Key, string> = {
   "Four new walls take the place of those that are drawn.":
     "Vier neue Wände ersetzen die gezeichneten.",
   "Or a file of it": "Oder eine Datei davon",
-  "ROS map (yaml and its picture), scan (ply, obj, gltf, glb, stl), plan (svg, dxf)":
-    "ROS-Karte (yaml und ihr Bild), Scan (ply, obj, gltf, glb, stl), Grundriss (svg, dxf)",
+  "ROS map (yaml and its picture), scan (ply, obj, gltf, e57, las, pcd …), plan (svg, dxf)":
+    "ROS-Karte (yaml und ihr Bild), Scan (ply, obj, gltf, e57, las, pcd …), Grundriss (svg, dxf)",
   "Unit of the file": "Einheit der Datei",
   "Up in a scan": "Oben im Scan",
+  "Floor that was never seen is": "Boden, der nie gesehen wurde, ist",
+  "a wall": "eine Wand",
+  "free floor": "freier Boden",
   "found out": "automatisch",
   "metres": "Meter",
   "centimetres": "Zentimeter",

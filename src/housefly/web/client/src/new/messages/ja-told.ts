@@ -168,7 +168,6 @@ export const JA_TOLD: Templates = {
     "{name}：{a} m x {b} m、{m}点から箱{n}個。天井 {c} m",
   "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m (not in the scan: as usual)":
     "{name}：{a} m x {b} m、{m}点から箱{n}個。天井 {c} m（スキャンになく、標準の値）",
-  "floor that no point was measured on is unexplored, and not flown over": "点のない床は未知とし、その上は飛びません",
   "walls are taken from the layers {name}": "壁はレイヤー {name} から取りました",
   "every line is taken for a wall: no layer is called so": "壁という名のレイヤーがないため、すべての線を壁とします",
   "one unit is {a} m, as you said": "指定どおり、1単位は {a} m です",
@@ -191,11 +190,9 @@ export const JA_TOLD: Templates = {
       "too, where they are drawn on the same layer)"]:
     "{name}：{a} m x {b} m、線{n}本を天井までの壁にしました（同じレイヤーにあればドアと窓も）",
   "{name} points up, as you said": "指定どおり、{name}が上向きです",
-  "y points up, as glTF has it": "glTFのとおり、yが上向きです",
   "{name} was taken to point up": "{name}を上向きとみなしました",
   "{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?":
     "{name} に線がありません。壁は画像でなく線や図形で描かれていますか",
-  "{name} has a line with an end that is not finite": "{name} に有限でない線があります",
   "{name} has {n} lines, at most {m} are read: say which layers hold the walls; it has: {thing}":
     "{name} には線が{n}本あり、読めるのは{m}本までです。壁のレイヤーを指定してください。レイヤー：{thing}",
   "no layer's name holds {name}; there are: {thing}": "{name} を含むレイヤーがありません。あるのは：{thing}",
@@ -206,7 +203,6 @@ export const JA_TOLD: Templates = {
   ["{name} measures {thing}: no room in any usual unit; say how many metres one unit is " +
       "(0.001 for millimetres), and which axis points up"]:
     "{name} の大きさ {thing} は、どの標準の単位でも部屋になりません。1単位が何メートルか（ミリメートルなら0.001）と、上向きの軸を指定してください",
-  "{name} holds no points, or some that are not finite": "{name} に点がないか、有限でない点があります",
   "{name} has {n} points; at least {m} are needed, better one on each 2 cm of wall and floor":
     "{name} は{n}点です。少なくとも{m}点、できれば壁と床の2 cmごとに1点必要です",
   ["{name} holds {n} points, at most {m} are read: thin the scan out, 2 cm between " +
@@ -223,10 +219,90 @@ export const JA_TOLD: Templates = {
   "{name} cannot be read as SVG: {thing}": "{name} をSVGとして読めません：{thing}",
   "{name} cannot be read as DXF: {thing}": "{name} をDXFとして読めません：{thing}",
   "{name} cannot be read: {thing}": "{name} を読めません：{thing}",
-  "{name} is too long, or defines entities; save it as plain SVG":
-    "{name} は長すぎるか、実体を定義しています。プレーンSVGで保存してください",
   "{name}: no room is read from such a file; allowed: {thing}":
     "{name}：この種類のファイルからは部屋を読めません。使えるのは：{thing}",
   "{name} is no file; check its name": "{name} というファイルはありません。名前を確かめてください",
   "{name} is missing; install it with: {thing}": "{name} がありません。次で入れられます：{thing}",
+  ["{a} % of its {b} m^2 were never seen: unexplored, not flown over " +
+      "(unexplored=free changes that)"]:
+    "{b} m² のうち {a} % は見えていません。未知とし、その上は飛びません（上の項目で変えられます）",
+  "unexplored floor counts as free, as you said": "指定どおり、未知の床は空いているとみなします",
+  "the drone fits nowhere: {a} % of the floor were never seen":
+    "ドローンが入る場所がありません。床の {a} % が見えていません",
+  "{name} has the text {thing}, read as the number {n}": "{name} が文字列 {thing} なので、数 {n} として読みました",
+  "image is {thing}, which is not there: {name} beside the yaml was read":
+    "image の {thing} がないため、yamlと同じ場所の {name} を読みました",
+  ["grey 205 counts as never seen, although free_thresh ({a}) calls it free: " +
+      "map_saver writes it for that"]:
+    "灰色205は、free_thresh（{a}）では空きですが、見えていない所とします。map_saverがそう書きます",
+  ["every line is taken for a wall: no layer is called so; say layers= if only " +
+      "some hold them: {name}"]:
+    "壁という名のレイヤーがないため、すべての線を壁とします。一部だけが壁なら、レイヤーを指定してください：{name}",
+  "{name} and {n} more": "{name} ほか{n}",
+  ["its numbers ({a} x {b}) are {words}, a room of {c} m x {d} m: measure one " +
+      "wall, and say the unit if it is not so long"]:
+    "数値 ({a} x {b}) は{words}とみなし、{c} m x {d} m の部屋です。壁を1枚測り、長さが違えば単位を指定してください",
+  ["its numbers ({a} x {b}) cannot be {words}, and were {then}, a room of {c} m x " +
+      "{d} m: measure one wall, and say the unit if it is not so long"]:
+    "数値 ({a} x {b}) は「{words}」ではありえないため、{then}とみなし、{c} m x {d} m の部屋です。壁を1枚測り、長さが違えば単位を指定してください",
+  ["its numbers ({a} x {b}) are inches, as the file writes its lengths: measure " +
+      "one wall, and say the unit if it is not so long"]:
+    "数値 ({a} x {b}) は、ファイルの長さの書き方からインチです。壁を1枚測り、長さが違えば単位を指定してください",
+  "inches, as the file writes its lengths": "ファイルの書き方によればインチ",
+  "{c} m each, as the file says": "ファイルによれば1単位 {c} m",
+  "taken for {words}": "{words}",
+  "drawn at 1:{n}": "縮尺1:{n}の図",
+  "feet": "フィート",
+  "its numbers ({thing}) are {a} m each, as the file says": "数値 ({thing}) は、ファイルによれば1単位 {a} m です",
+  "left out: {name} ({words})": "読まなかったもの：{name}（{words}）",
+  "left out: {n} of {m} points ({words})": "読まなかった点：{m}点中{n}点（{words}）",
+  "left out: {n} points that it calls noise": "読まなかった点：雑音とされた{n}点",
+  "left out: {n} parts that are neither points nor surfaces": "点でも面でもない{n}個の部分は読みませんでした",
+  "no lines or shapes": "線や図形でない",
+  "hidden, or on a layer that is frozen or off": "非表示、またはフリーズ・オフのレイヤー",
+  "cannot be read": "読めない",
+  "on layers without walls": "壁のないレイヤー",
+  "2 cm and smaller": "2 cm以下",
+  "far away from all the rest": "ほかから遠く離れている",
+  "no numbers": "数でない",
+  "the file is damaged; faults in it that were mended or left out: {n}":
+    "ファイルが壊れています。直したか除いた箇所：{n}",
+  "the file ends in the middle: it was cut off": "ファイルが途中で切れています",
+  "the file ends in the middle: {n} points are missing": "ファイルが途中で切れていて、{n}点足りません",
+  "its points are about {a} cm apart: cells of {b} cm": "点の間隔は約 {a} cm です。{b} cm のマスで読みました",
+  ["{name} has points more than {a} cm apart, too few to tell walls from gaps: " +
+      "export it denser, 2 cm between points are best, or as a mesh; or is its unit " +
+      "another one?"]:
+    "{name} の点の間隔は {a} cm を超え、壁と隙間を区別できません。もっと密に（できれば2 cmごとに）、または面として書き出してください。単位が違うかもしれません",
+  "{name} points up, as the format has it": "形式のとおり、{name}が上向きです",
+  "{name} measures {thing}: all its points lie on one line or plane":
+    "{name} の大きさは {thing} で、すべての点が一直線か一平面にあります",
+  "{name} stores its surfaces by {thing}, which is not read: export it without compression":
+    "{name} は {thing} で面を保存していて、読めません。圧縮せずに書き出してください",
+  ["{name} stores its surfaces by {thing}, which is not read: export it without " +
+      "compression, or pip install DracoPy"]:
+    "{name} は {thing} で面を保存していて、読めません。圧縮せずに書き出すか、pip install DracoPy としてください",
+  ["{name} stores its surfaces by {thing}, which is not read: export it without " +
+      "compression or quantization"]:
+    "{name} は {thing} で面を保存していて、読めません。圧縮も量子化もせずに書き出してください",
+  "{name} needs {thing}, which is not beside it: choose both files, or export it as one .glb":
+    "{name} には {thing} も必要です。両方を選ぶか、1つの .glb に書き出してください",
+  "{name} holds no points, or none that is finite": "{name} に点がないか、有限な点がありません",
+  "{name} has points without three coordinates each": "{name} に座標が3つでない点があります",
+  "{name} ends in the middle: {a} of {b} bytes are there": "{name} は途中で切れています（{b} バイト中 {a} バイト）",
+  "{name} is damaged: its points are not as long as it says": "{name} は壊れています。点の長さが書かれた値と違います",
+  "{name} has no good header of a PCD: {thing}": "{name} のPCDヘッダーが正しくありません：{thing}",
+  "{name} has no good header of a LAS": "{name} のLASヘッダーが正しくありません",
+  "{name} has no good header of an E57": "{name} のE57ヘッダーが正しくありません",
+  "is the file whole?": "ファイルは完全ですか",
+  "{name} has no field {thing}; it has: {place}": "{name} に項目 {thing} がありません。あるのは：{place}",
+  "{name} has more than {n} numbers a point": "{name} は1点に{n}個を超える数があります",
+  "{name} defines entities; save it as plain SVG": "{name} は実体を定義しています。プレーンSVGで保存してください",
+  "{name}: no room is read from such a file; {words}; allowed: {thing}":
+    "{name}：この種類のファイルからは部屋を読めません。{words}。使えるのは：{thing}",
+  "give the map's yaml file, which names the picture": "画像ではなく、それを指す地図のyamlを選んでください",
+  "export the plan as .svg or .dxf": "平面図を .svg か .dxf に書き出してください",
+  "export the walls as .dxf": "壁を .dxf に書き出してください",
+  "export the scan as .glb or .ply": "スキャンを .glb か .ply に書き出してください",
+  "export the scan as .ply or .e57": "スキャンを .ply か .e57 に書き出してください",
 };
