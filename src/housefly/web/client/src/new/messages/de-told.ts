@@ -374,4 +374,5 @@ export const DE_TOLD: Templates = {
   "export the walls as .dxf": "die Wände als .dxf ausgeben",
   "export the scan as .glb or .ply": "den Scan als .glb oder .ply ausgeben",
   "export the scan as .ply or .e57": "den Scan als .ply oder .e57 ausgeben",
+  "the floor was taken at {a} m in it": "der Boden liegt darin bei {a} m",
 };

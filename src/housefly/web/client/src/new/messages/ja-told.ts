@@ -305,4 +305,5 @@ export const JA_TOLD: Templates = {
   "export the walls as .dxf": "壁を .dxf に書き出してください",
   "export the scan as .glb or .ply": "スキャンを .glb か .ply に書き出してください",
   "export the scan as .ply or .e57": "スキャンを .ply か .e57 に書き出してください",
+  "the floor was taken at {a} m in it": "床はその中の高さ {a} m としました",
 };
