@@ -148,29 +148,46 @@ def check_room(site: Site) -> MachineCheck:
         loaded = open_site(site)
     except HouseflyError as error:
         return MachineCheck("room", False, str(error), "mend that file, or: housefly new")
+    x_min, y_min, x_max, y_max = loaded.room.bounds
+    size = f"{x_max - x_min:.1f} m x {y_max - y_min:.1f} m"
+    if not site.drone.enabled:
+        return MachineCheck("room", True, size)
     reached = reached_from(loaded.grid, loaded.room.home)
     places = loaded.room.places
     lost = [place.name for place in places if not is_reached(reached, loaded.grid, place.viewpoint)]
     if "home" in lost:
         found = "the drone cannot start: the pad is too close to something"
         return MachineCheck("room", False, found, "move the pad: housefly room show draws the room")
-    x_min, y_min, x_max, y_max = loaded.room.bounds
-    found = f"{x_max - x_min:.1f} m x {y_max - y_min:.1f} m, {len(places)} places"
+    found = f"{size}, {len(places)} places"
     if lost:
         return MachineCheck("room", False, f"{found}; no way leads to {', '.join(lost)}", remedy)
     return MachineCheck("room", True, f"{found}, a way leads to each")
 
 
 def _hardware(site: Site) -> MachineCheck:
+    without = [
+        name
+        for name, there in (("drone", site.drone.enabled), ("tracking", site.tracking.enabled))
+        if not there
+    ]
     if site.twin.enabled:
-        return MachineCheck("drone and tracking", True, "simulated")
+        none = f"; no {' and no '.join(without)}" if without else ""
+        return MachineCheck("drone and tracking", True, f"simulated{none}")
+    if without == ["drone", "tracking"]:
+        return MachineCheck("drone and tracking", True, "neither is asked for")
     wire = site.tracking.wire
     tracking = (
         f"{site.tracking.address}:{site.tracking.port_of(wire)}" if wire else site.tracking.address
     )
-    return MachineCheck(
-        "drone and tracking", True, f"real, expected at {site.drone.address} and {tracking}"
+    expected = " and ".join(
+        where
+        for where, there in (
+            (site.drone.address, site.drone.enabled),
+            (tracking, site.tracking.enabled),
+        )
+        if there
     )
+    return MachineCheck("drone and tracking", True, f"real, expected at {expected}")
 
 
 def _priority(_: Site) -> MachineCheck:

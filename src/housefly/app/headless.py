@@ -72,7 +72,7 @@ def fly_over_wires(
             site,
             bus,
             web=runtime.has_console,
-            video=site.drone.has_video and site.twin.video,
+            video=site.has_picture,
             on_console=on_console,
         ).wait(_START_TIMEOUT, say, lambda: launcher.given_up != ())
         if missing:

@@ -55,6 +55,7 @@ _NEXT = {
     Screen.TASKS: "Open the address and ask for something, or ring the doorbell there.",
 }
 """What to do first."""
+_NO_FLIGHT = "Open the address: who and what is where, and what happened. Ctrl-C ends."
 
 
 class _Teller:
@@ -134,7 +135,9 @@ def run_interactively(
                 console.print(f"recording to {record}", markup=False)
             teller.tell_for_ever()
         except KeyboardInterrupt:
-            _say("\nlanding the drone, then leaving (Ctrl-C again does not wait for it)")
+            lands = any(spec.lands for spec in launcher.processes)
+            leaving = "landing the drone, then leaving (Ctrl-C again does not wait for it)"
+            _say(f"\n{leaving if lands else 'leaving'}")
             _land_and_leave(launcher)
     return 0
 
@@ -144,16 +147,18 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
     console.print(
         f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}:"
         f" {'simulated room' if site.twin.enabled else 'real hardware'}"
+        f"{'' if site.drone.enabled else ', no drone'}"
     )
     if site.tasks.enabled:
-        console.print(f'ask:      {_command()} ask "who is at the door"', markup=False)
+        asked = "who is at the door" if site.drone.enabled else "where is the cup"
+        console.print(f'ask:      {_command()} ask "{asked}"', markup=False)
     console.print(
         f"bus:      {runtime.bus}  (who may run programs here may listen and order)",
         soft_wrap=True,
     )
-    if note := people_note(site):
+    if site.drone.enabled and (note := people_note(site)):
         console.print(f"people:   {note}", markup=False)
-    video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
+    video = site.has_picture
     with console.status("starting") as status:
 
         def on_missing(words: str) -> None:
@@ -166,11 +171,8 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
     def said_ready() -> bool:
         if readiness.wait(0.0):
             return False
-        console.print(
-            f"ready after {time.monotonic() - started:.1f} s. {_NEXT[first]}"
-            " Ctrl-C lands and ends.",
-            soft_wrap=True,
-        )
+        then = f"{_NEXT[first]} Ctrl-C lands and ends." if site.drone.enabled else _NO_FLIGHT
+        console.print(f"ready after {time.monotonic() - started:.1f} s. {then}", soft_wrap=True)
         return True
 
     teller.tell()

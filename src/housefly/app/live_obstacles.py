@@ -6,7 +6,7 @@ import threading
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, Vec3, distance
-from housefly.messages import Obstacle, PilotStep, Sighting
+from housefly.messages import Obstacle, PilotStep, Sighting, TrackedFrame
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.people import may_be_person
 from housefly.room.model import Room
@@ -40,11 +40,19 @@ class LiveObstacles:
 
     def heard_step(self, step: PilotStep) -> None:
         """Take in what tracking saw."""
-        found = self._furniture.step(step.inputs.sightings, step.now)
+        self._heard(step.inputs.sightings, step.now)
+
+    def heard_frame(self, frame: TrackedFrame) -> None:
+        """Take in what tracking saw, where no pilot's step carries it."""
+        now = max((one.received_at for one in frame.sightings), default=0.0)
+        self._heard(frame.sightings, now)
+
+    def _heard(self, sightings: tuple[Sighting, ...], now: float) -> None:
+        found = self._furniture.step(sightings, now)
         with self._lock:
             for obstacle in found:
                 self._obstacles[obstacle.source, obstacle.id] = obstacle
-            for sighting in step.inputs.sightings:
+            for sighting in sightings:
                 if sighting.body in self._people:
                     self._persons.setdefault(sighting.body, _Track()).add(sighting)
 

@@ -49,16 +49,12 @@ class PortNeed:
 def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
     """Return the ports that a site needs on this machine, and which are in use."""
     needs = []
+    if site.twin.enabled and site.drone.enabled:
+        remedy = "drone.address, for example 127.0.0.2"
+        needs.append(_need("simulated drone", site.drone.address, _DRONE_PORTS, remedy))
     if site.twin.enabled:
-        needs.append(
-            _need(
-                "simulated drone",
-                site.drone.address,
-                _DRONE_PORTS,
-                "drone.address, for example 127.0.0.2",
-            )
-        )
-        needs += [_tracking_need(site, wire) for wire in site.served_wires]
+        if site.tracking.enabled:
+            needs += [_tracking_need(site, wire) for wire in site.served_wires]
         needs += [
             _tcp(
                 f"simulated scanner {laser.name}", laser.address, laser.port, "its port or address"

@@ -9,10 +9,10 @@ from math import isfinite
 
 from housefly.app.console_answer import console_answers
 from housefly.app.machine_load import machine_load
-from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.bus import Bus, Subscription
+from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, SIGHT_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.config.site import Site
-from housefly.messages import LinkStatus, PilotStep, VideoFrame
+from housefly.messages import LinkStatus, PilotStep, SightNews, VideoFrame
 
 
 class Readiness:
@@ -39,9 +39,9 @@ class Readiness:
         self._lock = threading.Lock()
         self._seen: set[str] = set()
         self._wanted = [
-            "pilot",
-            "tracking",
-            "drone",
+            *(["pilot"] if site.drone.enabled else []),
+            *(["tracking"] if site.tracking.enabled else []),
+            *(["drone"] if site.drone.enabled else []),
             *(["sensors for people"] if site.sees_people else []),
             *(["picture"] if video else []),
             *(["console"] if web else []),
@@ -51,6 +51,17 @@ class Readiness:
             bus.subscribe(STEP_TOPIC, self._on_step),
             bus.subscribe(LINK_TOPIC, self._on_link),
             bus.subscribe(VIDEO_TOPIC, self._on_video),
+            *([] if site.drone.enabled else self._without_pilot(bus)),
+        ]
+
+    def _without_pilot(self, bus: Bus) -> list[Subscription]:
+        def on_sight(news: SightNews) -> None:
+            if isfinite(news.seen_at):
+                self._see("sensors for people")
+
+        return [
+            bus.subscribe(FRAME_TOPIC, lambda frame: self._see("tracking")),
+            bus.subscribe(SIGHT_TOPIC, on_sight),
         ]
 
     def wait(

@@ -26,7 +26,7 @@ from housefly.room.edit_versions import EditVersions
 
 _LOG = logging.getLogger(__name__)
 
-ROOM_READERS = ("pilot", "hub", "perception", "tasks")
+ROOM_READERS = ("pilot", "observer", "hub", "perception", "tasks")
 """They keep places, zones or the map; in this order they start again. The room's own solids, which
 the twin has, and what the console shows, which the pilot tells, are not among them."""
 _ANSWER_PAUSE = 0.5

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from housefly.app.live_task_room import LiveTaskRoom
@@ -15,6 +15,7 @@ from housefly.hub.api.questions import Question
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.open_library import OpenLibrary
+from housefly.tasks.document.task_document import TaskDocument
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.task_run import HOLD_PERIOD
@@ -66,8 +67,10 @@ def task_service(
     """
     site, folder = loaded.site, tasks_folder(loaded.site)
     config = site.tasks
-    library = OpenLibrary(Path(config.documents) if config.documents else None)
+    own, has_drone = config.documents, site.drone.enabled
+    library = OpenLibrary(Path(own) if own else None, has_drone=has_drone)
     rules, wrong_rules = _rules(config)
+    rules = rules if has_drone else rules_without_flight(rules, library)
     rule_store = RuleStore(folder, HouseMode(config.mode))
     store = TaskStore(folder / TASK_FILE)
     clips = ClipRecorder(clips_folder(site), config)
@@ -94,6 +97,7 @@ def task_service(
         outlet,
         names_of_room(loaded.room),
         _own_sentences(config),
+        has_drone,
     )
     services = {name: document.info() for name, document in library.items()}
     problems = (
@@ -114,6 +118,14 @@ def _rules(config: TasksConfig) -> tuple[tuple[Rule, ...], str]:
         return rules_of(Path(config.rules) if config.rules else None), ""
     except ConfigError as error:
         return rules_of(None), str(error)
+
+
+def rules_without_flight(
+    rules: Iterable[Rule], documents: Mapping[str, TaskDocument]
+) -> tuple[Rule, ...]:
+    """Return the rules that ask for nothing that flies."""
+    flying = {name for name, document in documents.items() if document.flies}
+    return tuple(rule for rule in rules if rule.then.service not in flying)
 
 
 def _hold_problem(site: Site) -> str:

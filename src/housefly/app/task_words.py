@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from housefly.app.room_words import clock_time
 from housefly.config.text import without_numbers
+from housefly.tasks.document.open_library import NO_DRONE
 
 if TYPE_CHECKING:
     from housefly.tasks.api.answers import TaskBoard
@@ -75,7 +76,8 @@ def board_lines(board: TaskBoard) -> list[str]:
         lines += [step_line(step) for step in task.steps]
         lines += [question_line(task)] if task.question else []
     if not board.tasks:
-        lines.append('nothing to do: `housefly ask "look at the refrigerator"`')
+        wish = "where is the cup" if board.drone == NO_DRONE else "look at the refrigerator"
+        lines.append(f'nothing to do: `housefly ask "{wish}"`')
     if board.ended:
         lines += ["", "ended:", *(history_line(task, board.at) for task in board.ended[:5])]
     return lines

@@ -31,6 +31,7 @@ from housefly.app.task_outlet_bus import BusTaskOutlet
 from housefly.app.task_parts import task_service
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (
+    FRAME_TOPIC,
     OBSTACLE_TOPIC,
     PREFLIGHT_QUERY,
     RECORDING_TOPIC,
@@ -121,7 +122,9 @@ class TasksProcess:
         """Run until cancelled; then what flies is sent home."""
         bus = self._bus
         subscriptions = (
-            bus.subscribe(STEP_TOPIC, self._on_step),
+            bus.subscribe(STEP_TOPIC, self._on_step)
+            if self._parts.has_drone
+            else bus.subscribe(FRAME_TOPIC, self._live.heard_frame),
             bus.subscribe(VIDEO_TOPIC, self._on_video),
             bus.subscribe(OBSTACLE_TOPIC, self._live.heard_obstacle),
             bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
@@ -180,6 +183,8 @@ class TasksProcess:
 
     def _look_around(self) -> None:
         self.service.desk.looked_at_clock()
+        if not self._parts.has_drone:
+            return
         self._rehearser.rehearse_ahead(self._tasks_ahead)
         try:
             view = from_json(PreflightView, self._bus.ask(PREFLIGHT_QUERY, "", 0.5))

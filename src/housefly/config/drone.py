@@ -17,6 +17,10 @@ REAL_ODOMETRY_ERROR = 0.05
 class DroneConfig(Section):
     """The drone and where it answers."""
 
+    enabled: bool = Field(
+        default=True,
+        description="whether there is one; false: the room sees, remembers and answers, no flight",
+    )
     kind: Literal["ardrone"] = Field(default="ardrone", description="driver")
     address: str = Field(
         default="127.0.0.1", description="IP address; a real AR.Drone 2.0 is 192.168.1.1"

@@ -104,6 +104,12 @@ class Site(Section):
         return bool(self.lasers or self.depth_cameras)
 
     @property
+    def has_picture(self) -> bool:
+        """Whether the drone shows what it sees."""
+        shown = self.twin.video or not self.twin.enabled
+        return self.drone.enabled and self.drone.has_video and shown
+
+    @property
     def flies_in_space(self) -> bool:
         """Whether smooth trajectories are flown; the paper's chain flies its own grid."""
         return self.map.planner == "space" and self.mode != "paper"
@@ -146,6 +152,11 @@ class Site(Section):
             raise ValueError(
                 f"control.beta ({self.control.beta} 1/s^2) must be below drone.attitude_lag *"
                 f" control.alpha ({lag * self.control.alpha:.3g} 1/s^2): the loop would be unstable"
+            )
+        if self.drone.enabled and not self.tracking.enabled:
+            raise ValueError(
+                "tracking.enabled is false, and a drone flies by tracking; allowed: true, or"
+                " drone.enabled = false"
             )
         self._check_filter()
         self._check_who_flies_over_mqtt()

@@ -17,6 +17,9 @@ BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn"
 class TrackingConfig(Section):
     """The motion capture system and where it answers."""
 
+    enabled: bool = Field(
+        default=True, description="whether there is a tracking system; a drone needs one"
+    )
     kind: TrackingKind = Field(
         default="vicon",
         description="driver; bridge is PyPI motioncapture (extra mocap), for all others",

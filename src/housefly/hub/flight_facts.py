@@ -37,7 +37,7 @@ class FlightFacts:
             unix: Unix time at which the pilot's clock was zero [s].
         """
         for sighting in step.inputs.sightings:
-            yield self._seen(sighting, unix)
+            yield self.seen(sighting, unix)
         estimate = step.outputs.estimate
         if estimate is not None and step.sequence % 10 == 0:
             yield self._estimated(estimate, unix)
@@ -46,7 +46,8 @@ class FlightFacts:
             facts = (("code", event.code), ("severity", event.severity.value))
             yield RoomEvent(event.text[:200], self._drone, unix + event.at, _PILOT, facts=facts)
 
-    def _seen(self, sighting: Sighting, unix: float) -> Observation:
+    def seen(self, sighting: Sighting, unix: float) -> Observation:
+        """Return a sighting as an observation; ``unix`` as above."""
         return Observation(
             self._things.get(sighting.body, sighting.body),
             self._tracking,

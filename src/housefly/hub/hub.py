@@ -8,6 +8,7 @@ from pathlib import Path
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (
+    FRAME_TOPIC,
     HUB_QUERY,
     OBSTACLE_TOPIC,
     ROOM_EVENT_TOPIC,
@@ -34,7 +35,7 @@ from housefly.hub.situations_at import MEMORY_STARTED
 from housefly.hub.store.open import open_site_store
 from housefly.hub.things_of_room import catalogue_of, furniture_id, surfaces_of
 from housefly.hub.wall_clock import WallClock
-from housefly.messages import EventNews, PilotStep, RoomEvent
+from housefly.messages import EventNews, PilotStep, RoomEvent, TrackedFrame
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
 from housefly.sensors.contracts import Sensor
@@ -70,7 +71,8 @@ class Hub:
         self._sensors: tuple[Sensor, ...] = (
             (MqttSensors(site.mqtt, wall=self.clock.now),) if site.mqtt.broker else ()
         )
-        self._pilot = PilotHealth(site.tracking.kind, RealClock())
+        tracking = site.tracking.kind if site.tracking.enabled else ""
+        self._pilot = PilotHealth(tracking, RealClock(), has_drone=site.drone.enabled)
         self._facts = FlightFacts(
             site.tracking.body,
             site.tracking.kind,
@@ -82,7 +84,10 @@ class Hub:
         self._change_feed = ChangeFeed(self.memory, self.status, self.clock.now)
         self._bus = bus
         self._subscriptions = (
-            bus.subscribe(STEP_TOPIC, self._step),
+            # A pilot's step carries what tracking sees; where there is none, its frames do.
+            bus.subscribe(STEP_TOPIC, self._step)
+            if site.drone.enabled
+            else bus.subscribe(FRAME_TOPIC, self._frame),
             bus.subscribe(OBSTACLE_TOPIC, self._obstacles.update),
             bus.subscribe(SENSOR_TOPIC, self._sensor_status.update),
             bus.subscribe(ROOM_EVENT_TOPIC, self._told),
@@ -117,6 +122,15 @@ class Hub:
             self._obstacles.update(obstacle)
         for item in self._facts.items_of(step, self.clock.offset()):
             self.memory.add(item)
+
+    def _frame(self, frame: TrackedFrame) -> None:
+        self._pilot.update_frame(frame.sightings)
+        now = max((one.received_at for one in frame.sightings), default=0.0)
+        for obstacle in self._furniture.step(frame.sightings, now):
+            self._obstacles.update(obstacle)
+        offset = self.clock.offset()
+        for sighting in frame.sightings:
+            self.memory.add(self._facts.seen(sighting, offset))
 
     def _told(self, news: EventNews) -> None:
         self.memory.add(told_event_of(news, self.clock.now()))

@@ -6,10 +6,11 @@ import threading
 from math import inf
 
 from housefly.clock import Clock
-from housefly.messages import PilotStep
+from housefly.messages import PilotStep, Sighting
 from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.message_rate import MessageRate
 
+_NO_PILOT = "the pilot is not heard"
 _SILENT_AFTER = 1.0
 """A source silent for longer is a problem [s]."""
 
@@ -18,12 +19,13 @@ class PilotHealth:
     """Measures rates and ages from the pilot's steps; thread-safe.
 
     Args:
-        tracking: id of the tracking system.
+        tracking: id of the tracking system; "" where there is none.
         clock: the monotonic clock of the pilot's stamps.
+        has_drone: whether there is a pilot with its drone, or an observer alone.
     """
 
-    def __init__(self, tracking: str, clock: Clock) -> None:
-        self._tracking, self._clock = tracking, clock
+    def __init__(self, tracking: str, clock: Clock, *, has_drone: bool = True) -> None:
+        self._tracking, self._clock, self._has_drone = tracking, clock, has_drone
         self._lock = threading.Lock()
         self._steps, self._frames, self._reports = MessageRate(), MessageRate(), MessageRate()
         self._captured = self._received = -inf
@@ -34,16 +36,24 @@ class PilotHealth:
         telemetry = step.inputs.telemetry
         with self._lock:
             self._steps.add(self._clock.now())
-            for sighting in step.inputs.sightings:
-                if sighting.captured_at > self._captured:
-                    self._captured, self._received = sighting.captured_at, sighting.received_at
-                    self._frames.add(sighting.received_at)
+            self._note_frame(step.inputs.sightings)
             if telemetry is not None and telemetry.received_at > self._telemetry_at:
                 self._telemetry_at = telemetry.received_at
                 self._reports.add(telemetry.received_at)
 
+    def update_frame(self, sightings: tuple[Sighting, ...]) -> None:
+        """Add a frame of tracking that no pilot's step carries; it may show no body."""
+        with self._lock:
+            self._frames.add(max((one.received_at for one in sightings), default=self._clock.now()))
+
+    def _note_frame(self, sightings: tuple[Sighting, ...]) -> None:
+        for sighting in sightings:
+            if sighting.captured_at > self._captured:
+                self._captured, self._received = sighting.captured_at, sighting.received_at
+                self._frames.add(sighting.received_at)
+
     def health(self) -> tuple[SensorHealth, ...]:
-        """Return the health of tracking and drone."""
+        """Return the health of tracking and drone, as far as there are any."""
         now = self._clock.now()
         with self._lock:
             pilot = self._steps.age(now)
@@ -70,9 +80,10 @@ class PilotHealth:
                     title,
                     rate,
                     now,
-                    words if pilot < _SILENT_AFTER else "the pilot is not heard",
+                    words if pilot < _SILENT_AFTER or not self._has_drone else _NO_PILOT,
                 )
                 for name, kind, title, rate, words in rows
+                if (kind == "drone" and self._has_drone) or (kind == "mocap" and name)
             )
 
 

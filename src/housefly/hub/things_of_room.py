@@ -56,8 +56,9 @@ def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
     for row in site.mqtt.sensors:
         name = row.thing or row.id
         found.setdefault(name, Thing(name, f"the {name.replace('-', ' ')}"))
-    body = site.tracking.body
-    found.setdefault(body, Thing(body, "the drone", ThingKind.ROBOT, ("drone",), (*room.home, 0.0)))
+    if site.drone.enabled:
+        body, pad = site.tracking.body, (*room.home, 0.0)
+        found.setdefault(body, Thing(body, "the drone", ThingKind.ROBOT, ("drone",), pad))
     if room.visitor is not None:
         found.setdefault(
             site.tracking.visitor,

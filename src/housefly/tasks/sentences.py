@@ -75,6 +75,7 @@ class Sentences:
         wall: Unix time [s].
         names: of the room, until its memory tells more.
         own: folder with sentence files of one's own, or None.
+        has_drone: whether a flight can be offered.
     """
 
     def __init__(
@@ -84,7 +85,10 @@ class Sentences:
         wall: Callable[[], float],
         names: Names,
         own: Path | None = None,
+        *,
+        has_drone: bool = True,
     ) -> None:
+        self._has_drone = has_drone
         self._room, self._do, self._wall, self._own = room, effects, wall, own
         self._names, self._names_at = names, float("-inf")
         self._lock = Lock()
@@ -101,6 +105,10 @@ class Sentences:
                 False, "", meant.words, suggestions=meant.suggestions, code=meant.code
             )
         reply = answer_intent(meant, names, self._room, self._wall(), own)
+        if reply.offer is not None and not self._has_drone:
+            offered = phrases(sentence.language)("shall_i_look")
+            words = reply.words.removesuffix(offered).rstrip()
+            reply = replace(reply, words=words, offer=None)
         answer = SentenceAnswer(True, meant.intent.value, reply.words, meant.given())
         try:
             return self._done(answer, reply, sentence, meant)

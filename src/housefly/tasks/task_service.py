@@ -52,7 +52,7 @@ from housefly.tasks.api.questions import (
 )
 from housefly.tasks.api.values import ReasonCode, RequestSurface, TaskRequest, TaskStatus
 from housefly.tasks.asked_room import AskedRoom
-from housefly.tasks.document.open_library import OpenLibrary
+from housefly.tasks.document.open_library import NO_DRONE, OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.drone_state import (
     DronePlace,
@@ -73,6 +73,7 @@ from housefly.tasks.rules.room_facts import AskedRoomFacts
 from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import WebhookTrigger
 from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.scheduler.values import DroneAvailability
 from housefly.tasks.sentences import SentenceEffects, Sentences
 from housefly.tasks.source_pace import SourcePace
 from housefly.tasks.task_actions import TaskActions
@@ -104,6 +105,7 @@ class ServiceParts:
         outlet: orders and events go out here.
         names: of the room, until its memory tells more.
         own_sentences: folder with sentence files of one's own, or None.
+        has_drone: whether there is a drone.
     """
 
     library: OpenLibrary
@@ -118,6 +120,7 @@ class ServiceParts:
     outlet: TaskOutlet
     names: Names
     own_sentences: Path | None = None
+    has_drone: bool = True
 
 
 class TaskService:
@@ -149,7 +152,14 @@ class TaskService:
             self._ask,
             self.desk.notices.add,
         )
-        self._sentences = Sentences(parts.room, effects, wall, parts.names, parts.own_sentences)
+        self._sentences = Sentences(
+            parts.room,
+            effects,
+            wall,
+            parts.names,
+            parts.own_sentences,
+            has_drone=parts.has_drone,
+        )
         self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
             RequestTask: self._request,
             RehearseTask: self._rehearse,
@@ -187,7 +197,11 @@ class TaskService:
     def tick(self) -> None:
         """Do what is to be done now."""
         parts, now, unix = self._parts, self._clock(), self._wall()
-        drone = drone_availability(parts.inbox, self.readiness, now)
+        drone = (
+            drone_availability(parts.inbox, self.readiness, now)
+            if parts.has_drone
+            else DroneAvailability(False, NO_DRONE)
+        )
         with self.desk.lock:
             parts.engine.tick(drone, now, unix)
             for news in parts.clips.tick(
@@ -207,7 +221,9 @@ class TaskService:
             return TaskBoard(
                 self._wall(),
                 parts.rules.mode,
-                drone_words(parts.inbox, self.readiness, self._clock()),
+                drone_words(parts.inbox, self.readiness, self._clock())
+                if parts.has_drone
+                else NO_DRONE,
                 parts.clips.records,
                 parts.engine.open,
                 parts.engine.ended,
@@ -316,6 +332,7 @@ class TaskService:
         return dry_run(rules.engine, events, question.since, until, rules.mode, facts)
 
     def _photo(self, question: TakePhoto) -> ClipsAnswer:
+        self._refuse_without_drone()
         clips, step = self._parts.clips, self._parts.inbox.newest
         looks = step is not None and step.outputs.phase is Phase.LOOKING
         wanted = TakeSnapshot(step.outputs.goal_name if step is not None and looks else "")
@@ -331,11 +348,16 @@ class TaskService:
         decisions = self.desk.heard(WebhookTrigger(question.name, self._wall(), question.by))
         return FiringsAnswer(tuple(decision.firing for decision in decisions))
 
+    def _refuse_without_drone(self) -> None:
+        if not self._parts.has_drone:
+            raise TaskError(NO_DRONE, ReasonCode.NO_DRONE.value)
+
     def _order(self, kind: OrderKind, by: str) -> DronePlace:
         """Give the pilot an order of a person, for which the tasks make way; return what is true.
 
         The order is not done yet then: the pilot tells what became of it.
         """
+        self._refuse_without_drone()
         now = self._clock()
         self._parts.outlet.order(Order(kind, issued_at=now, sender=by[:100]))
         return drone_place(self._parts.inbox, now)

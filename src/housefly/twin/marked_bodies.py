@@ -41,7 +41,7 @@ class MarkedBodies:
         stage: ScenePlayer,
     ) -> None:
         marked = {piece.body for piece in site.furniture}
-        self._tracking = site.tracking
+        self._tracking, self._has_drone = site.tracking, site.drone.enabled
         self._physics, self._cameras, self._visitor = physics, cameras, visitor
         self._marked = tuple(movable for movable in movables if movable.name in marked)
         self._stage = stage
@@ -49,13 +49,18 @@ class MarkedBodies:
 
     def seen(self, body: BodyState) -> tuple[tuple[str, Pose | None], ...]:
         """Return name and true pose of every body, given the drone's; None for whom nobody sees."""
-        drone = Pose(body.position, body.orientation)
         return (
-            (self._tracking.body, self._seen(drone, _markers(drone), self._physics.drone_id)),
+            *self._drone(body),
             (self._tracking.visitor, self._visitor.seen),
             *((movable.name, self._movable(movable)) for movable in self._marked),
             *((name, self._person(name)) for name in self._people),
         )
+
+    def _drone(self, body: BodyState) -> tuple[tuple[str, Pose | None], ...]:
+        if not self._has_drone:
+            return ()
+        drone = Pose(body.position, body.orientation)
+        return ((self._tracking.body, self._seen(drone, _markers(drone), self._physics.drone_id)),)
 
     def _movable(self, movable: Movable) -> Pose | None:
         body, pose = self._physics.movable(movable.name)

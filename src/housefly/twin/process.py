@@ -92,7 +92,7 @@ class Twin:
             beyond_loopback=beyond_loopback,
             filters=faulty_links(self._faults, self._now),
         )
-        self._tracking = tracking_servers(site)
+        self._tracking = tracking_servers(site) if site.tracking.enabled else ()
         self._lasers = LaserFeed(
             site, self._world, beyond_loopback, self._faults, lambda: self._time.slipped
         )
@@ -102,7 +102,7 @@ class Twin:
             CameraProcess(
                 site, room, (*(scene.script.people if scene else ()), *self._faults.people)
             )
-            if site.twin.video
+            if site.twin.video and site.drone.enabled
             else None
         )
         self._camera_state = (0, "")
@@ -114,8 +114,9 @@ class Twin:
         async with contextlib.AsyncExitStack() as open_parts:
             if self._truth is not None:
                 open_parts.callback(self._truth.close)
-            open_parts.push_async_callback(self._drone.stop)
-            await self._drone.start()
+            if self._site.drone.enabled:
+                open_parts.push_async_callback(self._drone.stop)
+                await self._drone.start()
             for server in self._tracking:
                 open_parts.push_async_callback(server.stop)
                 await server.start()
@@ -170,10 +171,8 @@ class Twin:
             f", {camera.name} on the bus" for camera in self._site.depth_cameras if self._depth
         )
         faults = "".join(f"; made to fail: {fault}" for fault in self._faults.schedule.faults)
-        return (
-            f"twin ready: drone at {drone.address}, tracking at {places}, video"
-            f" {video}{scanners}{depth}{faults}"
-        )
+        flies = f"drone at {drone.address}" if drone.enabled else "no drone"
+        return f"twin ready: {flies}, tracking at {places}, video {video}{scanners}{depth}{faults}"
 
     def _device_link(self, scene: Scene) -> MqttPublisher:
         return MqttPublisher(

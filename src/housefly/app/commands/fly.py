@@ -12,6 +12,7 @@ from housefly.app.commands.shared import (
     add_simulation_arguments,
     add_site_arguments,
     load,
+    require_drone,
 )
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
@@ -44,6 +45,7 @@ def _run(options: Namespace) -> int:
     from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=not options.lockstep)
+    require_drone(loaded.site)
     out = Path(options.out or time.strftime("flights/%Y-%m-%d_%H-%M-%S"))
     try:
         loaded.room.place(options.place)

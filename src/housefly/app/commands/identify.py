@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from housefly.app.commands.shared import given
+from housefly.app.commands.shared import given, require_drone
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
@@ -94,6 +94,7 @@ def _run(options: Namespace) -> int:
     site = read_site(options.site, **given(changes))
     if not options.lockstep:
         site, _ = with_newest_edits(site)  # a no-fly zone holds for this flight too
+    require_drone(site)
     loaded = open_site(site)
     out = Path(options.out or time.strftime("identification/%Y-%m-%d_%H-%M-%S"))
     steps, flown, outcome = _fly(loaded, options, out)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from argparse import Namespace
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -27,7 +26,6 @@ def answer_offline(options: Namespace, sentence: Sentence) -> SentenceAnswer:
     from housefly.app.loaded_site import open_site
     from housefly.tasks.api.json import task_question_from_json, task_question_to_json
     from housefly.tasks.asked_room import AskedRoom
-    from housefly.tasks.intents.phrases import phrases
     from housefly.tasks.room_names import names_of_room
     from housefly.tasks.sentences import SentenceEffects, Sentences
 
@@ -35,17 +33,17 @@ def answer_offline(options: Namespace, sentence: Sentence) -> SentenceAnswer:
     names = names_of_room(open_site(asked_site(options)).room)
     effects = SentenceEffects(_refuse, _refuse, _refuse, _refuse, _refuse)
     with remembered_room(options) as memory:
-        answer = Sentences(AskedRoom(memory.ask), effects, time.time, names).answer(sentence)
-    offered = phrases(sentence.language)("shall_i_look")
-    return replace(answer, words=answer.words.removesuffix(offered).rstrip(), offer=None)
+        room = AskedRoom(memory.ask)
+        return Sentences(room, effects, time.time, names, has_drone=False).answer(sentence)
 
 
 def shipped_services(options: Namespace) -> tuple[ServiceInfo, ...]:
     """Return what can be asked for in a site."""
     from housefly.tasks.document.open_library import OpenLibrary
 
-    documents = asked_site(options).tasks.documents
-    return OpenLibrary(Path(documents) if documents else None).services()
+    site = asked_site(options)
+    own = Path(site.tasks.documents) if site.tasks.documents else None
+    return OpenLibrary(own, has_drone=site.drone.enabled).services()
 
 
 def kept_tasks(options: Namespace, since: float) -> tuple[TaskStatus, ...]:

@@ -15,6 +15,7 @@ from housefly.app.commands.shared import (
     add_instance_argument,
     add_site_arguments,
     load,
+    require_drone,
 )
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
@@ -60,7 +61,10 @@ def _run(options: Namespace) -> int:
     if options.frames:
         return _check_frames(options)
     site = load(options).site
+    require_drone(site)
     view = _of_running_house(site) or _of_fresh_house(site)
+    if not view.checks:
+        raise LinkError(f"{site.name} has looked at nothing yet, or runs without a drone")
     for check in view.checks:
         mark = "[green]ok  [/green]" if check.passed else _MARKS[check.required]
         what = check.title if check.passed else check.fault
@@ -77,6 +81,7 @@ def _check_frames(options: Namespace) -> int:
     from housefly.app.frame_check.run import run_frame_check
 
     loaded = load(options, with_edits=True)
+    require_drone(loaded.site)
     try:
         return 0 if run_frame_check(loaded).passed else 1
     except KeyboardInterrupt:

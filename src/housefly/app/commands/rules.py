@@ -15,11 +15,12 @@ from housefly.app.commands.asked_room import (
 )
 from housefly.app.commands.subcommand import CommandGroup, Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
+from housefly.app.room_words import clock_time
 from housefly.app.terminal import plain_console
 
 if TYPE_CHECKING:
     from housefly.config.site import Site
-    from housefly.tasks.api.answers import RuleFiring
+    from housefly.tasks.api.answers import RuleFiring, RulesAnswer, RuleStatus
     from housefly.tasks.api.values import ServiceInfo
     from housefly.tasks.rules.rule import Rule
 
@@ -43,11 +44,17 @@ def _add_dry_run_arguments(parser: ArgumentParser) -> None:
 
 def _list(options: Namespace) -> int:
     """Print each rule of a site in words; while it runs, also what each did last."""
-    last = _last_firings(asked_site(options).name)
-    for rule in _rules_of_site(options.site or DEFAULT_SITE):
+    running = _running_rules(options)
+    known = {one.name: one for one in running or ()}
+    rules = _rules_of_site(options.site or DEFAULT_SITE)
+    for rule in rules if running is None else (one for one in rules if one.name in known):
         plain_console.print(_rule_line(rule), soft_wrap=True)
-        if words := last.get(rule.name):
-            plain_console.print(f"    {words}", soft_wrap=True)
+        status = known.get(rule.name)
+        if status is not None and status.last_at is not None:
+            at = clock_time(status.last_at, time.time())
+            plain_console.print(f"    {at}: {status.last_words}", soft_wrap=True)
+    if running is not None and len(known) < len(rules):
+        plain_console.print("the others fly, and this room has no drone")
     return 0
 
 
@@ -95,24 +102,19 @@ def _dry_run(options: Namespace) -> int:
     return 0
 
 
-def _last_firings(site: str) -> dict[str, str]:
-    """Return what each rule of a running site did last, by name; nothing where none runs."""
-    from housefly.app.room_words import clock_time
+def _running_rules(options: Namespace) -> tuple[RuleStatus, ...] | None:
+    """Return the rules of a site as it runs; None where it does not."""
     from housefly.errors import LinkError, TaskError
     from housefly.hub.client.discovery import find
     from housefly.tasks.api.questions import RulesQuestion
     from housefly.tasks.client.tasks_client import TasksClient
 
     try:
-        with TasksClient(find(site)) as tasks:
-            statuses = tasks.ask_tasks(RulesQuestion()).rules
+        with TasksClient(find(asked_site(options).name)) as tasks:
+            found: RulesAnswer = tasks.ask_tasks(RulesQuestion())
     except (LinkError, TaskError):
-        return {}
-    return {
-        one.name: f"{clock_time(one.last_at, time.time())}: {one.last_words}"
-        for one in statuses
-        if one.last_at is not None
-    }
+        return None
+    return found.rules
 
 
 def _rules_of_site(name: str) -> tuple[Rule, ...]:
@@ -135,8 +137,6 @@ def _rule_line(rule: Rule) -> str:
 
 
 def _firing_line(firing: RuleFiring, now: float) -> str:
-    from housefly.app.room_words import clock_time
-
     return f"{clock_time(firing.at, now)}  {firing.rule}: {firing.words}  [{firing.cause}]"
 
 

@@ -40,6 +40,11 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
         ),
     )
     parser.add_argument("--lively", action="store_true", default=True, help=SUPPRESS)
+    parser.add_argument(
+        "--memory",
+        action="store_true",
+        help="without a drone: the room sees, remembers and answers; ready in seconds",
+    )
 
 
 def _demo(options: Namespace) -> int:
@@ -80,7 +85,8 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
 
     loaded = load(options, with_edits=True)
     checked_exposure(loaded.site)
-    compile_once(CompiledPart.CHAIN, console.print)
+    if loaded.site.drone.enabled:
+        compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
         first = Screen.TASKS if opens_tasks and loaded.site.tasks.enabled else Screen.FLY

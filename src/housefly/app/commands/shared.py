@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 from housefly.app.lively import lively_site
 from housefly.app.mosquitto import find_mosquitto
 from housefly.app.terminal import console
+from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
     from housefly.app.loaded_site import LoadedSite
+    from housefly.config.site import Site
 
 
 def add_site_arguments(parser: ArgumentParser) -> None:
@@ -64,6 +66,13 @@ def add_fault_argument(parser: ArgumentParser) -> None:
     )
 
 
+def require_drone(site: Site) -> None:
+    """Raise ConfigError for a site without a drone: this command flies, or looks at one."""
+    if not site.drone.enabled:
+        words = "is false: this room has no drone; set it to true to fly one"
+        raise ConfigError("drone.enabled", words)
+
+
 def add_instance_argument(parser: ArgumentParser, which: str = "which room: ") -> None:
     """Add ``--instance``."""
     parser.add_argument(
@@ -89,6 +98,7 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
         "web__port": getattr(options, "port", None),
         "twin__seed": getattr(options, "seed", None),
         "twin__mocap_rate_hz": getattr(options, "mocap_rate", None),
+        "drone__enabled": False if getattr(options, "memory", False) else None,
     }
     site = read_site(options.site, **given(changes))
     if getattr(options, "lan", False):

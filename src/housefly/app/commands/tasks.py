@@ -162,6 +162,8 @@ def _tasks(options: Namespace) -> int:
 
 
 def _print_services(services: tuple[ServiceInfo, ...]) -> None:
+    if not services:
+        plain_console.print("nothing: every service flies, and this room has no drone")
     for service in services:
         known = ", ".join(parameter.name for parameter in service.parameters)
         takes = "" if service.problem else f"  [{known}]"

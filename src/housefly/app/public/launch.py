@@ -52,13 +52,12 @@ def _started(site: Site, logs: str | Path | None) -> Iterator[Bus]:
     folder = temporary.path if temporary else Path(logs or "")
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     runtime = new_runtime(site, folder)
-    has_video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with (
         announced(discovery_entry(runtime)),
         Launcher(runtime, folder, processes_of(runtime)) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
-        missing = Readiness(runtime.site(), bus, web=False, video=has_video).wait(
+        missing = Readiness(runtime.site(), bus, web=False, video=site.has_picture).wait(
             _START_TIMEOUT, is_hopeless=lambda: launcher.given_up != ()
         )
         if missing:

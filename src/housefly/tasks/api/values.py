@@ -122,6 +122,7 @@ class ReasonCode(Enum):
     SAFETY = "safety"
     RESTARTED = "restarted"
     NOT_READY = "not_ready"
+    NO_DRONE = "no_drone"
     CONDITION = "condition"
     PREEMPTED = "preempted"
 

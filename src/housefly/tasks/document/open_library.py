@@ -34,6 +34,9 @@ class _Found:
     broken: dict[str, str]
 
 
+NO_DRONE = "this room has no drone"
+
+
 class OpenLibrary(Mapping[str, TaskDocument]):
     """All documents by name; one's own are read again when their files have changed.
 
@@ -41,10 +44,11 @@ class OpenLibrary(Mapping[str, TaskDocument]):
 
     Args:
         own_folder: with documents of one's own, or None.
+        has_drone: whether there is a drone; without one nothing that flies is a service.
     """
 
-    def __init__(self, own_folder: Path | None = None) -> None:
-        self._folder, self._lock = own_folder, Lock()
+    def __init__(self, own_folder: Path | None = None, *, has_drone: bool = True) -> None:
+        self._folder, self._lock, self._has_drone = own_folder, Lock(), has_drone
         self._mark: _Mark | None = None
         self._found = _Found({}, {})
         self.refresh()
@@ -78,18 +82,23 @@ class OpenLibrary(Mapping[str, TaskDocument]):
             ServiceInfo(name, name, f"cannot be asked for: {problem}", (), False, problem)
             for name, problem in sorted(found.broken.items())
         ]
-        return (*(document.info() for document in found.documents.values()), *broken)
+        offered = (one for one in found.documents.values() if self._has_drone or not one.flies)
+        return (*(document.info() for document in offered), *broken)
 
     def document(self, service: str) -> TaskDocument:
         """Return a service's document as its file says now.
 
         Raises:
-            TaskError: UNKNOWN_SERVICE; says what there is, or what is wrong with the document.
+            TaskError: UNKNOWN_SERVICE; says what there is, or what is wrong with the document;
+                NO_DRONE.
         """
         self.refresh()
         found = self._found
         if service in found.documents:
-            return found.documents[service]
+            document = found.documents[service]
+            if document.flies and not self._has_drone:
+                raise TaskError(f"{service} flies, and {NO_DRONE}", ReasonCode.NO_DRONE.value)
+            return document
         code = ReasonCode.UNKNOWN_SERVICE.value
         if service in found.broken:
             words = f"the service {service!r} cannot be asked for: {found.broken[service]}"

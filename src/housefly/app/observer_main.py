@@ -1,0 +1,124 @@
+"""The observer: tracking for a room without a drone; ``python -m housefly.app.observer_main``.
+
+It stands where the pilot stands elsewhere: it listens on the bus, which all others join, hears the
+tracking system and tells where the bodies are. It orders nothing, for nothing flies.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import signal
+from contextlib import suppress
+
+from housefly.app.loaded_site import LoadedSite, open_site
+from housefly.app.loop_health import Frequency
+from housefly.app.machine_load import machine_load
+from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.app.trackers import tracker_of
+from housefly.app.views import room_view
+from housefly.bus.bus import Bus
+from housefly.bus.topics import (
+    FRAME_TOPIC,
+    LINK_TOPIC,
+    PLAN_QUERY,
+    PREFLIGHT_QUERY,
+    ROOM_QUERY,
+    STAND_DOWN_QUERY,
+)
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.clock import Clock, RealClock
+from housefly.config.process_log import log_line
+from housefly.hub.api.pilot_queries import PreflightView
+from housefly.hub.api.pilot_queries_json import to_json
+from housefly.messages import LinkStatus, PlanAnswer, Sighting, TrackedFrame
+from housefly.tasks.document.open_library import NO_DRONE
+from housefly.tracking.contracts import Tracker
+
+_LINK_PERIOD = 0.5
+"""How often the health of tracking is published [s]."""
+
+
+class RoomObserver:
+    """Tells what tracking sees, and answers what is asked of the room; nothing flies.
+
+    Args:
+        loaded: the site.
+        bus: of the run.
+        tracker: of the tracking system; None where there is none.
+        clock: of all stamps.
+    """
+
+    def __init__(self, loaded: LoadedSite, bus: Bus, tracker: Tracker | None, clock: Clock) -> None:
+        self._tracker, self._clock = tracker, clock
+        self._frames, self._late = Frequency(), 0.0
+        self._bus = bus
+        room, home = to_json(room_view(loaded)), loaded.room.home
+        refused = to_json(PlanAnswer(home, home, None, NO_DRONE))
+        unready = to_json(PreflightView())
+        self._answering = [
+            bus.answer(ROOM_QUERY, lambda _: room),
+            bus.answer(PLAN_QUERY, lambda _: refused),
+            bus.answer(PREFLIGHT_QUERY, lambda _: unready),
+            bus.answer(STAND_DOWN_QUERY, lambda _: ""),
+        ]
+
+    async def run(self) -> None:
+        """Run until cancelled."""
+        work = [self._report()]
+        if self._tracker is not None:
+            work.append(self._tracker.run(self._on_sightings))
+        try:
+            await asyncio.gather(*work)
+        finally:
+            for answering in self._answering:
+                answering.close()
+
+    def _on_sightings(self, sightings: tuple[Sighting, ...]) -> None:
+        self._frames.add(self._clock.now())
+        self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
+
+    async def _report(self) -> None:
+        while True:
+            self._bus.publish(LINK_TOPIC, self._link_status())
+            due = self._clock.now() + _LINK_PERIOD
+            await asyncio.sleep(_LINK_PERIOD)
+            self._late = self._clock.now() - due
+
+    def _link_status(self) -> LinkStatus:
+        now, tracker = self._clock.now(), self._tracker
+        notes = (tracker.problem if tracker else "", machine_load(self._late).note)
+        return LinkStatus(
+            at=now,
+            tracking_connected=tracker is not None and tracker.connected,
+            tracking_rate_hz=self._frames.rate_hz(now),
+            loop_p99_s=max(0.0, self._late),
+            loop_max_s=max(0.0, self._late),
+            notes=tuple(filter(None, notes)),
+        )
+
+
+async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
+    site, clock = loaded.site, RealClock()
+    tracker = tracker_of(site.tracking, clock) if site.tracking.enabled else None
+    with ZenohBus(listen=runtime.bus) as bus:
+        running = asyncio.create_task(RoomObserver(loaded, bus, tracker, clock).run())
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, running.cancel)
+        log_line("observer ready")
+        with suppress(asyncio.CancelledError):
+            await running
+
+
+def main() -> None:
+    """Run until SIGINT or SIGTERM."""
+    runtime = runtime_from_environment()
+    loaded = open_site(runtime.site())
+    gc.collect()
+    gc.freeze()
+    asyncio.run(_run(runtime, loaded))
+
+
+if __name__ == "__main__":
+    main()
