@@ -16,6 +16,7 @@ from housefly.app.commands.campaign import CAMPAIGN_COMMAND
 from housefly.app.commands.cert import CERT_COMMAND
 from housefly.app.commands.clips import CLIPS_COMMANDS
 from housefly.app.commands.doctor import DOCTOR_COMMAND
+from housefly.app.commands.export import EXPORT_COMMAND
 from housefly.app.commands.fly import FLY_COMMAND
 from housefly.app.commands.gains import GAINS_COMMAND
 from housefly.app.commands.identify import IDENTIFY_COMMAND
@@ -62,6 +63,7 @@ _COMMANDS = (
     HISTORY_COMMAND,
     WATCH_COMMAND,
     SENSORS_COMMAND,
+    EXPORT_COMMAND,
     MEMORY_COMMANDS,
     CAMPAIGN_COMMAND,
     REPRODUCE_COMMAND,

@@ -36,6 +36,7 @@ class ConsoleKnowledge:
         task_subject: what the task that flies looks at, as people call it, or "".
         hand_motion: the pilot's words while somebody moves the drone by hand, or "".
         told_last: what the drone said last, also through a pilot before this one.
+        has_drone: whether there is a drone at all.
     """
 
     now: float
@@ -50,6 +51,7 @@ class ConsoleKnowledge:
     task_subject: str = ""
     hand_motion: str = ""
     told_last: LastStatus = field(default_factory=LastStatus)
+    has_drone: bool = True
 
     @property
     def pilot_is_heard(self) -> bool:

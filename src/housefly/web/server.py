@@ -78,6 +78,7 @@ def create_app(
     hosts: frozenset[str] = LOOPBACK_NAMES,
     secret: str = "",
     drone_body: str = "ardrone",
+    has_drone: bool = True,
     furniture: tuple[FurnitureConfig, ...] = (),
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
@@ -106,6 +107,7 @@ def create_app(
         secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty
             makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
+        has_drone: whether there is one.
         furniture: furniture that the tracking system sees.
         clock: the server's clock; real time by default.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
@@ -129,7 +131,8 @@ def create_app(
     link = PilotLink(bus, stop, clock)
     board = TaskFeed(bus, clock)
     kept = FlightLogWriter(flights, site_name) if flights else None
-    feed = StateFeed(clock, drone_body, furniture, memory.keep_event if memory else _forget, kept)
+    keep_event = memory.keep_event if memory else _forget
+    feed = StateFeed(clock, drone_body, furniture, keep_event, kept, has_drone)
     console = Console(feed, link, auth, clock, audit, board, memory, guest_address)
     video = VideoRelay(bus, privacy, board.mode)
     layer = CoverageLayer(coverage) if coverage else None

@@ -64,6 +64,7 @@ class StateFeed:
         furniture: the tracked bodies that are furniture.
         keep_event: is told each line of the event log; must return at once.
         flights: hears each step, and keeps the flights.
+        has_drone: whether there is a drone at all.
     """
 
     clock: Clock
@@ -71,6 +72,7 @@ class StateFeed:
     furniture: tuple[FurnitureConfig, ...] = ()
     keep_event: Callable[[EventView], None] = lambda event: None
     flights: FlightListener | None = None
+    has_drone: bool = True
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _step: PilotStep | None = None
     _heard_at: float = 0.0

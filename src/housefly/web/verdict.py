@@ -10,6 +10,7 @@ from housefly.web.lost_contact import if_page_is_lost, without_word
 from housefly.web.next_order import next_order
 from housefly.web.order_objections import check_in_words, order_objections, take_off_objections
 from housefly.web.verdict_message import ConsoleVerdict
+from housefly.web.watching import watching_verdict
 
 SAID_BY_A_CHECK = "nothing here sees people"
 """How the pilot's note begins that one of the checks says as well."""
@@ -17,6 +18,8 @@ SAID_BY_A_CHECK = "nothing here sees people"
 
 def console_verdict(known: ConsoleKnowledge) -> ConsoleVerdict:
     """Return what is to be said of the drone now."""
+    if not known.has_drone:
+        return watching_verdict(known)
     reasons = take_off_objections(known)
     orders = order_objections(known, reasons)
     line = headline(known, reasons)

@@ -92,6 +92,7 @@ class ConsoleVerdict:
         if_contact_lost: what the drone would do if this page lost contact now.
         stop: the STOP that holds.
         pilot, control: number and name of who has control; None and "" for nobody.
+        has_drone: whether there is a drone at all.
     """
 
     at: float
@@ -115,4 +116,5 @@ class ConsoleVerdict:
     stop: StopView
     pilot: int | None
     control: str
+    has_drone: bool = True
     type: Literal["verdict"] = "verdict"

@@ -89,7 +89,8 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
         compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
-        first = Screen.TASKS if opens_tasks and loaded.site.tasks.enabled else Screen.FLY
+        asks = opens_tasks and loaded.site.tasks.enabled and loaded.site.drone.enabled
+        first = Screen.TASKS if asks else Screen.FLY
         return run_interactively(loaded, Path(folder), record, first)
 
 

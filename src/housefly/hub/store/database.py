@@ -58,6 +58,10 @@ class Database(Protocol):
         """Keep all statements of the block or none; one writer at a time."""
         ...
 
+    def scrub(self) -> None:
+        """Write the file anew, without the remains of deleted rows, where it is a file."""
+        ...
+
     def close(self) -> None:
         """Close the connection."""
         ...

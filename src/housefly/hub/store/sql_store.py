@@ -8,6 +8,7 @@ import numpy as np
 
 from housefly.errors import StoreError
 from housefly.hub.store.database import Database, Row
+from housefly.hub.store.forget import Forgotten, forget_thing
 from housefly.hub.store.retention import prune_step
 from housefly.hub.store.rows import (
     EVENT_COLUMNS,
@@ -192,6 +193,12 @@ class SqlStore:
     def prune(self, now: float) -> bool:
         """Thin and delete old samples in one short transaction; return whether more is left."""
         return prune_step(self._database, now, keep_days=self._keep_days)
+
+    def forget(self, thing: str, names: Iterable[str] = ()) -> Forgotten:
+        """Delete all of a thing, and what is left of it in the file; no hub may run."""
+        found = forget_thing(self._database, thing, names)
+        self._database.scrub()
+        return found
 
     def close(self) -> None:
         """Close the database."""

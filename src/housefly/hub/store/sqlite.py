@@ -90,6 +90,11 @@ class SqliteDatabase:
             self._roll_back()
             raise
 
+    def scrub(self) -> None:
+        """Write the file anew, without the remains of deleted rows."""
+        for statement in ("VACUUM", "PRAGMA wal_checkpoint(TRUNCATE)"):
+            self.query(statement)
+
     def close(self) -> None:
         """Close the file."""
         self._connection.close()

@@ -7,6 +7,7 @@ kernel frees it when that process is gone.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
@@ -119,6 +120,17 @@ class TaskStore:
     def status(self, task_id: int) -> TaskStatus | None:
         """Return one task as it was saved last; None if it is not kept."""
         return next(iter(self._statuses(_ONE, (task_id,))), None)
+
+    def forget(self, mention: re.Pattern[str]) -> int:
+        """Delete the ended tasks and the notices that mention somebody; return how many tasks."""
+        with with_remedy(self._path):
+            kept = self._database.query("SELECT id, status FROM tasks WHERE scheduled IS NULL")
+            gone: list[Row] = [(task,) for task, status in kept if mention.search(str(status))]
+            notices = [words for words in self.kept_notices() if not mention.search(words)]
+            self._database.many("DELETE FROM tasks WHERE id = ?", gone)
+            self.save_notices(notices)
+            self._database.scrub()
+        return len(gone)
 
     def save_notices(self, notices: Iterable[str]) -> None:
         """Keep what people want to be told, instead of what was kept before.

@@ -1,1 +1,1 @@
-import"./chunk-chunk-ZTHLB2H7.js";
+import"./chunk-chunk-QAUQUBDC.js";

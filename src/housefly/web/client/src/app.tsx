@@ -9,7 +9,7 @@ import { Top } from "./panels/top";
 import { lazyScreen } from "./lazy-screen";
 import { banner } from "./headline";
 import { LiveScene } from "./scene/scene";
-import { flying, panel, screen, swapped, type Screen } from "./store";
+import { flying, hasDrone, panel, screen, swapped, type Screen } from "./store";
 import { Hints } from "./hints/hints";
 import { Questions } from "./tasks/questions";
 
@@ -28,15 +28,16 @@ export function App() {
     <div
       class="app"
       data-flying={flying.value}
+      data-drone={hasDrone.value}
       data-banner={banner.value !== ""}
       data-screen={screen.value}
       data-panel={panel.value}
-      data-swapped={swapped.value && screen.value === "live"}
+      data-swapped={swapped.value && screen.value === "live" && hasDrone.value}
     >
       <Top />
       <Shown key={screen.value} />
       {screen.value !== "tasks" && <Questions over={true} />}
-      <StopBar />
+      {hasDrone.value && <StopBar />}
       <Checks />
       <Help />
       <Control />

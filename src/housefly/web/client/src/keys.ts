@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 import type { Hold } from "./hold";
 import { isLetter, KEYS, letters, SPACE, type Key } from "./keymap";
-import { flying, screen } from "./store";
+import { flying, hasDrone, screen } from "./store";
 
 /** Who takes keys before all others but Space, while it is set: moving the drone by hand. */
 export const claim = signal<((event: KeyboardEvent) => boolean) | null>(null);
@@ -56,6 +56,7 @@ function down(event: KeyboardEvent): void {
     return;
   }
   const key = find(event);
+  if (!hasDrone.peek() && event.key === SPACE) return;
   if (!key || (isLetter(event.key) && !letters.peek())) return;
   event.preventDefault();
   event.stopPropagation();

@@ -25,6 +25,8 @@ export const role = signal<Role>("watch");
 export const usedInvitations = signal<ReadonlySet<string>>(new Set());
 /** All that headline, banner and buttons say of the drone. */
 export const verdict = signal<ConsoleVerdict | null>(null);
+/** Whether there is a drone at all; else the room is watched, and nothing here flies. */
+export const hasDrone = computed(() => verdict.value?.has_drone ?? true);
 export const state = signal<StateMessage | null>(null);
 export const room = signal<RoomView | null>(null);
 export const preflight = signal<PreflightView>({ ready: false, checks: [] });

@@ -20,7 +20,7 @@ import { isWorry, worthSaying } from "../live/words";
 import { SwapButton } from "../panels/video";
 import { RecordedBanner } from "../replay/recorded";
 import { replaying } from "../replay/replay";
-import { screen } from "../store";
+import { hasDrone, screen } from "../store";
 import { inSpace, RoomInSpace, SpaceButton } from "../view3d/space-button";
 import { DroneLayer } from "./drone";
 import { GoalLayer, PathLayer } from "./goal-layer";
@@ -110,10 +110,14 @@ export function MapView() {
         <RoomInSpace />
       ) : (
         <PlanFrame
-          label={t(
-            "Floor plan with the drone. Arrow keys move the goal; a list of places follows.",
-          )}
-          {...(past.value ? {} : { onPoint: (point: [number, number]) => choosePoint(point) })}
+          label={
+            hasDrone.value
+              ? t("Floor plan with the drone. Arrow keys move the goal; a list of places follows.")
+              : t("Floor plan of the room")
+          }
+          {...(past.value || !hasDrone.value
+            ? {}
+            : { onPoint: (point: [number, number]) => choosePoint(point) })}
         >
           {(to) => (
             <>
@@ -127,13 +131,13 @@ export function MapView() {
           )}
         </PlanFrame>
       )}
-      {!past.value && <HeightStrip />}
-      {!past.value && <HeightProfile />}
+      {!past.value && hasDrone.value && <HeightStrip />}
+      {!past.value && hasDrone.value && <HeightProfile />}
       <Notes />
       <Layers />
       <SpaceButton />
       {recorded ? <RecordedBanner /> : <PastBanner />}
-      <SwapButton to="map" />
+      {hasDrone.value && <SwapButton to="map" />}
     </section>
   );
 }
@@ -157,7 +161,7 @@ function Notes() {
       <SpeedLegend />
       {showsMargins.value && <li class="virtual">{t("kept free by order")}</li>}
       {showsMargins.value && <li class="inflated">{t("too close to fly")}</li>}
-      {hindering.value > 0 && (
+      {hasDrone.value && hindering.value > 0 && (
         <li class="plain">△ {t("{n} in the way that no map knows", { n: hindering.value })}</li>
       )}
       {worthSaying(situations.value)

@@ -392,6 +392,10 @@ export const DE_TOLD: Templates = {
     "gespiegelte, gedrehte oder verschobene Achsen fallen erst nach einer Bewegung auf",
   "carry the drone once, two minutes: `housefly preflight --frames`":
     "die Drohne einmal umhertragen, zwei Minuten: `housefly preflight --frames`",
+  "Watching the room": "Der Raum wird beobachtet",
+  "Waiting for tracking": "Warte auf die Ortung",
+  "no drone": "keine Drohne",
+  "this room has no drone": "dieser Raum hat keine Drohne",
   "this machine keeps up": "dieser Rechner kommt mit",
   "this machine is overloaded": "dieser Rechner ist überlastet",
   "load {n} on {k} cores": "Last {n} auf {k} Kernen",

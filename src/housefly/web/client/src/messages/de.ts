@@ -619,6 +619,18 @@ const texts: Speech["texts"] = {
     "Bei „Von Hand bewegen“: Drohne bewegen, auf und ab",
   "+ − 0": "+ − 0",
   "Map with the focus: nearer, farther, whole room": "Karte gewählt: näher, weiter, ganzer Raum",
+  "No drone":
+    "Keine Drohne",
+  "The room sees, remembers and answers; nothing flies.":
+    "Der Raum sieht, merkt sich und antwortet; nichts fliegt.",
+  "To add one, set enabled = true under [drone] in the site file and start again.":
+    "Um eine hinzuzufügen, in der Standortdatei unter [drone] enabled = true setzen und neu starten.",
+  "Every service flies, and there is no drone.":
+    "Jeder Dienst fliegt, und es gibt keine Drohne.",
+  "Floor plan of the room":
+    "Grundriss des Raums",
+  "Where is the cup …":
+    "Wo ist die Tasse …",
 };
 
 export const DE: Speech = { texts, told: teller(DE_TOLD, { point: ",", stop: "." }) };

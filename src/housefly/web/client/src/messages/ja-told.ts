@@ -352,6 +352,10 @@ export const JA_TOLD: Templates = {
     "軸の反転、回転、ずれは、動いたあとでしか分かりません",
   "carry the drone once, two minutes: `housefly preflight --frames`":
     "ドローンを一度持ち運んでください（2分）：`housefly preflight --frames`",
+  "Watching the room": "部屋を見守っています",
+  "Waiting for tracking": "位置計測を待っています",
+  "no drone": "ドローンなし",
+  "this room has no drone": "この部屋にドローンはありません",
   "this machine keeps up": "このコンピューターの処理は間に合っています",
   "this machine is overloaded": "このコンピューターは過負荷です",
   "load {n} on {k} cores": "{k} コアで負荷 {n}",

@@ -2,7 +2,7 @@ import { computed } from "@preact/signals";
 import { AskIcon, ListIcon, ShapeIcon } from "../controls/icons";
 import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
-import { iFly, open, panel, room, screen, state, toggle, verdict } from "../store";
+import { hasDrone, iFly, open, panel, room, screen, state, toggle, verdict } from "../store";
 import { lag } from "../wire/clock";
 import { milliseconds, percent } from "../format";
 import { banner, headline } from "../headline";
@@ -79,14 +79,16 @@ export function Top() {
             </button>
           </>
         )}
-        <button
-          type="button"
-          class="quiet-button control"
-          aria-expanded={panel.value === "control"}
-          onClick={() => toggle("control")}
-        >
-          {who()}
-        </button>
+        {hasDrone.value && (
+          <button
+            type="button"
+            class="quiet-button control"
+            aria-expanded={panel.value === "control"}
+            onClick={() => toggle("control")}
+          >
+            {who()}
+          </button>
+        )}
         <button
           type="button"
           class="quiet-button key"

@@ -6,7 +6,7 @@ import { createHold } from "../hold";
 import { at, found, nameOf } from "../live/store";
 import { clock } from "../live/words";
 import { refuse } from "../said";
-import { panel } from "../store";
+import { hasDrone, panel } from "../store";
 import { answer, said, trouble } from "../tasks/ask";
 import { running } from "../tasks/board";
 import { learnNames } from "../tasks/names";
@@ -56,7 +56,7 @@ export function Ask() {
           type="search"
           enterkeyhint="go"
           aria-label={t("Where is, go to")}
-          placeholder={t("Where is … / go to …")}
+          placeholder={hasDrone.value ? t("Where is … / go to …") : t("Where is the cup …")}
           list="names"
           maxLength={200}
           autocomplete="off"
@@ -102,7 +102,7 @@ function Whereabouts({ go }: { go: (words: string) => void }) {
         {translated(known.words)}
       </p>
       <Names names={around.map(nameOf)} go={go} />
-      {at.value === null && (
+      {at.value === null && hasDrone.value && (
         <HoldButton
           hold={look}
           class="secondary"

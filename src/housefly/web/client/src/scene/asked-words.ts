@@ -2,7 +2,7 @@
 import { choosePlace, choosePoint } from "../goal";
 import { find, unfind } from "../live/room-client";
 import { catalogue } from "../live/store";
-import { room } from "../store";
+import { hasDrone, room } from "../store";
 import { ask, forget } from "../tasks/ask";
 import { running } from "../tasks/board";
 import { services, request } from "../tasks/tasks-client";
@@ -41,7 +41,7 @@ export function ideasFor(): string[] {
   const names = things.flatMap((one) => [one.name, ...one.aliases]);
   const places = (room.value?.places ?? []).filter((one) => one.name !== "home");
   return [
-    ...places.map((one) => t("Go to {place}", { place: one.title })),
+    ...(hasDrone.value ? places.map((one) => t("Go to {place}", { place: one.title })) : []),
     ...new Set(names.map((thing) => t("Where is {thing}", { thing }))),
   ];
 }
@@ -57,7 +57,7 @@ export async function askFor(typed: string): Promise<void> {
   unask();
   if (!words) return;
   const target = part(GO, words) ?? "";
-  const place = placeCalled(target || words);
+  const place = hasDrone.peek() ? placeCalled(target || words) : undefined;
   const thing = part(WHERE, words) ?? words;
   if (place) choosePlace(place);
   else if (target && isThing(target)) await find(target);

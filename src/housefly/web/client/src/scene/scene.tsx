@@ -4,8 +4,10 @@ import { listen } from "../live/room-client";
 import { MapView } from "../map/map";
 import { Readiness } from "../panels/preflight";
 import { VideoView } from "../panels/video";
+import { hasDrone } from "../store";
 import { Ask } from "./ask";
 import { Foot } from "./foot";
+import { NoDrone } from "./no-drone";
 import { Side } from "./side";
 
 /** The house now: map and picture, what to ask of it, and what to order. */
@@ -15,9 +17,15 @@ export function LiveScene() {
     <main class="scene">
       <Ask />
       <MapView />
-      <VideoView />
-      <Orders />
-      <Readiness />
+      {hasDrone.value ? (
+        <>
+          <VideoView />
+          <Orders />
+          <Readiness />
+        </>
+      ) : (
+        <NoDrone />
+      )}
       <Side />
       <Foot />
     </main>

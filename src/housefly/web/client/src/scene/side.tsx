@@ -3,7 +3,7 @@ import { Sensors } from "../live/sensors";
 import { Battery } from "../panels/battery";
 import { Log } from "../panels/log";
 import { Readings } from "../panels/readings";
-import { lineLives, panel, verdict } from "../store";
+import { hasDrone, lineLives, panel, verdict } from "../store";
 import { sentence } from "../format";
 import { Told } from "../messages/told";
 import { t, translated } from "../messages/language";
@@ -14,15 +14,15 @@ const details = signal(false);
 export function Side() {
   return (
     <aside class="side" aria-label={t("Drone and house")}>
-      <Reasons />
-      <Battery />
+      {hasDrone.value && <Reasons />}
+      {hasDrone.value && <Battery />}
       {details.value ? (
         <section class="card details" aria-label={t("Details")} tabIndex={0} data-scrolls>
           <div class="row">
             <h2>{t("Details")}</h2>
             <Turn />
           </div>
-          <Readings />
+          {hasDrone.value && <Readings />}
           <Sensors />
         </section>
       ) : (

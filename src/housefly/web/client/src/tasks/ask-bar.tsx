@@ -2,6 +2,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { answer, ask } from "./ask";
 import { running } from "./board";
 import { ideas } from "./ideas";
+import { hasDrone } from "../store";
 import { learnNames } from "./names";
 import { Chips, SentenceAnswerView } from "./sentence-answer";
 import { t } from "../messages/language";
@@ -28,7 +29,11 @@ export function AskBar() {
           type="search"
           enterkeyhint="go"
           aria-label={t("Ask for something")}
-          placeholder={t("Look at the entrance, where is the cup …")}
+          placeholder={
+            hasDrone.value
+              ? t("Look at the entrance, where is the cup …")
+              : t("Where is the cup …")
+          }
           maxLength={500}
           autocomplete="off"
         />

@@ -1,6 +1,6 @@
 // What one may ask here, for somebody who sees this for the first time: each is one tap.
 import { catalogue } from "../live/store";
-import { room } from "../store";
+import { hasDrone, room } from "../store";
 import { language, type Language } from "../messages/language";
 
 const MEANT = "object";
@@ -9,9 +9,10 @@ const MEANT = "object";
 const IDEAS: Record<Language, () => string[]> = {
   en: () => [
     "Who is at the door?",
-    ...places().map((one) => `Look at the ${one.toLowerCase()}`),
+    ...(hasDrone.value ? places() : []).map((one) => `Look at the ${one.toLowerCase()}`),
     ...things().map((one) => `Where is ${one}?`),
     "Is anybody in the room?",
+    ...(hasDrone.value ? [] : ["What happened today?"]),
   ],
   de: () => [
     "Wer ist an der Tür?",

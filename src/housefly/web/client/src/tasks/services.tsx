@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { HoldButton } from "../controls/hold-button";
 import { sentence } from "../format";
 import { createHold } from "../hold";
-import { room } from "../store";
+import { hasDrone, room } from "../store";
 import { catalogue } from "../live/store";
 import { Told } from "../messages/told";
 import { running } from "./board";
@@ -106,7 +106,11 @@ export function Services() {
           </li>
         ))}
       </ul>
-      {offered.value.length === 0 && <p class="quiet">{t("Not known yet.")}</p>}
+      {offered.value.length === 0 && (
+        <p class="quiet">
+          {hasDrone.value ? t("Not known yet.") : t("Every service flies, and there is no drone.")}
+        </p>
+      )}
     </section>
   );
 }

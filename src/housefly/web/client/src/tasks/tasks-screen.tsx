@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
 import { VideoView } from "../panels/video";
-import { flying } from "../store";
+import { flying, hasDrone } from "../store";
 import { Readiness } from "../panels/preflight";
 import { readiness } from "../preflight";
 import { ago } from "../live/words";
@@ -17,7 +17,9 @@ import { t } from "../messages/language";
 
 /** Whether the drone may fly and nothing is to be known; the header says so already. */
 const fine = computed(
-  () => readiness.value.known.length === 0 && (readiness.value.ready || flying.value),
+  () =>
+    !hasDrone.value ||
+    (readiness.value.known.length === 0 && (readiness.value.ready || flying.value)),
 );
 
 /** What can be asked for, what waits and flies, and what came of it. */

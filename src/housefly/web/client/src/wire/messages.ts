@@ -318,6 +318,7 @@ export interface ConsoleVerdict {
   stop: StopView;
   pilot: number | null;
   control: string;
+  has_drone: boolean;
   type: "verdict";
 }
 
@@ -380,6 +381,7 @@ export type ReasonCode =
   | "safety"
   | "restarted"
   | "not_ready"
+  | "no_drone"
   | "condition"
   | "preempted";
 

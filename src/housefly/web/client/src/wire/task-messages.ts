@@ -41,6 +41,7 @@ export type ReasonCode =
   | "safety"
   | "restarted"
   | "not_ready"
+  | "no_drone"
   | "condition"
   | "preempted";
 
