@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from housefly.geometry import GRAVITY
 from housefly.messages.sensing import Estimate
 from housefly.messages.steering import KnownMotion
-from housefly.pilot.behavior.way_planner import COAST_TIME
+from housefly.pilot.behavior.braking import COAST_TIME
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.kept_place import HOVER_PUSH_MAX, KeptPlace, known_motion, sinking
 from housefly.pilot.step import Guidance

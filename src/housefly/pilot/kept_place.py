@@ -8,8 +8,7 @@ from math import atan, cos, hypot, nan, sin
 from housefly.geometry import GRAVITY, Vec2
 from housefly.messages.sensing import Estimate
 from housefly.messages.steering import KnownMotion
-from housefly.pilot.behavior.braking import SINK_LEAD
-from housefly.pilot.behavior.way_planner import coasted
+from housefly.pilot.behavior.braking import SINK_LEAD, coasted
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.step import Guidance
 

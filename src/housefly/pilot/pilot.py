@@ -33,6 +33,7 @@ from housefly.messages.steering import (
     SafetyMode,
 )
 from housefly.numeric import boxed, wrapped
+from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.mission import PeopleSilence, TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
@@ -40,7 +41,6 @@ from housefly.pilot.behavior.reported_status import ReportedStatus
 from housefly.pilot.behavior.steered_landing import MOVES_MAX, SteeredLanding
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.behavior.way_home import WayHome
-from housefly.pilot.behavior.way_planner import coasted
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.control.flow_hold import FlowHold, climb_to
 from housefly.pilot.control.landing_aim import landing_drift

@@ -12,6 +12,7 @@ from housefly.messages.order_fault import shown_name
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.found_below import FoundBelow
 from housefly.pilot.behavior.height_gap import SonarMonitor
@@ -28,7 +29,7 @@ from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
 from housefly.pilot.behavior.origin import OriginMonitor
 from housefly.pilot.behavior.preflight import PreflightInputs, preflight, preflight_refusal
-from housefly.pilot.behavior.way_planner import coasted, planned_task, refusal_of
+from housefly.pilot.behavior.way_planner import planned_task, refusal_of
 
 LANDING_PLACE = "a clear place to land"
 """Name of the mission that lands elsewhere than at home."""

@@ -11,7 +11,7 @@ import numpy as np
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.steering import PlanAnswer
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, coasted
 from housefly.pilot.behavior.mission import (
     Mission,
     Refused,
@@ -26,8 +26,6 @@ from housefly.pilot.behavior.trajectory_profile import trajectory_path, trajecto
 from housefly.pilot.planning.trajectory.kinematic_state import TICK, KinematicState
 from housefly.pilot.planning.trajectory.time_scale import stopping_rows
 
-COAST_TIME = 0.4
-"""A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""
 _AT_REST = 0.15
 """A drone slower than this [m/s] sets off from rest."""
 
@@ -43,11 +41,6 @@ class _Departure:
 
     state: KinematicState
     before: FloatArray
-
-
-def coasted(place: Vec2, velocity: Vec2) -> Vec2:
-    """Return where a drone comes to rest [m]."""
-    return place[0] + COAST_TIME * velocity[0], place[1] + COAST_TIME * velocity[1]
 
 
 def refusal_of(answer: PlanAnswer) -> Refused:

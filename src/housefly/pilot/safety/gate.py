@@ -162,7 +162,7 @@ class GateAssessment:
 
     @property
     def severity(self) -> int:
-        """What the compiled gate is told: a hold or landing by our setpoint, and a wait, is flown."""
+        """What the compiled gate is told: what our setpoint holds or lands, or waits, is flown."""
         is_flown = self.steered or self.kept or self.waits
         return MODE_SEVERITY[SafetyMode.RETURN if is_flown else self.motion]
 

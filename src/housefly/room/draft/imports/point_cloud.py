@@ -53,7 +53,7 @@ class PointCloud:
     notes: tuple[str, ...]
 
 
-class Surface(Protocol):
+class SampledSurface(Protocol):
     """What has an area."""
 
     @property
@@ -105,7 +105,7 @@ def _scan_file(path: Path) -> ScanFile:
         ) from error
 
 
-def fine_spacing(parts: Iterable[Surface], wanted: float) -> float:
+def fine_spacing(parts: Iterable[SampledSurface], wanted: float) -> float:
     """Return how far apart points on the surfaces of all parts are, in the unit of the parts.
 
     Args:

@@ -22,21 +22,21 @@ _LETTERS = re.compile(r"[^\W\d_]+")
 
 def names_wall(text: str) -> bool:
     """Return whether a layer's name holds a word for wall; accents and case do not matter."""
-    plain = folded(text)
+    plain = _folded(text)
     return any(part in plain for part in _FOLDED) or not _WHOLE.isdisjoint(_LETTERS.findall(plain))
 
 
 def names_any(text: str, words: tuple[str, ...]) -> bool:
     """Return whether a layer's name holds one of some words; accents and case do not matter."""
-    plain = folded(text)
-    return any(folded(word) in plain for word in words)
+    plain = _folded(text)
+    return any(_folded(word) in plain for word in words)
 
 
 @cache
-def folded(text: str) -> str:
+def _folded(text: str) -> str:
     """Return a text in small letters without accents."""
     apart = unicodedata.normalize("NFKD", text)
     return "".join(sign for sign in apart if not unicodedata.combining(sign)).casefold()
 
 
-_FOLDED = tuple(folded(part) for part in _PARTS)
+_FOLDED = tuple(_folded(part) for part in _PARTS)
