@@ -106,6 +106,24 @@ def test_what_was_not_measured_is_none(
     assert summary.duration_s == pytest.approx(23.0, abs=0.03)
 
 
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+@pytest.mark.parametrize("lie", [float("nan"), float("inf"), 1e300])
+def test_poses_that_are_no_numbers_take_no_number_away_and_warn_of_nothing(
+    site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...], summary: Summary,
+    lie: float,
+) -> None:  # fmt: skip
+    def lied(step: PilotStep) -> PilotStep:
+        seen, *others = step.inputs.sightings
+        lied = replace(seen, pose=replace(seen.pose, position=(lie, lie, lie)))
+        return replace(step, inputs=replace(step.inputs, sightings=(lied, *others)))
+
+    half = [lied(one) if one.inputs.sightings and number % 4 == 0 else one
+            for number, one in enumerate(flight)]  # fmt: skip
+    told = summarize_flight(collect(half, "ardrone"), "completed", site, room, grid)
+    assert told.tracked_min_clearance_m == pytest.approx(summary.tracked_min_clearance_m, abs=0.05)
+    assert told.tracked_max_error_m == pytest.approx(summary.tracked_max_error_m)
+
+
 def test_a_drone_that_is_still_in_the_air_has_no_landing_error(
     site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:

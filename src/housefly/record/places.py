@@ -16,6 +16,9 @@ from housefly.record.series import FlightSeries
 from housefly.record.truth import TrueFlight
 from housefly.room.model import Room
 
+_FARTHEST = 1e6
+"""Nobody tracks a drone this far away [m]."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Places:
@@ -31,8 +34,10 @@ class Places:
 
 
 def tracked_places(flight: FlightSeries) -> Places:
-    """Return where the tracking system saw the drone."""
-    return Places(flight.sighting[:, :2], flight.sighting_step)
+    """Return where the tracking system saw the drone; what is no number or no place is none."""
+    seen = flight.sighting[:, :2]
+    possible = (np.abs(seen) < _FARTHEST).all(axis=1)
+    return Places(seen[possible], flight.sighting_step[possible])
 
 
 def true_places(flight: FlightSeries, truth: TrueFlight | None) -> Places:

@@ -193,14 +193,13 @@ def _flown_length(flight: FlightSeries) -> float | None:
 
 def _tracked_min_clearance(flight: FlightSeries, site: Site, grid: OccupancyGrid) -> float | None:
     airborne = np.isin(flight.status[flight.sighting_step], _AIRBORNE)
-    cells = np.floor(
-        (flight.sighting[airborne, :2] - np.array(grid.origin)) / grid.resolution
-    ).astype(np.int64)
-    on_map = np.all((cells >= 0) & (cells < grid.cells.shape), axis=1)
-    if not on_map.any():
+    cells = np.floor((flight.sighting[airborne, :2] - np.array(grid.origin)) / grid.resolution)
+    # Only what is on the map is a cell: a pose that is no number, or far away, is none.
+    cells = cells[np.all((cells >= 0) & (cells < grid.cells.shape), axis=1)].astype(np.int64)
+    if not cells.size:
         return None
     hull = hypot(site.drone.hull_length, site.drone.hull_width) / 2.0
-    return finite_number(grid.clearance[tuple(cells[on_map].T)].min() - hull)
+    return finite_number(grid.clearance[tuple(cells.T)].min() - hull)
 
 
 def _mocap_rate(flight: FlightSeries) -> float | None:

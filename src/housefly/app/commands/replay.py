@@ -38,11 +38,13 @@ def _run(options: Namespace) -> int:
         console.print(f"differs: {verdict.difference}", markup=False)
         return 1
     if not verdict.is_whole or (verdict.share or 1.0) < 1.0:
-        of = "" if verdict.recorded is None else f" of {verdict.recorded} ({verdict.share:.0%})"
+        recorded, share = verdict.recorded, 100.0 * (verdict.share or 0.0)
+        there = f"{verdict.steps} steps"
+        if recorded is not None:
+            there = f"{verdict.steps} of {recorded} steps ({share:.3g} %)"
         console.print(
-            f"the recording is cut off: {verdict.steps}{of} steps are there, every command in them"
-            " is the same, bit for bit; nothing is known of the rest (a cut copy, a full disk, a"
-            " power cut?)"
+            f"the recording is cut off: {there} are there; every command in them is the same, bit"
+            " for bit, and of the rest nothing is known (a cut copy, a full disk, a power cut?)"
         )
         return _CUT_OFF
     console.print(f"{verdict.steps} steps replayed; every command is the same, bit for bit")
