@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from pilot_states import fault, flying, looking, ready, silent
-from playwright.async_api import FloatRect, Page, expect
+from playwright.async_api import Browser, FloatRect, Page, expect
 
 from housefly.messages import OrderKind, Phase
 
@@ -121,3 +121,25 @@ async def test_whoever_watches_reads_it_in_large_and_has_stop_and_land(
     await orders.get_by_role("button", name="Land").click()
     await until(lambda: [one.kind for one in console.pilot.orders] == [OrderKind.LAND])
     await watcher.close()
+
+
+async def test_without_a_drone_there_is_a_map_no_order_and_the_way_to_add_one_at_every_size(
+    chromium: Browser, serving: Callable[..., Any], loopback: str
+) -> None:
+    async with serving(loopback, has_drone=False) as console:
+        page = await (await chromium.new_context()).new_page()
+        await page.goto(console.link)
+        await expect(page.locator(".headline")).to_contain_text("Watching the room")
+        for width, height in FIVE_SIZES + AT_200_PERCENT:
+            where = f"{width}x{height}"
+            await page.set_viewport_size({"width": width, "height": height})
+            for one in (".view.map", ".no-drone"):
+                shown = await box(page, one)
+                assert is_within(shown, width, height) and shown["height"] >= 40, f"{where} {one}"
+            assert await page.evaluate(SCROLLED) == 0, f"{where} must not scroll"
+        for one in (".stop", ".command", ".view.video", ".readiness", ".control"):
+            await expect(page.locator(one)).to_have_count(0)
+        await expect(page.locator(".no-drone")).to_contain_text("[drone]")
+        await page.keyboard.press("Space")
+        assert console.stops == []
+        await page.context.close()

@@ -96,3 +96,13 @@ def test_only_what_changed_is_read_again(tmp_path: Path) -> None:
     os.utime(tmp_path / "mine.yaml", (1.0, 1.0))
     library.refresh()
     assert library["mine"] is not before and library["mine"] == before
+
+
+def test_without_a_drone_nothing_that_flies_is_offered_or_given(tmp_path: Path) -> None:
+    write(tmp_path, "greet.yaml", "name: greet\ntitle: Mine\nsteps:\n  - say: hello\n")
+    library = OpenLibrary(tmp_path, has_drone=False)
+    assert [one.name for one in library.services()] == ["greet"]
+    assert library.document("greet").name == "greet"
+    with pytest.raises(TaskError, match="look flies, and this room has no drone") as refused:
+        library.document("look")
+    assert refused.value.code == "no_drone"

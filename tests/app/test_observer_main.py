@@ -1,0 +1,97 @@
+"""A room without a drone: the observer stands for pilot and driver, and nothing flies."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+from housefly.app.commands.shared import require_drone
+from housefly.app.doctor import check_machine
+from housefly.app.launcher import processes_of
+from housefly.app.lively import lively_site
+from housefly.app.loaded_site import open_site, read_site
+from housefly.app.observer_main import RoomObserver
+from housefly.app.ports import port_needs
+from housefly.app.readiness import Readiness
+from housefly.app.runtime import new_runtime
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY, STAND_DOWN_QUERY
+from housefly.clock import RealClock
+from housefly.config.site import Site, changed
+from housefly.errors import ConfigError, ThingError
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
+from housefly.hub.api.pilot_queries_json import from_json, to_json
+from housefly.hub.hub import Hub
+from housefly.messages import PlanAnswer, Pose, Sighting
+from housefly.tracking.contracts import SightingSink
+
+
+def site_at(folder: Path, **changes: object) -> Site:
+    site = read_site("bsen", drone__enabled=False, hub__store=str(folder / "room.db"))
+    return changed(site, **changes)
+
+
+class OneBody:
+    """A tracking system that sees the visitor walk."""
+
+    connected, problem = True, ""
+
+    async def run(self, sink: SightingSink) -> NoReturn:
+        while True:
+            await asyncio.sleep(0.02)
+            now = time.monotonic()
+            sink((Sighting("visitor", Pose((1.0, 4.2, 1.7)), now, now),))
+
+
+async def until(done: Callable[[], bool]) -> None:
+    async with asyncio.timeout(20.0):
+        while not done():
+            await asyncio.sleep(0.02)
+
+
+async def test_what_tracking_sees_is_remembered_and_the_room_is_told(tmp_path: Path) -> None:
+    loaded, bus = open_site(site_at(tmp_path)), LocalBus()
+    hub = Hub(loaded.site, tmp_path, bus)
+    ready = Readiness(loaded.site, bus, web=False, video=loaded.site.has_picture)
+    assert ready.wait(0.0).startswith("waiting for tracking")
+    observer = RoomObserver(loaded, bus, OneBody(), RealClock())
+    running = asyncio.create_task(observer.run())
+    try:
+        await until(lambda: hub.memory.world.where("visitor").position is not None)
+        assert ready.wait(0.0) == ""
+        (tracking,) = hub.status.sensors().sensors
+        assert (tracking.kind, tracking.connected) == ("mocap", True)
+        with pytest.raises(ThingError):
+            hub.memory.world.thing("the drone")
+        assert from_json(RoomView, bus.ask(ROOM_QUERY, "")).site == "B-sen"
+        refused = from_json(PlanAnswer, bus.ask(PLAN_QUERY, to_json(PlanRequest("sofa"))))
+        assert refused.path is None and refused.reason == "this room has no drone"
+        assert from_json(PreflightView, bus.ask(PREFLIGHT_QUERY, "")) == PreflightView()
+        assert bus.ask(STAND_DOWN_QUERY, "") == "", "nothing flies that new edits would disturb"
+    finally:
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+        hub.close()
+
+
+def test_no_drone_is_asked_for_started_or_given_a_port(tmp_path: Path) -> None:
+    site = changed(lively_site(site_at(tmp_path), has_broker=True)[0], drone__enabled=False)
+    names = [spec.name for spec in processes_of(new_runtime(site, tmp_path))]
+    assert names[0] == "observer" and not {"pilot", "driver"} & set(names)
+    assert not any("drone" in need.name for need in port_needs(site, web=True))
+    with pytest.raises(ConfigError, match="this room has no drone; set it to true to fly one"):
+        require_drone(site)
+    found = {check.name: check.found for check in check_machine(site)}
+    assert found["drone and tracking"] == "simulated; no drone"
+
+
+def test_a_drone_without_tracking_is_refused_and_devices_alone_are_a_room(tmp_path: Path) -> None:
+    with pytest.raises(ConfigError, match="a drone flies by tracking"):
+        changed(Site(), tracking__enabled=False)
+    alone = site_at(tmp_path, tracking__enabled=False, twin__enabled=False)
+    assert Readiness(alone, LocalBus(), web=False, video=alone.has_picture).wait(0.0) == ""
