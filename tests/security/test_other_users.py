@@ -19,7 +19,7 @@ import pytest
 from housefly.app.certificates import make_certificate
 from housefly.app.console_answer import console_answers
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.run_folder import new_run_folder
+from housefly.app.run_folder import new_run_folder, temporary_run_folder
 from housefly.app.runtime import Runtime, discovery_entry, new_runtime
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop import StopListener
@@ -229,6 +229,15 @@ def test_what_a_killed_run_left_behind_is_removed_by_the_next() -> None:
     gone = subprocess.Popen(["true"])
     gone.wait()
     left = Path(tempfile.mkdtemp(prefix=f"housefly-run-{gone.pid}-"))
+    logs, fresh = (Path(tempfile.mkdtemp(prefix=f"housefly-logs-{gone.pid}-")) for _ in range(2))
+    (fresh / "pilot.log").touch()  # a child of the killed launcher lands the drone still
+    ago = time.time() - 3600.0
+    os.utime(logs, (ago, ago))
+    with temporary_run_folder("logs") as own:
+        assert own.is_dir() and stat.S_IMODE(own.stat().st_mode) == 0o700
+        assert not left.exists() and not logs.exists() and fresh.exists()
+    assert not own.exists()
+    (fresh / "pilot.log").unlink()
+    os.utime(fresh, (ago, ago))
     mine = new_run_folder()
-    assert not left.exists()
-    assert mine.exists()
+    assert mine.exists() and not fresh.exists()

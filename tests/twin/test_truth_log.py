@@ -33,6 +33,21 @@ def test_samples_come_at_their_rate_and_are_the_truth(
     assert truth.contacts == ()
 
 
+def test_on_a_full_disk_the_file_ends_and_the_room_goes_on(
+    make_world: Callable[..., SimulatedWorld],
+) -> None:
+    world, told = make_world(), list[str]()
+    with closing(TruthLog(world, Path("/dev/full"), lambda: world.now, told.append)) as log:
+        for _ in range(200):
+            world.advance(0.005)
+            log.sample()
+    (line,) = told
+    assert line.endswith("/dev/full: No space left on device")
+    told.clear()
+    TruthLog(world, Path("/proc/none/truth.jsonl"), lambda: world.now, told.append).sample()
+    assert len(told) == 1
+
+
 def test_a_contact_is_told_with_whom_when_and_how_fast(
     tmp_path: Path, make_room: Callable[..., Room], make_world: Callable[..., SimulatedWorld],
     wall: Solid, hand: type,

@@ -40,6 +40,8 @@ _log = logging.getLogger(__name__)
 
 _QUEUE_SIZE = 2000
 """Messages waiting for the disk: more than ten seconds of a flight with video."""
+_TRUTH_LATE = 5.0
+"""The simulated room may end this much before the pilot [s]."""
 _PATIENCE = 2.0
 """How long a sender waits for room in the queue [s]; only a lock-step flight outruns the disk."""
 
@@ -196,13 +198,21 @@ class FlightRecorder:
 
     def _conclude(self, outcome: str, steps: Iterable[PilotStep]) -> Summary:
         flight = collect(steps, self._site.tracking.body, self._planned)
+        truth = read_truth(self.truth_file)
+        if truth is not None and flight.time.size:
+            missing = float(flight.time[-1] - truth.time[-1])
+            if missing > _TRUTH_LATE:
+                self._report(
+                    f"{TRUTH_FILE} ends {missing:.0f} s before the flight does: what is scored on"
+                    " it lacks that time"
+                )
         summary = summarize_flight(
             flight,
             outcome,
             self._site,
             self._room,
             self._grid,
-            truth=read_truth(self.truth_file),
+            truth=truth,
             video_frames=self._video_frames,
             problems=self.problems,
         )

@@ -1,16 +1,20 @@
 """The true course of a flight, written to a file: where the drone was, what it touched.
 
 One JSON object a line: samples at 50 Hz, and each contact when it begins and again at the end. It
-is for the summary of a flight, never for the pilot.
+is for the summary of a flight, never for the pilot, and nothing waits for it or ends with it: on a
+full disk it ends, and says so.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from math import isfinite
 from pathlib import Path
+from typing import TextIO
 
+from housefly.config.process_log import log_line
 from housefly.twin.contact_log import Contact
 from housefly.twin.world import SimulatedWorld
 
@@ -26,14 +30,21 @@ class TruthLog:
         world: what is true.
         path: of the file; what an earlier process wrote is kept.
         clock: stamps the samples, as the pilot's steps are stamped [s].
-
-    Raises:
-        OSError: the file cannot be written.
+        report: takes a line when the file can be written no longer.
     """
 
-    def __init__(self, world: SimulatedWorld, path: Path, clock: Callable[[], float]) -> None:
+    def __init__(
+        self,
+        world: SimulatedWorld,
+        path: Path,
+        clock: Callable[[], float],
+        report: Callable[[str], None] = log_line,
+    ) -> None:
         self._world, self._clock = world, clock
-        self._file = path.open("a", encoding="utf-8")
+        self._path, self._report = path, report
+        self._file: TextIO | None = None
+        with self._ending():
+            self._file = path.open("a", encoding="utf-8")
         self._due = 0.0
         self._samples = 0
         self._told = 0
@@ -41,7 +52,7 @@ class TruthLog:
     def sample(self) -> None:
         """Write a sample when it is due, and the contacts that are new."""
         now = self._world.now
-        if now < self._due:
+        if now < self._due or self._file is None:
             return
         self._due = now + 1.0 / TRUTH_RATE_HZ - 1e-6
         at = self._clock()
@@ -61,19 +72,39 @@ class TruthLog:
             self._told += 1
         self._samples += 1
         if self._samples % _FLUSH_EVERY == 0:
-            self._file.flush()
+            with self._ending():
+                self._file.flush()
 
     def close(self) -> None:
         """Write how long each contact lasted, and close the file."""
-        if self._file.closed:
+        if self._file is None:
             return
         offset = self._clock() - self._world.now
         for contact in self._world.contact_log:
             self._write(_line(contact, offset))
-        self._file.close()
+        file, self._file = self._file, None
+        with self._ending():
+            file.close()
 
     def _write(self, values: dict[str, object]) -> None:
-        self._file.write(json.dumps(values, allow_nan=False) + "\n")
+        with self._ending():
+            if self._file is not None:
+                self._file.write(json.dumps(values, allow_nan=False) + "\n")
+
+    @contextmanager
+    def _ending(self) -> Iterator[None]:
+        """Write no more, and say why, where the disk refuses."""
+        try:
+            yield
+        except OSError as error:
+            file, self._file = self._file, None
+            with suppress(OSError):
+                if file is not None:
+                    file.close()
+            self._report(
+                f"twin: the true course of this flight is not written any further: {self._path}:"
+                f" {error.strerror}"
+            )
 
 
 def _line(contact: Contact, offset: float) -> dict[str, object]:

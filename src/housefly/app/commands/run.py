@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from argparse import SUPPRESS, ArgumentParser, Namespace
 from pathlib import Path
 
@@ -81,6 +80,7 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     """Start what the site needs and stay until Ctrl-C; the drone lands first."""
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.interactive import Screen, run_interactively
+    from housefly.app.run_folder import temporary_run_folder
     from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=True)
@@ -88,10 +88,10 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     if loaded.site.drone.enabled:
         compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
-    with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
+    with temporary_run_folder("logs") as folder:
         asks = opens_tasks and loaded.site.tasks.enabled and loaded.site.drone.enabled
         first = Screen.TASKS if asks else Screen.FLY
-        return run_interactively(loaded, Path(folder), record, first)
+        return run_interactively(loaded, folder, record, first)
 
 
 DEMO_COMMAND = Subcommand(

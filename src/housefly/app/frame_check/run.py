@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import tempfile
 from datetime import UTC, datetime
 from math import degrees
 from pathlib import Path
@@ -15,6 +14,7 @@ from housefly.app.frame_check.session import FrameCheckSession
 from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.ports import refuse_taken_ports
+from housefly.app.run_folder import temporary_run_folder
 from housefly.app.runtime import new_runtime
 from housefly.app.terminal import console
 from housefly.app.trackers import tracker_of
@@ -47,8 +47,7 @@ def run_frame_check(loaded: LoadedSite) -> FrameVerdict:
     refuse_taken_ports(site, web=False)
     plan = carry_plan(loaded.room)
     quiet = changed(site, twin__video=False, drone__has_video=False)
-    with tempfile.TemporaryDirectory() as name, EndSignals():
-        folder = Path(name)
+    with temporary_run_folder("frames") as folder, EndSignals():
         runtime = new_runtime(quiet, folder)
         hands = runtime.driver_socket.with_name("hands") if site.twin.enabled else None
         twin = ("--site", str(runtime.site_file), "--hands", str(hands))

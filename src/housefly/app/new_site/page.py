@@ -7,8 +7,8 @@ import secrets
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
+from housefly.app.run_folder import temporary_run_folder
 from housefly.app.terminal import console
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard
@@ -72,9 +72,9 @@ async def serve_draft(
         host: loopback address.
         port: 0 takes a free one.
     """
-    with listening(host, port) as listener, TemporaryDirectory(prefix="housefly-new-") as files:
+    with listening(host, port) as listener, temporary_run_folder("new") as files:
         auth = new_site_session(token)
-        api = DraftApi(DraftService(folder), Uploads(Path(files)), auth, hear, check_drone)
+        api = DraftApi(DraftService(folder), Uploads(files), auth, hear, check_drone)
         announce(listener.getsockname()[1])
         app = create_new_site_app(api, auth, frozenset({host, "localhost"}))
         server = make_server(app)
