@@ -624,7 +624,7 @@ const texts: Speech["texts"] = {
   "The room sees, remembers and answers; nothing flies.":
     "Der Raum sieht, merkt sich und antwortet; nichts fliegt.",
   "To add one, set enabled = true under [drone] in the site file and start again.":
-    "Um eine hinzuzufügen, in der Standortdatei unter [drone] enabled = true setzen und neu starten.",
+    "Um eine hinzuzufügen, unter [drone] der Standortdatei enabled = true setzen und neu starten.",
   "Every service flies, and there is no drone.":
     "Jeder Dienst fliegt, und es gibt keine Drohne.",
   "Floor plan of the room":

@@ -169,8 +169,10 @@ export const DE_TOLD: Templates = {
       "say its name as the tracking software has it"]:
     "der Körper der Drohne {name} ist nicht dabei (gesehen: {thing}): ihre Marker " +
       "freilegen oder ihren Namen so angeben, wie ihn die Ortungssoftware hat",
-  "{name} is farther away than any room is long: is its unit millimetres? choose metres in the tracking software":
-    "{name} ist weiter weg, als ein Raum lang ist: sind das Millimeter? In der Ortungssoftware Meter wählen",
+  ["{name} is farther away than any room is long: is its unit millimetres? choose metres in " +
+      "the tracking software"]:
+    "{name} ist weiter weg, als ein Raum lang ist: sind das Millimeter? " +
+      "In der Ortungssoftware Meter wählen",
   "none": "keiner",
   "fewer than 20 frames a second: fly slowly, or raise the rate":
     "weniger als 20 Bilder je Sekunde: langsam fliegen oder die Rate erhöhen",

@@ -141,7 +141,8 @@ export const JA_TOLD: Templates = {
   ["the drone's body {name} is not among them (seen: {thing}): uncover its markers, or " +
       "say its name as the tracking software has it"]:
     "ドローン {name} が見つかりません（見えているもの：{thing}）。マーカーを隠さないようにするか、計測ソフトでの名前を入力してください",
-  "{name} is farther away than any room is long: is its unit millimetres? choose metres in the tracking software":
+  ["{name} is farther away than any room is long: is its unit millimetres? choose metres in " +
+      "the tracking software"]:
     "{name} の位置が部屋より遠すぎます。単位はミリメートルではありませんか。計測ソフトでメートルを選んでください",
   "none": "なし",
   "fewer than 20 frames a second: fly slowly, or raise the rate": "毎秒20フレーム未満です。ゆっくり飛ぶか、頻度を上げてください",
