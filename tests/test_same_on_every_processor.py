@@ -197,6 +197,7 @@ def test_the_check_lets_pass_what_is_the_same(line: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 def test_an_older_processor_replays_and_flies_the_same_bits() -> None:
     """All of numpy's newer instructions off, and the linear algebra of 2008."""
     older = {
