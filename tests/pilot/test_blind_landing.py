@@ -76,7 +76,7 @@ def test_with_nothing_below_it_lands_where_it_is_at_once(fly: Fly) -> None:
 def test_where_who_stood_below_goes_away_it_lands(fly: Fly) -> None:
     blind = Blind(fly, place=(1.0, 2.5))
     blind.flight.until(lambda o: blind.flight.told("tracking_old"), 5.0)
-    blind.flight.run(0.8)
+    blind.flight.run(1.4)
     blind.top = 0.0
     blind.land(10.0)
     assert blind.flight.status is DroneStatus.LANDED and blind.away < 0.5

@@ -45,7 +45,7 @@ from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.control.flow_hold import FlowHold, climb_to
 from housefly.pilot.control.landing_aim import landing_drift
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
-from housefly.pilot.estimation.dead_reckoning import ReckonedPose
+from housefly.pilot.estimation.dead_reckoning import ReckonedHeight, ReckonedPose
 from housefly.pilot.estimation.estimation_report import (
     NOTHING_ESTIMATED,
     EstimationReport,
@@ -122,6 +122,7 @@ class Pilot:
         self._flow_hold: FlowHold | None = None
         self._kept: KeptPlace | None = None
         self._held = False
+        self._reckoned_height: ReckonedHeight | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -277,7 +278,19 @@ class Pilot:
             or self._reported.status is not DroneStatus.FLYING
         ):
             return None
-        return self._estimator.monitor.reckoned(now)
+        reckoned = self._estimator.monitor.reckoned(now)
+        before, self._reckoned_height = self._reckoned_height, None
+        if reckoned is None or not self._gate.landing_waits:
+            return reckoned
+        (x, y, z), gains, told = reckoned.position, self._params.gains, self._telemetry
+        height = self._reckoned_height = (before or ReckonedHeight(now, z)).advanced(
+            now,
+            self._sent.setpoint.vz,
+            gains.climb_lag,
+            gains.sink_gain,
+            told.height + self._gate.standing_height if told else nan,
+        )
+        return replace(reckoned, position=(x, y, height.height))
 
     def _trajectory_reference(self) -> TrajectoryReference | None:
         if not self._in_space or self._target is None:
@@ -441,10 +454,13 @@ class Pilot:
             return None
         (x, y, _), (vx, vy) = plan.here.position, plan.here.velocity
         error = plan.target[0] - x, plan.target[1] - y
-        hold = self._flow_hold = (self._flow_hold or FlowHold(now)).pushed(error, now)
+        is_moving = any(plan.velocity)
+        hold = (self._flow_hold or FlowHold(now)).pushed((0.0, 0.0) if is_moving else error, now)
+        self._flow_hold, drag = hold, self._params.gains.drag
         setpoint = hold.setpoint(
             error,
             (plan.velocity[0] - vx, plan.velocity[1] - vy),
+            (drag * plan.velocity[0], drag * plan.velocity[1]),
             climb_to(plan.height, plan.here.position, plan.may_sink),
             plan.here.yaw,
             self._params.gains.gain,

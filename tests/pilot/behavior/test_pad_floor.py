@@ -75,3 +75,10 @@ def test_it_is_found_nowhere_but_above_the_pad_and_gone_when_it_is_gone(fly: Fly
 def test_a_sonar_that_told_nothing_of_the_floor_at_the_take_off_shows_nothing(fly: Fly) -> None:
     take_off(fly, deaf=True)
     assert fly(1.5, lies=0.12) == 0.0
+
+
+def test_who_comes_below_a_take_off_is_no_part_of_the_pad(fly: Fly) -> None:
+    fly(0.2, DroneStatus.LANDED, z=STOOD)
+    fly(1.8, DroneStatus.TAKING_OFF, z=STOOD, climb=0.4)
+    assert fly(1.0, DroneStatus.TAKING_OFF, z=0.77, climb=0.4, lies=0.34) > 0.2
+    assert fly(1.0, lies=0.34) == pytest.approx(0.34, abs=0.03)

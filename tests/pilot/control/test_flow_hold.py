@@ -30,7 +30,7 @@ def fly(push: tuple[float, float], yaw: float, start: tuple[float, float]) -> li
         late = seen[-DELAY]
         error = (-late.x, -late.y)
         hold = hold.pushed(error, n * TICK)
-        asked = hold.setpoint(error, (-late.vx, -late.vy), 0.0, yaw, 1.0, 0.21)
+        asked = hold.setpoint(error, (-late.vx, -late.vy), (0.0, 0.0), 0.0, yaw, 1.0, 0.21)
         assert hypot(asked.theta, asked.phi) <= TILT_MAX + 1e-9
         state = drone_step(state, asked.theta, asked.phi, 0.0, 0.0, push, Constants(), TICK)
         seen.append(state)

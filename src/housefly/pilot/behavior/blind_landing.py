@@ -22,7 +22,7 @@ from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.behavior.steered_landing import SteeredLanding
+from housefly.pilot.behavior.steered_landing import SETTLED, SteeredLanding
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 
 FARTHEST = 2.0
@@ -33,6 +33,8 @@ DOUBTED_DRIFT = 0.05
 """The drone's own motion counts for nothing once it has left the tracked one by this [m]."""
 REST_SPEED = 0.12
 """It lands only when slower than this [m/s]."""
+SETTLED_AFTER = 15.0
+"""So long after it set off its spot counts as reached however near it is [s]."""
 MOVES_MAX = 5
 """It moves aside no more often: the sonar may be wrong."""
 CLEAR_TIME = 0.5
@@ -117,9 +119,13 @@ class BlindLanding:
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
         person = f"{near.name} is below" if near.now < 0.0 else ""
         fault = person or self._commander.fault_below(place, vehicle)
+        if not fault and self._people.is_above_furniture(place, self._people.hull):
+            fault = "furniture stands below"
+        if not fault and self._commander.sonar.found:
+            fault = "looking below"
         if fault:
             self._blocked_at = vehicle.now
-        if person or self._commander.sonar.found:
+        if person or self._commander.sonar.found or "furniture" in fault:
             self._shown_at = vehicle.now
         return fault
 
@@ -127,10 +133,18 @@ class BlindLanding:
         """Return why a drone with nothing below does not land yet, in words, or ""."""
         if self._landing is None:
             return ""
-        is_there = self._landing.sinks(vehicle.now, here.position[:2])
-        if not is_there or hypot(*here.velocity) > REST_SPEED:
+        if not self._is_there(vehicle, here, self._landing):
             return "moving aside"
         return "looking below" if vehicle.now - self._blocked_at < CLEAR_TIME else ""
+
+    @staticmethod
+    def _is_there(vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding) -> bool:
+        """Return whether the drone rests at its spot; where it never does, it is near enough."""
+        if landing.moves and vehicle.now - landing.at < SETTLED_AFTER:
+            is_off = distance(here.position[:2], landing.spot) > SETTLED
+            if is_off or hypot(*here.velocity) > REST_SPEED:
+                return False
+        return landing.sinks(vehicle.now, here.position[:2])
 
     def _must_land(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
         """Return why it cannot be held where it is, in words, or ""."""
@@ -162,7 +176,7 @@ class BlindLanding:
         since = vehicle.now - self._shown_at
         is_shown = since == 0.0 or since > GONE_AFTER
         is_due = vehicle.landing_waits and vehicle.now >= self._look_at
-        return is_due and is_shown and landing.sinks(vehicle.now, here.position[:2])
+        return is_due and is_shown and self._is_there(vehicle, here, landing)
 
     def _aside(
         self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding

@@ -15,7 +15,7 @@ from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.found_below import FoundBelow
-from housefly.pilot.behavior.height_gap import SonarMonitor
+from housefly.pilot.behavior.height_gap import BEAM_RADIUS, SonarMonitor
 from housefly.pilot.behavior.mission import (
     STAY,
     Mission,
@@ -351,10 +351,11 @@ class Commander:
     def fault_below(self, place: Vec2, vehicle: VehicleStatus) -> str:
         """Return what the drone's own sensor shows below a landing at a place [m], or "".
 
-        What it shows is remembered, because a landing is tried.
+        What it shows is remembered, because a landing is tried; but for what the map shows.
         """
         if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
-            self.found.show(vehicle.position)
+            if not self._navigator.people.is_above_furniture(place, BEAM_RADIUS):
+                self.found.show(vehicle.position, vehicle.now)
             return self.sonar.words
         return "something was found below here" if self.found.is_near(place) else ""
 

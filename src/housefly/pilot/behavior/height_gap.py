@@ -13,6 +13,8 @@ HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
 RANGE_MIN = 0.2
 """The sonar measures nothing nearer than this: a lower height says that something is near [m]."""
+BEAM_RADIUS = 0.3
+"""So far around the drone's middle the sonar may find something [m]."""
 GAP_TIME = 0.3
 """Something stands below for sure when the heights disagree for this long [s]."""
 AGREEMENT_TIME = 0.2

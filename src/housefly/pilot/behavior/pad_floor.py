@@ -71,9 +71,10 @@ class PadFloor:
             return
         if not self._is_at(place):
             self._has_left, self._seems = True, 0.0
-        elif not self._has_left:
+        elif not (self._has_left or (self.is_known and gap - self._offset > FLAT_HEIGHT_MIN)):
             self._learn(gap, dt)
         elif self.is_known:
+            self._has_left = True
             share = 1.0 - exp(-dt / SMOOTHING_TIME)
             self._seems += share * (gap - self._offset - self._seems)
 

@@ -12,6 +12,8 @@ STIFFNESS, DAMPING = 1.0, 2.0
 """Of the place [1/s^2, 1/s]: flow, command and tilt are a third of a second late together."""
 INTEGRAL = 0.4
 """Of the place [1/s^3]: draughts, and an attitude that is off."""
+NEAR = 0.25
+"""Farther off than this nothing more is learned of them [m]."""
 PUSH_MAX = 0.8
 """No steady push counts as more than this [m/s^2]."""
 TILT_MAX = 0.12
@@ -39,27 +41,35 @@ class FlowHold:
         """Return what is learned after another look at how far off the place is [m], now [s]."""
         dt = min(max(now - self.now, 0.0), _STEP_MAX)
         x, y = (
-            min(max(push + INTEGRAL * dt * off, -PUSH_MAX), PUSH_MAX)
+            min(max(push + INTEGRAL * dt * min(max(off, -NEAR), NEAR), -PUSH_MAX), PUSH_MAX)
             for push, off in zip(self.push, error, strict=True)
         )
         return FlowHold(now, (x, y))
 
     def setpoint(
-        self, error: Vec2, error_rate: Vec2, climb: float, yaw: float, gain: float, tilt_max: float
+        self,
+        error: Vec2,
+        error_rate: Vec2,
+        lead: Vec2,
+        climb: float,
+        yaw: float,
+        gain: float,
+        tilt_max: float,
     ) -> Setpoint:
         """Return what to ask of the inner loops.
 
         Args:
             error: place wanted, minus the drone's own [m].
             error_rate: the same of the velocity [m/s].
+            lead: acceleration against what holds back a drone at the wanted velocity [m/s^2].
             climb: to ask for [m/s].
             yaw: heading [rad].
             gain: c / lambda of the drone.
             tilt_max: limit of the command [rad].
         """
         ax, ay = (
-            STIFFNESS * off + DAMPING * rate + push
-            for off, rate, push in zip(error, error_rate, self.push, strict=True)
+            STIFFNESS * off + DAMPING * rate + ahead + push
+            for off, rate, ahead, push in zip(error, error_rate, lead, self.push, strict=True)
         )
         theta, phi = saturated_jointly(*tilt(ax, ay, yaw, gain), min(TILT_MAX, tilt_max))
         return Setpoint(theta, phi, climb, 0.0)

@@ -154,6 +154,11 @@ class PeopleMap:
         is_clear = self._static.clearance(place) > self.hull + HULL_MARGIN
         return "" if is_clear else "furniture or a wall stands below or beside it"
 
+    def is_above_furniture(self, place: Vec2, within: float) -> bool:
+        """Return whether the map has something low so near to a place [m]; the pad is floor."""
+        is_pad = self._pad is not None and distance(place, self._pad) < ON_PAD
+        return not is_pad and self._static.clearance(place) < within
+
     def landing_spot(
         self,
         place: Vec2,
