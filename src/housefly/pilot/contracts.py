@@ -13,7 +13,6 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.messages.steering import PlanAnswer, Setpoint
-from housefly.pilot.behavior.blind_landing import BlindPlan
 from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.mission import (
     PEOPLE_SILENCE_MAX,
@@ -22,6 +21,7 @@ from housefly.pilot.behavior.mission import (
     VehicleStatus,
 )
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.steered_landing import BlindPlan
 from housefly.pilot.step import PilotParameters
 
 

@@ -10,11 +10,10 @@ drone does not tell how it moves, and where somebody insists, it lands as it is.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot, inf
 
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import Vec2, distance
+from housefly.geometry import distance
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.braking import BESIDE_SPEED
@@ -22,7 +21,7 @@ from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.behavior.steered_landing import SETTLED, SteeredLanding
+from housefly.pilot.behavior.steered_landing import LAND, BlindPlan, SteeredLanding
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 
 FARTHEST = 2.0
@@ -48,29 +47,6 @@ LOWEST = 1.0
 NOWHERE = "no clear place to land within 2 m: holding by the drone's own motion"
 _STEP = 0.1
 """Over so long the velocity of the setpoint is taken [s]."""
-
-
-@dataclass(frozen=True, slots=True)
-class BlindPlan:
-    """What to do in place of a landing without tracking.
-
-    Attributes:
-        fault: why the floor below is not to be landed on, in words; "" to land.
-        target, velocity: where to be, and how fast to move there [m, m/s].
-        height: [m].
-        here: where the drone is by its own motion; None while there is nothing to fly.
-        may_sink: nothing stands below.
-    """
-
-    fault: str = ""
-    target: Vec2 = (0.0, 0.0)
-    velocity: Vec2 = (0.0, 0.0)
-    height: float = 0.0
-    here: ReckonedPose | None = None
-    may_sink: bool = False
-
-
-LAND = BlindPlan()
 
 
 class BlindLanding:

@@ -6,7 +6,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
-from housefly.pilot.behavior.blind_landing import BlindLanding, BlindPlan
+from housefly.pilot.behavior.blind_landing import BlindLanding
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.faster_way import FasterWayMonitor
@@ -19,6 +19,7 @@ from housefly.pilot.behavior.off_course import OffCourseMonitor
 from housefly.pilot.behavior.passing_monitor import PassingMonitor
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
+from housefly.pilot.behavior.steered_landing import BlindPlan
 
 
 class MissionManager:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from housefly.geometry import Vec2, distance
 from housefly.pilot.behavior.braking import BESIDE_SPEED, sink_height
+from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 
 SETTLED = 0.15
 """So near to its spot it begins to sink [m] ..."""
@@ -69,3 +70,26 @@ class SteeredLanding:
     def moved(self, here: Vec2, now: float, spot: Vec2) -> SteeredLanding:
         """Return the landing that goes on at another spot [m], from where the drone is now."""
         return SteeredLanding(here, self.height, now, spot, self.moves + 1)
+
+
+@dataclass(frozen=True, slots=True)
+class BlindPlan:
+    """What to do in place of a landing without tracking.
+
+    Attributes:
+        fault: why the floor below is not to be landed on, in words; "" to land.
+        target, velocity: where to be, and how fast to move there [m, m/s].
+        height: [m].
+        here: where the drone is by its own motion; None while there is nothing to fly.
+        may_sink: nothing stands below.
+    """
+
+    fault: str = ""
+    target: Vec2 = (0.0, 0.0)
+    velocity: Vec2 = (0.0, 0.0)
+    height: float = 0.0
+    here: ReckonedPose | None = None
+    may_sink: bool = False
+
+
+LAND = BlindPlan()

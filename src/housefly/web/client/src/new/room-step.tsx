@@ -130,7 +130,7 @@ function FileForm() {
     <fieldset class="file">
       <legend>{t("Or a file of it")}</legend>
       <label>
-        {t("ROS map (yaml and its picture), scan (ply, obj, gltf, e57, las, pcd …), plan (svg, dxf)")}
+        {t("ROS map (yaml and its picture), scan (ply, gltf, las, e57 …), plan (svg, dxf)")}
         <input
           type="file"
           multiple

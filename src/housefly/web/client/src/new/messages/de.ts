@@ -74,7 +74,7 @@ const texts: Record<Key, string> = {
   "Four new walls take the place of those that are drawn.":
     "Vier neue Wände ersetzen die gezeichneten.",
   "Or a file of it": "Oder eine Datei davon",
-  "ROS map (yaml and its picture), scan (ply, obj, gltf, e57, las, pcd …), plan (svg, dxf)":
+  "ROS map (yaml and its picture), scan (ply, gltf, las, e57 …), plan (svg, dxf)":
     "ROS-Karte (yaml und ihr Bild), Scan (ply, obj, gltf, e57, las, pcd …), Grundriss (svg, dxf)",
   "Unit of the file": "Einheit der Datei",
   "Up in a scan": "Oben im Scan",

@@ -65,7 +65,7 @@ export const EN = [
   "Change the size",
   "Four new walls take the place of those that are drawn.",
   "Or a file of it",
-  "ROS map (yaml and its picture), scan (ply, obj, gltf, e57, las, pcd …), plan (svg, dxf)",
+  "ROS map (yaml and its picture), scan (ply, gltf, las, e57 …), plan (svg, dxf)",
   "Unit of the file",
   "Up in a scan",
   "Floor that was never seen is",

@@ -70,7 +70,7 @@ const texts: Record<Key, string> = {
   "Change the size": "大きさを変える",
   "Four new walls take the place of those that are drawn.": "描いた壁は新しい4枚の壁に置き換わります。",
   "Or a file of it": "またはファイル",
-  "ROS map (yaml and its picture), scan (ply, obj, gltf, e57, las, pcd …), plan (svg, dxf)":
+  "ROS map (yaml and its picture), scan (ply, gltf, las, e57 …), plan (svg, dxf)":
     "ROSの地図（yamlと画像）、スキャン（ply, obj, gltf, e57, las, pcd …）、平面図（svg, dxf）",
   "Unit of the file": "ファイルの単位",
   "Up in a scan": "スキャンの上方向",
