@@ -230,7 +230,7 @@ FAULT_TYPES: tuple[FaultType, ...] = (
     ),
     FaultType(
         _C.OBSTACLES, "pole", _K.WRONG,
-        "a thin pole stands 0.2 m beside the pad's middle, once the drone is away",
+        "a pole, 0.08 m thick, stands 0.2 m beside the pad's middle, once the drone is away",
     ),
     FaultType(
         _C.PEOPLE, "", _K.WRONG, "somebody stands so far ahead of the drone", "m", 1.5, 0.0, 20.0

@@ -145,7 +145,7 @@ _FLAT = Movable(
     height=0.12,
     solids=(Solid("box", "thing", Shape.BOX, (0.0, 0.0, 0.06), (0.5, 0.4, 0.12)),),
 )
-_POLE = Movable("pole-beside-the-pad", 0.02, 0.6)
+_POLE = Movable("pole-beside-the-pad", 0.04, 0.6)
 _BELOW_CHILD = PersonScript(name="child-below", height=0.9, steps=())
 _LYING_PERSON = PersonScript(name="person-lying-below", height=_BODY_LENGTH, steps=())
 _PEOPLE, _OBSTACLES = FaultComponent.PEOPLE, FaultComponent.OBSTACLES
