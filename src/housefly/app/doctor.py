@@ -15,6 +15,7 @@ from housefly.app.machine_load import OVERLOAD_REMEDY, machine_load, measured_la
 from housefly.app.ports import PortNeed, port_needs
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
+from housefly.hub.client.discovery import running
 from housefly.room.edits import is_reached, reached_from
 
 _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
@@ -122,11 +123,12 @@ def _load(_: Site) -> MachineCheck:
 
 
 def _ports(site: Site) -> tuple[MachineCheck, ...]:
+    runs = any(room.site == site.name for room in running())
     return tuple(
         MachineCheck(
             f"ports of the {need.name}",
-            not need.taken and not need.problem,
-            _found_at(need),
+            (not need.taken or runs) and not need.problem,
+            f"used by {site.name}, which runs" if need.taken and runs else _found_at(need),
             f"{'' if need.problem else 'end the program that uses it, or '}change {need.remedy}",
         )
         for need in port_needs(site, web=True)

@@ -30,6 +30,7 @@ from housefly.bus.topics import (
     VIDEO_TOPIC,
 )
 from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.site import Site
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import reserved_store
 from housefly.record.recorder import FlightRecorder
@@ -144,11 +145,7 @@ def run_interactively(
 
 def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, first: Screen) -> None:
     site = runtime.site()
-    console.print(
-        f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}:"
-        f" {'simulated room' if site.twin.enabled else 'real hardware'}"
-        f"{'' if site.drone.enabled else ', no drone'}"
-    )
+    console.print(f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {_kind_of(site)}")
     if site.tasks.enabled:
         asked = "who is at the door" if site.drone.enabled else "where is the cup"
         console.print(f'ask:      {_command()} ask "{asked}"', markup=False)
@@ -186,6 +183,12 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
     )
     if not teller.launcher.given_up:
         teller.late = said_ready
+
+
+def _kind_of(site: Site) -> str:
+    if site.drone.enabled:
+        return "simulated room" if site.twin.enabled else "real hardware"
+    return f"{'simulated' if site.twin.enabled else 'real'} room, no drone"
 
 
 def _command() -> str:

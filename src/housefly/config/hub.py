@@ -29,6 +29,7 @@ class HubConfig(Section):
             " start on, in mode default"
         ),
     )
-    keep_days: float = quantity(
-        14.0, 0.05, 3650.0, "d", "samples are kept so long at 10 Hz; what happened stays for good"
+    keep_days: float = quantity(14.0, 0.05, 3650.0, "d", "samples are kept so long at 10 Hz")
+    keep_events_days: float = quantity(
+        0.0, 0.0, 3650.0, "d", "what happened is kept so long; 0 keeps it for good"
     )

@@ -51,6 +51,8 @@ def test_events_are_written_as_csv_and_as_parquet_with_the_same_rows() -> None:
     assert float(taken["unix"]) == pytest.approx(NOW - 60.0)
     assert json.loads(taken["facts"])["weight"] == 0.21
     assert odd["kind"] == "'=cmd", "a spreadsheet takes it for a formula"
+    assert main(["export", "of.csv", "--thing", "resident"]) == 0
+    assert [one["thing"] for one in rows("of.csv")] == ["cup"], "what somebody did is about them"
     table = pq.read_table("e.parquet").to_pylist()
     assert [one["kind"] for one in table] == ["object taken", "=cmd"]
     assert table[0]["facts"] == taken["facts"]

@@ -341,3 +341,12 @@ def test_a_newer_database_is_refused_in_words(address: str) -> None:
         ),
     ):
         open_store(address)
+
+
+def test_events_go_after_their_days_and_stay_for_good_without(address: str) -> None:
+    for days, left in ((0.0, [10.0, 1e6]), (1.0, [1e6])):
+        store = open_store(address, keep_events_days=days)
+        store.write((), [RoomEvent("bell pressed", "bell", at, "bell") for at in (10.0, 1e6)])
+        store.prune(1e6 + 100.0)
+        assert [one.at for one in store.events(0.0, 2e6)] == left
+        store.close()

@@ -99,6 +99,9 @@ def _events(
 
     thing = _id(options.thing, things) if options.thing else ""
     events = store.events(*span, thing=thing, kind=options.kind)
+    if thing:  # what somebody did is about them, too
+        done = store.events(*span, cause=thing, kind=options.kind)
+        events = tuple(sorted({*events, *done}, key=lambda one: one.at))
     names = {one.id: one.name for one in things}
     if hidden is None:
         return event_rows(events, names)

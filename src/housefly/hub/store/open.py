@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from housefly.config.site import Site
@@ -16,12 +17,15 @@ from housefly.hub.store.store import DEFAULT_KEEP_DAYS
 SERVER_SCHEMES = ("postgresql://", "postgres://")
 
 
-def open_store(address: str | Path, *, keep_days: float = DEFAULT_KEEP_DAYS) -> SqlStore:
+def open_store(
+    address: str | Path, *, keep_days: float = DEFAULT_KEEP_DAYS, keep_events_days: float = 0.0
+) -> SqlStore:
     """Open a store, create it if missing, migrate an older one.
 
     Args:
         address: the path of an SQLite file, or the URL of a PostgreSQL database.
         keep_days: how long samples are kept [days].
+        keep_events_days: how long events are kept [days]; 0 keeps them for good.
 
     Raises:
         StoreError: it cannot be opened, it is another program's, or a newer version made it.
@@ -29,17 +33,21 @@ def open_store(address: str | Path, *, keep_days: float = DEFAULT_KEEP_DAYS) -> 
     """
     if not str(address).startswith(SERVER_SCHEMES):
         refuse_foreign_file(Path(address))
+    kept = partial(SqlStore, keep_days=keep_days, keep_events_days=keep_events_days)
     try:
-        return SqlStore(_database(address), keep_days=keep_days)
+        return kept(_database(address))
     except StoreError:
         if str(address).startswith(SERVER_SCHEMES) or Path(address).exists():
             raise
-        return SqlStore(_database(address), keep_days=keep_days)  # the damaged one is kept aside
+        return kept(_database(address))  # the damaged one is kept aside
 
 
 def open_site_store(site: Site) -> SqlStore:
     """Open the store of a site; raises as ``open_store`` does."""
-    return open_store(store_address(site), keep_days=site.hub.keep_days)
+    hub = site.hub
+    return open_store(
+        store_address(site), keep_days=hub.keep_days, keep_events_days=hub.keep_events_days
+    )
 
 
 def store_address(site: Site) -> str:

@@ -7,7 +7,8 @@ from math import floor
 from housefly.hub.store.database import Database
 from housefly.hub.store.store import DEFAULT_KEEP_DAYS, FULL_RATE_AGE, THINNED_RATE
 
-_DAY = 86_400.0
+DAY = 86_400.0
+"""In seconds."""
 _MAX_ROWS = 5000
 """At most about this many rows are handled in one step."""
 _MIN_BACKLOG = 60.0
@@ -41,9 +42,14 @@ def prune_step(database: Database, now: float, *, keep_days: float = DEFAULT_KEE
     with database.transaction():
         end = _end(database, (thing, source), start, horizon)
         _thin(database, (thing, source), start, end)
-        _remove(database, (thing, source), now - keep_days * _DAY)
+        _remove(database, (thing, source), now - keep_days * DAY)
         database.query(_UPSERT_DONE, (thing, source, end))
     return True
+
+
+def delete_old_events(database: Database, oldest: float) -> None:
+    """Delete what happened before a time [Unix time, s]."""
+    database.query("DELETE FROM event WHERE at < ?", (oldest,))
 
 
 def _thin(database: Database, pair: tuple[str, str], start: float, end: float) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from housefly.errors import StoreError
 from housefly.hub.store.database import Database, Row
 from housefly.hub.store.forget import Forgotten, forget_thing
-from housefly.hub.store.retention import prune_step
+from housefly.hub.store.retention import DAY, delete_old_events, prune_step
 from housefly.hub.store.rows import (
     EVENT_COLUMNS,
     SAMPLE_COLUMNS,
@@ -50,11 +50,12 @@ class SqlStore:
         database: Database,
         *,
         keep_days: float = DEFAULT_KEEP_DAYS,
+        keep_events_days: float = 0.0,
         steps: Migrations = MIGRATIONS,
     ) -> None:
         """Migrate the tables; raises StoreError if a newer version made them."""
         self._database = database
-        self._keep_days = keep_days
+        self._keep_days, self._keep_events_days = keep_days, keep_events_days
         self._runs = RunLengthEncoder()
         try:
             migrate(database, steps)
@@ -192,6 +193,8 @@ class SqlStore:
 
     def prune(self, now: float) -> bool:
         """Thin and delete old samples in one short transaction; return whether more is left."""
+        if self._keep_events_days:
+            delete_old_events(self._database, now - self._keep_events_days * DAY)
         return prune_step(self._database, now, keep_days=self._keep_days)
 
     def forget(self, thing: str, names: Iterable[str] = ()) -> Forgotten:

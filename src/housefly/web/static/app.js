@@ -1,1 +1,1 @@
-import"./chunk-chunk-QAUQUBDC.js";
+import"./chunk-chunk-AHIWV3RZ.js";
