@@ -96,6 +96,32 @@ def test_everything_that_is_typed_is_in_the_site(tmp_path: Path) -> None:
     assert draft.drone is not None and draft.drone.address == "192.168.1.7"
 
 
+@pytest.mark.parametrize(
+    ("text", "body"),
+    [
+        ("natnet 10.0.0.5 Rigid Body 1", "Rigid Body 1"),  # Motive's own name for a new body
+        ("natnet 10.0.0.5:1500  Rigid  Body  up=z", "Rigid  Body"),
+        ('vicon 10.0.0.5 "my drone"', "my drone"),
+        ("vicon 10.0.0.5 'a drone'", "a drone"),
+        ("vicon 10.0.0.5", "ardrone"),
+    ],
+)
+def test_a_body_may_have_any_name(text: str, body: str) -> None:
+    changed, _ = answered(with_size(SiteDraft("lab"), 6.0, 4.0), DraftStep.TRACKING, text, Path())
+    assert changed.tracking is not None
+    assert (changed.tracking.address, changed.tracking.body) == ("10.0.0.5", body)
+
+
+def test_what_stands_in_brackets_may_be_typed(tmp_path: Path) -> None:
+    asks, _ = dialog(
+        tmp_path, "6x4", "that is all", "", "auto", "that is all", "that is all",
+        "natnet 10.0.0.5 Body 1", "later", "192.168.1.1",
+    )  # fmt: skip
+    draft = asks.run()
+    assert draft.tracking is not None and draft.tracking.body == "Body 1"
+    assert draft.drone is not None
+
+
 def test_help_back_map_and_missing_answer_at_any_question(tmp_path: Path) -> None:
     asks, typed = dialog(
         tmp_path, "help", "missing", "map", "6x4", "map", "back", "5x4", "", "", "", "", ""

@@ -109,7 +109,7 @@ class NewSiteDialog:
                 return _BACK
             if self._serves(text, question):
                 continue
-            is_enter = text == ""
+            is_enter = text == "" or (text == default and question.keeps(self.draft))
             try:
                 if not (is_enter and (question.keeps(self.draft) or not default)):
                     self._take(question.step, text or default)
