@@ -271,12 +271,8 @@ class Pilot:
 
     def _reckoned(self, now: float) -> ReckonedPose | None:
         """Return where the drone is by its own motion, while the gate leaves it to that."""
-        is_left = self._gate.landing_waits or not is_flown_in(self._stepped.gate)
-        if (
-            self._estimator is None
-            or not is_left
-            or self._reported.status is not DroneStatus.FLYING
-        ):
+        is_flying = self._reported.status is DroneStatus.FLYING
+        if self._estimator is None or not (self._held and is_flying):
             return None
         reckoned = self._estimator.monitor.reckoned(now)
         before, self._reckoned_height = self._reckoned_height, None

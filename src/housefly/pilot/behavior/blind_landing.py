@@ -28,8 +28,6 @@ FARTHEST = 2.0
 """It moves no farther aside at a time [m]."""
 WALL_MARGIN, SIGMAS = 0.1, 3.0
 """The hull keeps this from walls [m], and so many deviations of the place."""
-DOUBTED_DRIFT = 0.05
-"""The drone's own motion counts for nothing once it has left the tracked one by this [m]."""
 REST_SPEED = 0.12
 """It lands only when slower than this [m/s]."""
 SETTLED_AFTER = 15.0
@@ -126,7 +124,7 @@ class BlindLanding:
         """Return why it cannot be held where it is, in words, or ""."""
         if self._commander.insists:
             return "ordered to"
-        if vehicle.consistency.drift > DOUBTED_DRIFT:
+        if not vehicle.consistency.flow_believed:
             return "its own motion is in doubt"
         if self._landing is not None and self._landing.moves > MOVES_MAX:
             return "its sonar shows something everywhere"
