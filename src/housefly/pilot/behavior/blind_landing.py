@@ -21,7 +21,7 @@ from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.behavior.steered_landing import LAND, BlindPlan, SteeredLanding
+from housefly.pilot.behavior.steered_landing import LAND, SETTLED, BlindPlan, SteeredLanding
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 
 FARTHEST = 2.0
