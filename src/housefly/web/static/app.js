@@ -1,1 +1,1 @@
-import"./chunk-chunk-AHIWV3RZ.js";
+import"./chunk-chunk-GBZITIIU.js";
