@@ -5,13 +5,19 @@ from __future__ import annotations
 import gc
 import itertools
 import os
-from collections.abc import Generator
+from collections.abc import AsyncIterator, Generator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
+import pytest_asyncio
 from hypothesis import settings
+from installed_chromium import chromium_path
 
 from housefly.config import process_log
+
+if TYPE_CHECKING:
+    from playwright.async_api import Browser
 
 # The first call of a compiled function compiles it: no deadline. `make test` tries the same
 # examples each time, so that it tells of a change and not of chance; pytest alone goes on looking.
@@ -41,6 +47,25 @@ def loopback() -> str:
     """Return a loopback address that no other test, in any process, uses at the same time."""
     number = next(_counter)
     return f"127.{1 + os.getpid() % 250}.{os.getpid() // 250 % 250}.{1 + number % 250}"
+
+
+@pytest_asyncio.fixture(loop_scope="session", scope="session")
+async def chromium() -> AsyncIterator[Browser]:
+    """Yield real headless Chromium, one for all tests of a process, or skip."""
+    from playwright.async_api import async_playwright
+
+    path = chromium_path()
+    quiet = [
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--no-first-run",
+    ]
+    async with async_playwright() as playwright:
+        browser = await playwright.chromium.launch(executable_path=path, args=quiet)
+        yield browser
+        await browser.close()
 
 
 @pytest.fixture

@@ -14,6 +14,5 @@ sys.modules[_spec.name] = _module
 _spec.loader.exec_module(_module)
 
 serving = _module.serving
-chromium = _module.chromium
 cheap_passwords = _module.cheap_passwords
 until_fixture = _module.until_fixture

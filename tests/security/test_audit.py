@@ -18,7 +18,7 @@ from housefly.room.edit_versions import EditVersions
 from housefly.web.audit_log import AuditLog
 from housefly.web.edit_service import EditService
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 TAB = "tab-number-one"
 
@@ -44,7 +44,7 @@ class Watched:
         return status
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def watched(
     serving: Callable[..., Any], loopback: str, tmp_path: Path
 ) -> AsyncIterator[Watched]:

@@ -24,10 +24,10 @@ from housefly.web.connections import MAX_CONNECTIONS
 from housefly.web.seats import SEATS_OF_ONE
 from housefly.web.session_auth import api_key
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(serving: Callable[..., Any], loopback: str) -> AsyncIterator[Any]:
     async with serving(loopback) as served:
         yield served

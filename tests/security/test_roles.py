@@ -34,7 +34,7 @@ from housefly.web.roles import (
 from housefly.web.server import create_app
 from housefly.web.users import UserBook
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 PASSWORD = "correct horse battery"
 WATCH, ASK, FLY, ADMIN = Role
 
@@ -105,7 +105,7 @@ KEY_ONLY = "/api/v1/webhook/{name}"
 REFUSED = "your role is"
 
 
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
+@pytest_asyncio.fixture(loop_scope="session", scope="module")
 async def console(
     tmp_path_factory: pytest.TempPathFactory, cheap_passwords: None
 ) -> AsyncIterator[Any]:

@@ -26,7 +26,7 @@ from housefly.web.handshakes import MAX_HANDSHAKES
 from housefly.web.roles import Role
 from housefly.web.users import UserBook
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 PASSWORD = "correct horse battery"
 
 
@@ -35,7 +35,7 @@ def files(tmp_path: Path, loopback: str) -> CertificateFiles:
     return make_certificate(tmp_path / "tls", ["localhost", loopback])[0]
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(
     serving: Callable[..., Any],
     loopback: str,

@@ -15,8 +15,7 @@ from urllib.parse import urlencode
 import pytest
 import pytest_asyncio
 import uvicorn
-from installed_chromium import chromium_path
-from playwright.async_api import Browser, Page, async_playwright, expect
+from playwright.async_api import Browser, Page, expect
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.app.certificates import CertificateFiles
@@ -170,8 +169,10 @@ async def ready_page(chromium: Browser, console: Any, **options: Any) -> AsyncIt
     page.on("pageerror", lambda error: troubles.append(str(error)))
     await page.goto(console.link)
     await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
-    yield page
-    await context.close()
+    try:
+        yield page
+    finally:
+        await context.close()
     assert troubles == []
 
 
@@ -232,7 +233,7 @@ async def serve(
             await serving
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(loopback: str) -> AsyncIterator[Served]:
     """Yield a running console with a fake pilot in real time."""
     async with serve(loopback) as served:
@@ -253,24 +254,7 @@ def serving() -> Callable[..., contextlib.AbstractAsyncContextManager[Served]]:
     return serve
 
 
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
-async def chromium() -> AsyncIterator[Browser]:
-    """Yield real headless Chromium, one for a whole file of tests, or skip."""
-    path = chromium_path()
-    quiet = [
-        "--no-sandbox",
-        "--disable-gpu",
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--no-first-run",
-    ]
-    async with async_playwright() as playwright:
-        browser = await playwright.chromium.launch(executable_path=path, args=quiet)
-        yield browser
-        await browser.close()
-
-
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the console that is ready on the pad; fails on errors of the page."""
     async with ready_page(chromium, console) as page:

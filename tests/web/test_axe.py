@@ -22,7 +22,7 @@ from housefly.tasks.evidence.clip_writer import ClipWriter
 from housefly.web.role import Role
 from housefly.web.users import UserBook
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 PHONE_AND_DESKTOP = ((390, 844), (1440, 900))
 SHEETS = ("You have control", "More", "Details")

@@ -9,7 +9,7 @@ import pytest
 
 from housefly.messages import DroneStatus
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 
 def fails(console: Any) -> None:

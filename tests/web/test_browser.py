@@ -18,13 +18,13 @@ from housefly.bus.topics import VIDEO_TOPIC
 from housefly.clock import RealClock
 from housefly.messages import DroneStatus, OrderKind, Phase, Severity, VideoFrame
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 Until = Callable[..., Any]
 DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the console, opened by its link; fails on page errors and requests to other hosts."""
     context = await chromium.new_context(viewport=DESKTOP)

@@ -23,7 +23,7 @@ from housefly.config.tasks import TasksConfig
 from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.clip_writer import ClipWriter
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 DESKTOP: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 375, "height": 812}
@@ -63,7 +63,7 @@ class Cinema:
         return task.id
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def cinema(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Cinema]:
     index = ClipIndex(tmp_path / "clips", TasksConfig())
     async with serving(loopback, clips=index) as console:
@@ -73,7 +73,7 @@ async def cinema(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[C
         yield found
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(cinema: Cinema, chromium: Browser) -> AsyncIterator[Page]:
     context = await chromium.new_context(viewport=DESKTOP)
     page = await context.new_page()

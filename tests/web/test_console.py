@@ -16,7 +16,7 @@ from websockets.exceptions import ConnectionClosed
 from housefly.bus.topics import STEP_TOPIC
 from housefly.messages import DroneStatus, OrderKind, Phase, PilotStep, Severity
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 
 def kinds(console: Any) -> list[OrderKind]:

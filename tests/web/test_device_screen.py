@@ -16,7 +16,7 @@ from playwright.async_api import Browser, BrowserContext, Page, expect
 from housefly.messages import DroneStatus, Phase
 from housefly.web.lease import LEASE_TIMEOUT
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 Until = Callable[..., Any]
 
@@ -45,7 +45,7 @@ Object.defineProperty(navigator, "wakeLock", {
 """
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def context(chromium: Browser) -> AsyncIterator[BrowserContext]:
     made = await chromium.new_context(viewport={"width": 390, "height": 844})
     await made.add_init_script(RECORDED)

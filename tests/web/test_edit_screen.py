@@ -20,7 +20,7 @@ from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.web.edit_service import EditService
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
 
@@ -30,7 +30,7 @@ def versions(tmp_path: Path) -> EditVersions:
     return EditVersions(tmp_path / "edits")
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(serving: Any, loopback: str, versions: EditVersions) -> AsyncIterator[Any]:
     loaded = open_site(read_site("bsen"))
     async with serving(
@@ -39,7 +39,7 @@ async def console(serving: Any, loopback: str, versions: EditVersions) -> AsyncI
         yield console
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the room being edited; fails on any error of the page."""
     context = await chromium.new_context(viewport=DESKTOP)

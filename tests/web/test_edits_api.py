@@ -20,7 +20,7 @@ from housefly.room.edit_versions import EditVersions
 from housefly.web.edit_service import EditService
 from housefly.web.edits_api import MAX_BODY_SIZE
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 TAB, OTHER = "tab-number-one", "tab-number-two"
 PLACE = {
@@ -70,7 +70,7 @@ class Editor:
         return await asyncio.to_thread(work)
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def editor(
     serving: Callable[..., Any], loopback: str, tmp_path: Path
 ) -> AsyncIterator[Editor]:

@@ -13,7 +13,7 @@ from playwright.async_api import Browser, Page, expect
 from housefly.messages import DroneStatus, Phase
 from housefly.web.page_routes import STATIC_FOLDER
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 SIZES = [(390, 844), (844, 390), (768, 1024), (1440, 900)]
 FIRST_TIME = "localStorage.getItem('housefly hints') ?? localStorage.setItem('housefly hints', '')"
@@ -21,7 +21,7 @@ FIRST_TIME = "localStorage.getItem('housefly hints') ?? localStorage.setItem('ho
 WORDS = ("Choose a place", "Hold the large button", "STOP stops at once")
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the console as somebody sees it for the first time."""
     context = await chromium.new_context()

@@ -16,13 +16,13 @@ from housefly.web.invitations import Invitations
 from housefly.web.qr_code import qr_view
 from housefly.web.roles import Role
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 SIZES = [(390, 844), (844, 390), (768, 1024), (1280, 800), (1920, 1080)]
 PHONE_ADDRESS = "https://192.168.178.23:8080"
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(serving: Any, loopback: str) -> AsyncIterator[Any]:
     """Yield a console that says that phones find it at another address."""
     async with serving(loopback, guest_address=PHONE_ADDRESS) as served:

@@ -13,7 +13,7 @@ from told_sentences import told_sentences
 
 from housefly.web.page_routes import STATIC_FOLDER
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 OTHERS = ("ja", "de")
 SIZES = [(390, 844), (844, 390), (1440, 900)]
@@ -37,7 +37,7 @@ async def opened(
     return page
 
 
-@pytest_asyncio.fixture(loop_scope="module", name="speaking")
+@pytest_asyncio.fixture(loop_scope="session", name="speaking")
 async def speaking_fixture(console: Any, chromium: Browser) -> AsyncIterator[Callable[..., Any]]:
     """Yield what opens the console in a language; its pages end with the test."""
     pages: list[Page] = []

@@ -21,7 +21,7 @@ from housefly.hub.hub import Hub
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 CROWD = {
     "person-1": ("the resident", (3.0, 1.5, 0.0)),
@@ -46,7 +46,7 @@ def near(number: int, confidence: float) -> ObstacleAnswer:
     return ObstacleAnswer(f"o-{number}", x, y, 0.25, 0.0, 0.0, confidence, 0.0, "laser-1")
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def crowded(
     serving: Any, loopback: str, chromium: Browser, tmp_path: Path
 ) -> AsyncIterator[tuple[Page, Hub]]:

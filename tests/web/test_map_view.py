@@ -27,7 +27,7 @@ from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.web.edit_service import EditService
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 Until = Callable[..., Any]
 FIVE_SIZES = [(390, 844), (844, 390), (768, 1024), (1024, 768), (1440, 900)]
@@ -47,7 +47,7 @@ async def laid_out(page: Page) -> None:
         await asyncio.sleep(0.5)
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(
     console: Any, chromium: Browser, ready_page: Callable[..., Any]
 ) -> AsyncIterator[Page]:
@@ -56,7 +56,7 @@ async def page(
         yield page
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def phone(
     console: Any, chromium: Browser, ready_page: Callable[..., Any]
 ) -> AsyncIterator[Page]:
@@ -65,7 +65,7 @@ async def phone(
         yield page
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def edited(
     serving: Any, chromium: Browser, loopback: str, tmp_path: FilePath
 ) -> AsyncIterator[Page]:

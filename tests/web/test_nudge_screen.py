@@ -15,19 +15,19 @@ from playwright.async_api import Browser, Page, expect
 from housefly.messages import DroneStatus, OrderKind, Phase, Severity
 from housefly.web.fake_room import example_room
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 NUDGED = replace(example_room(), limits={**example_room().limits, "nudge_speed": 0.4})
 SIZES = [(1440, 900), (1024, 768), (768, 1024), (390, 844), (844, 390)]
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(loopback: str, serving: Callable[..., Any]) -> AsyncIterator[Any]:
     async with serving(loopback, view=NUDGED) as served:
         yield served
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(
     console: Any, chromium: Browser, ready_page: Callable[..., Any]
 ) -> AsyncIterator[Page]:

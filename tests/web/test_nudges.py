@@ -13,13 +13,13 @@ from housefly.messages import DroneStatus, OrderKind, Phase
 from housefly.web.fake_room import example_room
 from housefly.web.nudges import LATE_MAX
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 NUDGED = replace(example_room(), limits={**example_room().limits, "nudge_speed": 0.4})
 EAST = [0.4, 0.0, 0.0]
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def console(loopback: str, serving: Callable[..., Any]) -> AsyncIterator[Any]:
     """Yield a console whose site lets a person move the drone by hand; it hovers."""
     async with serving(loopback, view=NUDGED) as served:

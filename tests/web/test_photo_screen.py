@@ -28,7 +28,7 @@ from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.values import TakeSnapshot
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 SIZES = ((1280, 800), (1024, 768), (768, 1024), (390, 844), (844, 390))
 
@@ -66,7 +66,7 @@ class Darkroom:
             await asyncio.sleep(1 / 15)
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def darkroom(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Darkroom]:
     recorder = ClipRecorder(tmp_path / "clips", TasksConfig())
     async with serving(loopback, clips=recorder.index) as console:
@@ -81,7 +81,7 @@ async def darkroom(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator
             await filming
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(darkroom: Darkroom, chromium: Browser) -> AsyncIterator[Page]:
     context = await chromium.new_context(viewport={"width": 1280, "height": 800})
     page = await context.new_page()

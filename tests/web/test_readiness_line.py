@@ -23,7 +23,7 @@ from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.preflight import PreflightInputs, preflight
 from housefly.pilot.estimation.consistency import TrackingConsistency
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 SIZES = [(1440, 900), (1024, 768), (768, 1024), (390, 844), (844, 390)]
 DEAF = "the ultrasound sensor is deaf"
@@ -47,7 +47,7 @@ def checks(
     return preflight(PreflightInputs(vehicle, LimitsConfig(), sees_people=sees_people))
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the console on a phone; fails on errors of the page."""
     context = await chromium.new_context(viewport={"width": 390, "height": 844})

@@ -14,7 +14,7 @@ from housefly.bus.topics import ORDER_TOPIC
 from housefly.clock import RealClock
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 MOVES = ("drone", "trail", "way", "height", "battery", "facts", "detail", "time-bar", "video")
 """What moves, is counted or is measured."""
@@ -34,7 +34,7 @@ WATCHED = """([moves, seconds]) => new Promise((done) => {
 })"""
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield a console whose drone has flown a way and flies on."""
     page = await chromium.new_page(viewport={"width": 1280, "height": 800})

@@ -20,7 +20,7 @@ from housefly.room.edit_versions import EditVersions
 from housefly.web.audit_log import AuditLog
 from housefly.web.edit_service import EditService
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 TAB = "tab-number-one"
 
@@ -48,7 +48,7 @@ class Desk:
         return status, json.loads(text).get("error", "")
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def desk(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Desk]:
     versions = EditVersions(tmp_path / "edits")
     versions.save(Edits(removed=("bed",)), 0)

@@ -25,7 +25,7 @@ from housefly.messages import Observation, OrderKind, RoomEvent
 from housefly.sensors.contracts import SensorHealth
 from housefly.web.coverage_layer import CoverageView
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 DESKTOP = {"width": 1280, "height": 800}
 HEALTH = (
@@ -66,7 +66,7 @@ class Room:
         self.hub.memory.add(RoomEvent(kind, thing, time.time() - ago, source))
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Room]:
     rows = tuple("0123456789abcdefgh01234567890a"[:30] for _ in range(16))
     view = CoverageView(1.1, 18, 2, (0.0, 0.0), 0.25, rows)
@@ -99,7 +99,7 @@ async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Roo
         await asyncio.to_thread(hub.close)
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(room: Room, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the live scene; fails on any error of the page and any request to another host."""
     context = await chromium.new_context(viewport=DESKTOP)

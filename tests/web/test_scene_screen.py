@@ -11,7 +11,7 @@ from playwright.async_api import Browser, FloatRect, Page, expect
 
 from housefly.messages import OrderKind, Phase
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 FIVE_SIZES = [(390, 844), (844, 390), (768, 1024), (1280, 800), (1440, 900)]
 AT_200_PERCENT = [(640, 400), (720, 450), (384, 512)]

@@ -22,7 +22,7 @@ from housefly.hub.hub import Hub
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 SOFTWARE_WEBGL = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
@@ -46,7 +46,7 @@ class House:
         return await self.page.locator(".space-canvas canvas").screenshot()
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[House]:
     """Yield a room in space with the resident, seen now, and a guest, seen a while ago."""
     path = chromium_path()

@@ -32,7 +32,7 @@ from housefly.web.tasks_endpoints import status_of_reason
 from housefly.web.users import UserBook
 from housefly.web.webhook_key import webhook_key
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 PASSWORD = "correct horse battery"
 KEY = {"Authorization": f"Bearer {api_key('a-secret-for-tests-only')}"}
@@ -60,7 +60,7 @@ class Home:
         return status, json.loads(answer) if answer else None
 
 
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
+@pytest_asyncio.fixture(loop_scope="session", scope="module")
 async def running(
     serving: Callable[..., Any], tmp_path_factory: pytest.TempPathFactory, cheap_passwords: None
 ) -> AsyncIterator[Home]:

@@ -23,7 +23,7 @@ from housefly.tasks.api.values import HouseMode, ReasonCode, TaskStage
 from housefly.tasks.evidence.clip_export import ClipExport
 from housefly.web.simulated_bell import BellView, SimulatedBell
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 DESKTOP: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 375, "height": 812}
@@ -84,7 +84,7 @@ class House:
     book: OneClip
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[House]:
     book = OneClip(tmp_path)
     async with serving(loopback, clips=book, bell=QuietBell()) as console:
@@ -93,7 +93,7 @@ async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Ho
         yield found
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(house: House, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the TASKS screen; fails on any error of the page and any request to another host."""
     context = await chromium.new_context(viewport=DESKTOP)

@@ -34,7 +34,7 @@ from housefly.web.flight_log import (
     line_text,
 )
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 Until = Callable[..., Any]
 FLIGHT = re.compile("Flight at .* to Entrance, 10:00 long, with warnings")
@@ -62,7 +62,7 @@ def kept_flight(folder: FilePath, minutes: float) -> None:
     (folder / "20270115T080000250Z.jsonl").write_text("".join(map(line_text, lines)))
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def kept(
     serving: Any, chromium: Browser, loopback: str, tmp_path: FilePath
 ) -> AsyncIterator[tuple[Page, Any]]:
@@ -221,7 +221,7 @@ async def test_the_curve_that_is_flown_shows_speed_height_and_where_it_can_stop(
     await expect(page.locator(".map .legend")).to_contain_text("0 to 0.5 m/s")
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page_in_space(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the console while a path in space is flown."""
     context = await chromium.new_context(viewport={"width": 1280, "height": 800})

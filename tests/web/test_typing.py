@@ -19,7 +19,7 @@ from housefly.room.edit_versions import EditVersions
 from housefly.tasks.api.values import HouseMode
 from housefly.web.edit_service import EditService
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 
 @dataclass
@@ -53,7 +53,7 @@ class Desk:
         await self.page.evaluate(frames)
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def desk(
     serving: Any, loopback: str, chromium: Browser, tmp_path: Path
 ) -> AsyncIterator[Desk]:

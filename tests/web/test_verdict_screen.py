@@ -15,14 +15,14 @@ from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, OrderKind, Phase, Severity
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 Until = Callable[..., Any]
 SIZES = [(390, 844), (844, 390), (768, 1024), (1280, 800), (1920, 1080)]
 SCREENS = ("Live", "Tasks")
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(
     console: Any, chromium: Browser, ready_page: Callable[..., Any]
 ) -> AsyncIterator[Page]:

@@ -23,7 +23,7 @@ pytestmark = [
     pytest.mark.browser,
     pytest.mark.interop,
     pytest.mark.slow,
-    pytest.mark.asyncio(loop_scope="module"),
+    pytest.mark.asyncio(loop_scope="session"),
 ]
 
 Change = Callable[[Any], None]
@@ -86,7 +86,7 @@ FAULTS: dict[str, Change] = {
 ROWS = [(state, fault) for state in STATES for fault in FAULTS]
 
 
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
+@pytest_asyncio.fixture(loop_scope="session", scope="module")
 async def house(
     chromium: Browser, serving: Any, tmp_path_factory: pytest.TempPathFactory
 ) -> AsyncIterator[tuple[Any, Page, ConsoleReport]]:

@@ -119,14 +119,14 @@ async def drawing(host: str, folder: Path) -> AsyncIterator[Drawer]:
             await serving
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page_of_nothing(loopback: str, tmp_path: Path) -> AsyncIterator[Drawer]:
     """Yield the page of a folder that does not exist yet."""
     async with drawing(loopback, tmp_path / "mylab") as drawer:
         yield drawer
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def drawer(page_of_nothing: Drawer) -> Drawer:
     """Return a browser with the session of that page."""
     await page_of_nothing.open()

@@ -14,7 +14,7 @@ from housefly.room.draft.files import load_draft
 from housefly.web.new_site.draft_actions import ACTIONS
 from housefly.web.new_site.draft_api import DRAFT_SIZE_MAX
 
-pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
 TABLE = {"name": "table", "x": 2.0, "y": 2.0, "length": 1.6, "width": 0.8, "top": 0.75}
 

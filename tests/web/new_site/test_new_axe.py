@@ -8,7 +8,7 @@ import pytest
 from axe_audit import axe_findings
 from playwright.async_api import Browser, expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 SIZES = ((390, 844), (1440, 900))
 TABLE = {"name": "table", "x": 2.0, "y": 2.0, "length": 1.6, "width": 0.8, "top": 0.75}

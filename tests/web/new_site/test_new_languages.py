@@ -15,7 +15,7 @@ from playwright.async_api import Browser, Page, expect
 
 from housefly.web.page_routes import STATIC_FOLDER
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 LOCALES = {"en": "en-GB", "ja": "ja-JP", "de": "de-DE"}
 OTHERS = ("ja", "de")
@@ -78,7 +78,7 @@ FULL_WIDTH = """(() => {
 """Japanese signs are as wide as high; a machine without a font for them draws narrow boxes."""
 
 
-@pytest_asyncio.fixture(loop_scope="module", name="speaking")
+@pytest_asyncio.fixture(loop_scope="session", name="speaking")
 async def speaking_fixture(drawer: Any, chromium: Browser) -> AsyncIterator[Callable[[str], Any]]:
     """Yield what opens the page of a room with everything in it in a language."""
     status, told = await drawer.post("/draft", draft=DRAWN)

@@ -15,14 +15,14 @@ from housefly.app.new_site.answers import BODY_HEIGHT
 from housefly.room.draft.files import load_draft
 from housefly.room.draft.model import SiteDraft
 
-pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 DESKTOP: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 390, "height": 844}
 Point = tuple[float, float]
 
 
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture(loop_scope="session")
 async def page(page_of_nothing: Any, chromium: Browser) -> AsyncIterator[Page]:
     """Yield the page of an empty folder; fails on any error of the page."""
     context = await chromium.new_context(viewport=DESKTOP)
