@@ -45,7 +45,7 @@ def way_to_rest(moment: float, *, gone: bool = False, flow: bool = True) -> floa
         if not given and room.now > 0.5:
             orders, given = (Order(OrderKind.GO, "entrance", issued_at=room.now),), True
         outputs = pilot.step(room.now, Inputs(room.sightings(), room.telemetry(), orders))
-        room.send(outputs.command)
+        room.send(outputs.command, pilot.known_motion)
     if gone:
         room._sequencer.abandon()
     (x, y, _), (vx, vy, _) = world.truth().pose.position, world.truth().velocity

@@ -36,12 +36,10 @@ motions = st.builds(KnownMotion, numbers, numbers, numbers, numbers, st.booleans
 commands = st.builds(
     TimedCommand,
     st.builds(
-        Command,
-        st.sampled_from(Action),
-        st.builds(Setpoint, numbers, numbers, numbers, numbers),
-        st.none() | motions,
+        Command, st.sampled_from(Action), st.builds(Setpoint, numbers, numbers, numbers, numbers)
     ),
     st.floats(allow_nan=False, allow_infinity=False),
+    st.none() | motions,
 )
 reports = st.builds(
     Telemetry,

@@ -136,7 +136,7 @@ def fly_identification_lockstep(
         )
         inputs = Inputs(room.sightings(), room.telemetry(), issued)
         outputs = pilot.step(room.now, inputs)
-        room.send(outputs.command)
+        room.send(outputs.command, pilot.known_motion)
         step = PilotStep(sequence, room.now, inputs, outputs)
         on_step(step)
         order = flight.next_order(step)

@@ -96,7 +96,7 @@ class LockstepLoop:
         )
         outputs = self._pilot.step(now, inputs)
         self._estimate = outputs.estimate
-        self._room.send(outputs.command)
+        self._room.send(outputs.command, self._pilot.known_motion)
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1
         return step

@@ -227,7 +227,7 @@ class PilotShell:
         )
         self._sightings.clear()
         outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
-        self._drone.send(outputs.command)
+        self._drone.send(outputs.command, None if self._failure else self.pilot.known_motion)
         self._outputs = outputs
         outputs = replace(outputs, events=outputs.events + refusals) if refusals else outputs
         step = PilotStep(self._sequence, now, inputs, outputs)

@@ -89,7 +89,7 @@ def hover_swing(loaded: LoadedSite, extra: float = 0.0) -> Swing:
         if not told and room.now >= _ORDER_AT:
             orders, told = (Order(OrderKind.TAKE_OFF, issued_at=room.now),), True
         outputs = pilot.step(room.now, Inputs(room.sightings(), room.telemetry(), orders))
-        room.send(outputs.command)
+        room.send(outputs.command, pilot.known_motion)
         if outputs.phase is Phase.HOLDING and hovering_at == inf:
             hovering_at = room.now
         if since < _LATE_AT <= since + period:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from housefly.messages import Command, Telemetry, VideoFrame
+from housefly.messages import Command, KnownMotion, Telemetry, VideoFrame
 
 
 class Drone(Protocol):
@@ -23,8 +23,14 @@ class Drone(Protocol):
         """
         ...
 
-    def send(self, command: Command) -> None:
-        """Hand over the command in force from now on; returns at once."""
+    def send(self, command: Command, motion: KnownMotion | None = None) -> None:
+        """Hand over the command in force from now on; returns at once.
+
+        Args:
+            command: what the drone is to do.
+            motion: how it moves, by which it is brought to rest should this be the last command;
+                None says nothing new.
+        """
         ...
 
     @property

@@ -37,10 +37,17 @@ _ACTIONS, _STATES = tuple(Action), tuple(DroneStatus)
 
 @dataclass(frozen=True, slots=True)
 class TimedCommand:
-    """A command of the pilot, and when it was given [s, monotonic clock of this machine]."""
+    """A command of the pilot.
+
+    Attributes:
+        command: what the drone is to do.
+        issued_at: when that was said [s, monotonic clock of this machine].
+        motion: how the drone moved then; None says nothing new.
+    """
 
     command: Command
     issued_at: float
+    motion: KnownMotion | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,13 +120,13 @@ def _decoded(kind: int, body: bytes) -> DriverMessage:
 
 
 def _command_bytes(timed: TimedCommand) -> bytes:
-    setpoint, motion = timed.command.setpoint, timed.command.motion or KnownMotion()
+    setpoint, motion = timed.command.setpoint, timed.motion or KnownMotion()
     is_tracked = motion.forward is not None and motion.left is not None
     return _COMMAND.pack(
         _ACTIONS.index(timed.command.action),
         timed.issued_at,
         *(setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate),
-        *(timed.command.motion is not None, is_tracked, motion.hovers),
+        *(timed.motion is not None, is_tracked, motion.hovers),
         *(motion.forward or 0.0, motion.left or 0.0, motion.theta, motion.phi),
     )
 
@@ -132,7 +139,7 @@ def _command(body: bytes) -> TimedCommand:
     velocity = (forward, left) if is_tracked else (None, None)
     motion = KnownMotion(*velocity, *level, hovers=hovers) if has_motion else None
     setpoint = Setpoint(theta, phi, vz, yaw_rate)
-    return TimedCommand(Command(_ACTIONS[action], setpoint, motion), issued_at)
+    return TimedCommand(Command(_ACTIONS[action], setpoint), issued_at, motion)
 
 
 def _telemetry_bytes(report: Telemetry) -> bytes:

@@ -117,7 +117,7 @@ class DriverServer:
             return
         pilot.heard_at = self._clock.now()
         newest = max(commands, key=lambda timed: timed.issued_at)
-        self._drone.send(newest.command, newest.issued_at)
+        self._drone.send(newest.command, newest.motion, newest.issued_at)
 
     async def _connect(self) -> None:
         while True:

@@ -21,7 +21,7 @@ from housefly.drones.driver_messages import (
 )
 from housefly.drones.private_socket import is_own_user
 from housefly.errors import LinkError, WireError
-from housefly.messages import Command, Telemetry, VideoFrame
+from housefly.messages import Command, KnownMotion, Telemetry, VideoFrame
 from housefly.messages.sensing import REPORT_AGE_MAX
 
 _CONNECT_TIMEOUT = 5.0
@@ -75,9 +75,9 @@ class RemoteDrone(asyncio.Protocol):
         if self._transport is not None:
             self._transport.close()
 
-    def send(self, command: Command) -> None:
-        """Hand over the command in force from now on; returns at once."""
-        self._write(TimedCommand(command, self._clock.now()))
+    def send(self, command: Command, motion: KnownMotion | None = None) -> None:
+        """Hand over the command in force from now on, and how the drone moves; returns at once."""
+        self._write(TimedCommand(command, self._clock.now(), motion))
 
     @property
     def has_light(self) -> bool:

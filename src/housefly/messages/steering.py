@@ -137,15 +137,12 @@ class KnownMotion:
 class Command:
     """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
 
-    ``motion`` says nothing new where it is None.
-
     HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude,
     which drifts.
     """
 
     action: Action
     setpoint: Setpoint = LEVEL
-    motion: KnownMotion | None = None
 
 
 class SafetyMode(Enum):

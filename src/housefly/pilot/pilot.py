@@ -10,7 +10,6 @@ words, events and the mission.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import inf, nan
 
 from housefly.geometry import Vec2
@@ -28,6 +27,7 @@ from housefly.messages.steering import (
     Action,
     Behavior,
     Command,
+    KnownMotion,
     PlanAnswer,
     Reference,
     SafetyMode,
@@ -123,6 +123,7 @@ class Pilot:
         self._kept: KeptPlace | None = None
         self._held = False
         self._reckoned_height: ReckonedHeight | None = None
+        self._motion: KnownMotion | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -141,6 +142,11 @@ class Pilot:
     def demanded_acceleration(self) -> Vec2 | None:
         """What the control law demanded in the last step, before any limit [m/s^2], or None."""
         return self._demand
+
+    @property
+    def known_motion(self) -> KnownMotion | None:
+        """How the drone moves, as of the last step, should this pilot fall silent; or None."""
+        return self._motion
 
     @property
     def origin_confirmed(self) -> bool:
@@ -328,23 +334,18 @@ class Pilot:
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         action = Action.FLY if blind else self._action(output, guidance)
         verdict = released(action, output.command, assessment)
-        verdict = self._with_motion(verdict, here, assessment)
-        self._sent = verdict.command
+        self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
         is_off = assessment.held or assessment.waits
         self._held = is_off or not is_flown_in(self._stepped.gate)
         self._maneuvering, self._height = override.active and not blind, output.target.z
         self._in_space = guidance.active and guidance.following and is_in_space(self._profile)
         return verdict
 
-    def _with_motion(
-        self, verdict: GateVerdict, here: PoseEstimate, assessment: GateAssessment
-    ) -> GateVerdict:
-        """Tell the driver how the drone moves, for the case that this is the last command."""
+    def _known_motion(self, here: PoseEstimate, assessment: GateAssessment) -> KnownMotion | None:
         if self._params.is_paper or self._estimator is None or not assessment.airborne:
-            return verdict
+            return None
         push = disturbance_of(self._estimator.state, self._estimator.history)
-        motion = known_motion(here, push, assessment.knows_place, assessment.knows_speed)
-        return replace(verdict, command=replace(verdict.command, motion=motion))
+        return known_motion(here, push, assessment.knows_place, assessment.knows_speed)
 
     def _guidance(
         self, now: float, estimate: Estimate | None, assessment: GateAssessment

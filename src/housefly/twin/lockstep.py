@@ -13,7 +13,7 @@ from math import inf, isfinite, nan
 
 from housefly.config.site import Site
 from housefly.errors import ConfigError
-from housefly.messages import Command, DroneStatus, Setpoint, Sighting, Telemetry
+from housefly.messages import Command, DroneStatus, KnownMotion, Setpoint, Sighting, Telemetry
 from housefly.twin.contracts import (
     FlightState,
     MocapFrame,
@@ -65,12 +65,16 @@ _REPORTS: PacketCodec[OnboardState] = PacketCodec(
     garbled=not_numbers, repeated=lambda old, new: new
 )
 """Reports that stand still are written anew, with old content."""
-_Step = tuple[float, Command]
-"""When the pilot gave a command [s], and the command."""
+_Step = tuple[float, Command, KnownMotion | None]
+"""When the pilot gave a command [s], the command, and how the drone moved then."""
 _NO_NUMBERS = Setpoint(nan, nan, nan, nan)
 _STEPS: PacketCodec[_Step] = PacketCodec(
-    garbled=lambda fault, step, number: (step[0], replace(step[1], setpoint=_NO_NUMBERS)),
-    repeated=lambda old, new: (new[0], old[1]),
+    garbled=lambda fault, step, number: (
+        step[0],
+        replace(step[1], setpoint=_NO_NUMBERS),
+        step[2],
+    ),
+    repeated=lambda old, new: (new[0], *old[1:]),
 )
 
 
@@ -175,18 +179,18 @@ class LockstepRoom:
             self._understood = onboard, telemetry_of(onboard)
         return self._understood[1]
 
-    def send(self, command: Command) -> None:
-        """Hand over the command in force from now on."""
+    def send(self, command: Command, motion: KnownMotion | None = None) -> None:
+        """Hand over the command in force from now on, and how the drone moves."""
         now = self.now
         self._steps_under_way.extend(
-            self._pilot_link.sent((now, command), self.faults.schedule, now)
+            self._pilot_link.sent((now, command, motion), self.faults.schedule, now)
         )
         while self._steps_under_way and self._steps_under_way[0][0] <= now + _ROUNDING:
             self._hear(*self._steps_under_way.popleft()[1])
 
-    def _hear(self, issued_at: float, command: Command) -> None:
+    def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
-        action_changed = self._sequencer.update(command, self.now, issued_at)
+        action_changed = self._sequencer.update(command, self.now, issued_at, motion)
         if action_changed or self.now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit()
 

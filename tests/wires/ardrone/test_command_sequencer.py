@@ -350,7 +350,7 @@ def test_a_drone_whose_own_speed_is_wrong_sinks_level_in_silence_and_lands_on_th
     last: Action,
 ) -> None:
     made = CommandSequencer(MAXIMA, 0.0)
-    made.update(Command(last, motion=KnownMotion(0.0, 0.0, hovers=False)), 0.0)
+    made.update(Command(last), 0.0, motion=KnownMotion(0.0, 0.0, hovers=False))
     for at_time in (0.3, 1.0, 2.5):
         (sinking,) = made.next_commands(at_time, lowered(at_time, 1.3 - 0.3 * at_time))
         assert isinstance(sinking, at.Pcmd) and sinking.gaz < 0.0
@@ -361,14 +361,14 @@ def test_a_drone_whose_own_speed_is_wrong_sinks_level_in_silence_and_lands_on_th
 
 def test_a_sonar_that_shows_no_floor_does_not_keep_it_in_the_air() -> None:
     made = CommandSequencer(MAXIMA, 0.0)
-    made.update(Command(Action.FLY, motion=KnownMotion(0.0, 0.0, hovers=False)), 0.0)
+    made.update(Command(Action.FLY), 0.0, motion=KnownMotion(0.0, 0.0, hovers=False))
     made.next_commands(0.3, lowered(0.3, 1.0))
     assert made.next_commands(0.4 + SINK_TIME_MAX, lowered(9.4, 1.0)) == (LAND, HOVER)
 
 
 def test_a_pilot_that_says_nothing_new_of_the_motion_takes_nothing_back() -> None:
     made = CommandSequencer(MAXIMA, 0.0)
-    made.update(Command(Action.FLY, motion=KnownMotion(0.0, 0.0, hovers=False)), 0.0)
+    made.update(Command(Action.FLY), 0.0, motion=KnownMotion(0.0, 0.0, hovers=False))
     made.update(Command(Action.HOVER), 0.01)
     (sinking,) = made.next_commands(0.4, lowered(0.4, 1.0))
     assert isinstance(sinking, at.Pcmd) and sinking.gaz < 0.0

@@ -86,7 +86,7 @@ class Simulation:
         """Let the pilot decide, and hand its command to the drone."""
         outputs = self.pilot.step(self.now, inputs)
         self._estimate = outputs.estimate
-        self._room.send(outputs.command)
+        self._room.send(outputs.command, self.pilot.known_motion)
         step = PilotStep(self._sequence, self.now, inputs, outputs)
         self._sequence += 1
         return step

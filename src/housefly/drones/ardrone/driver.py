@@ -22,7 +22,7 @@ from housefly.drones.ardrone.recording_light import RecordingLight
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
 from housefly.errors import LinkError
-from housefly.messages import Command, DroneStatus, Telemetry, VideoFrame
+from housefly.messages import Command, DroneStatus, KnownMotion, Telemetry, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_sequencer import (
@@ -117,15 +117,21 @@ class ArDrone:
         await self._navdata.close()
         self._commands.close()
 
-    def send(self, command: Command, issued_at: float | None = None) -> None:
+    def send(
+        self,
+        command: Command,
+        motion: KnownMotion | None = None,
+        issued_at: float | None = None,
+    ) -> None:
         """Hand over the command in force from now on; returns at once.
 
         Args:
             command: of the pilot.
+            motion: what the pilot knew of the drone's motion; None says nothing new.
             issued_at: when the pilot gave it [s]; now when None.
         """
         now = self._clock.now()
-        action_changed = self._sequencer.update(command, now, issued_at)
+        action_changed = self._sequencer.update(command, now, issued_at, motion)
         if action_changed or now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit(now)
 

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from enum import Enum
 from math import isfinite, radians
 
-from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
+from housefly.messages import Action, Command, DroneStatus, KnownMotion, Setpoint, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.brake import (
@@ -105,7 +105,13 @@ class CommandSequencer:
             Action.RESET: self._reset,
         }
 
-    def update(self, command: Command, now: float, issued_at: float | None = None) -> bool:
+    def update(
+        self,
+        command: Command,
+        now: float,
+        issued_at: float | None = None,
+        motion: KnownMotion | None = None,
+    ) -> bool:
         """Put a command in force; return whether its action differs from the one before.
 
         A command older than the one in force is ignored, and so is one that moves the drone and
@@ -116,6 +122,7 @@ class CommandSequencer:
             command: of the pilot.
             now: [s].
             issued_at: when the pilot gave it [s]; now when None.
+            motion: what it knew of the drone's motion; None says nothing new.
         """
         at_time = now if issued_at is None else min(issued_at, now)
         is_late = now - at_time > HOVER_AFTER and command.action in _MOVES
@@ -124,8 +131,8 @@ class CommandSequencer:
         self._commanded_at = at_time
         self._is_gone = False
         self._setpoint = command.setpoint
-        if command.motion is not None:
-            self._speed.know(command.motion, at_time)
+        if motion is not None:
+            self._speed.know(motion, at_time)
         changed = command.action is not self._action
         if changed:
             self._action = command.action
