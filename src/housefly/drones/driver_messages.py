@@ -133,11 +133,13 @@ def _command_bytes(timed: TimedCommand) -> bytes:
 
 def _command(body: bytes) -> TimedCommand:
     action, issued_at, *numbers = _COMMAND.unpack(body)
-    theta, phi, vz, yaw_rate, has_motion, is_tracked, hovers, forward, left, *level = numbers
+    theta, phi, vz, yaw_rate, has_motion, is_tracked, hovers, *motion_numbers = numbers
     if not isfinite(issued_at):
         raise ValueError("the time is not finite")
-    velocity = (forward, left) if is_tracked else (None, None)
-    motion = KnownMotion(*velocity, *level, hovers=hovers) if has_motion else None
+    forward, left, theta, phi = motion_numbers
+    if not is_tracked:
+        forward = left = None
+    motion = KnownMotion(forward, left, theta, phi, hovers) if has_motion else None
     setpoint = Setpoint(theta, phi, vz, yaw_rate)
     return TimedCommand(Command(_ACTIONS[action], setpoint), issued_at, motion)
 

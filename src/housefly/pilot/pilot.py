@@ -10,6 +10,7 @@ words, events and the mission.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf, nan
 
 from housefly.geometry import Vec2

@@ -24,7 +24,7 @@ _RECORD_MAX = 2000
 def read_pcd(path: Path) -> ScanFile:
     """Return the points of a PCD; raises RoomError, or what a broken file raises in pypcd4."""
     try:
-        from pypcd4 import MetaData, PointCloud
+        from pypcd4.pypcd4 import MetaData, PointCloud
     except ImportError as error:
         raise MissingPartError("the reader of PCD (pypcd4)", _INSTALL) from error
     with path.open("rb") as file:
