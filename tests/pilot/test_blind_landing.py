@@ -117,11 +117,11 @@ def test_a_sonar_that_shows_something_everywhere_does_not_keep_it_up_for_ever(fl
     assert any("everywhere" in event.text for event in blind.flight.events)
 
 
-def test_a_drone_that_does_not_tell_how_it_moves_lands_where_it_is(fly: Fly) -> None:
+def test_a_drone_that_does_not_tell_how_it_moves_sinks_where_it_is(fly: Fly) -> None:
     blind = Blind(fly)
     blind.silent = True
-    blind.flight.run(2.5)
-    assert blind.flight.status is DroneStatus.LANDING
+    assert blind.flight.run(2.5).safety is SafetyMode.DESCEND
+    assert not blind.flight.told("landing_elsewhere")
 
 
 def test_beside_a_wall_it_lands_where_it_is(fly: Fly, monkeypatch: pytest.MonkeyPatch) -> None:
