@@ -71,8 +71,9 @@ class Told:
     [
         ("laser:off@0s", "not heard yet"),
         ("depth:off@0s", "not heard yet"),
-        ("laser:off@1s", "silent for"),
-        ("laser:stuck@1s", "silent for"),
+        ("laser:off@1s", "nothing usable for"),
+        ("laser:stuck@1s", "nothing usable for"),
+        ("laser:wrong@0s=0.5", "not heard yet"),
     ],
 )
 def test_where_a_sensor_for_people_is_silent_no_take_off_in_words(fault: str, words: str) -> None:
@@ -93,7 +94,7 @@ def test_scanners_that_fall_silent_in_flight_are_told_within_a_moment_and_it_fli
     unseen = told.unseen()
     assert PEOPLE_SILENCE_MAX - 0.1 < unseen[0].now - OFF_AT < 1.5
     assert {step.outputs.safety for step in unseen} == {SafetyMode.SLOW}
-    assert "silent for 1.0 s (limit 1 s): slowly" in unseen[0].outputs.reason
+    assert "nothing usable for 1 s (limit 1 s): slowly" in unseen[0].outputs.reason
     assert 0.0 <= unseen[-1].now - (OFF_AT + BACK_AFTER) < 0.2
     assert told.steps[-1].outputs.safety is SafetyMode.NOMINAL
     begin, end = OFF_AT + 3.0, OFF_AT + BACK_AFTER
