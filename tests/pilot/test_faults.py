@@ -120,7 +120,7 @@ def test_a_drone_that_falls_silent_is_landed(fly: Fly) -> None:
     flight = cruising(fly())
     flight.talks = False
     outputs = flight.until(lambda o: o.safety is SafetyMode.LAND, 1.2)
-    assert outputs.command.action is Action.LAND and "silent" in outputs.reason
+    assert outputs.command.setpoint.vz < 0.0 and "silent" in outputs.reason
     flight.run(5.0)
     flight.talks = True
     landed(flight)
@@ -189,8 +189,10 @@ def test_stop_takes_effect_in_the_same_step_in_every_phase(fly: Fly, moment: Pha
     flight.until(lambda o: o.phase is moment)
     flight.run(0.1)
     outputs = flight.step(flight.order(OrderKind.STOP))
-    assert outputs.command.action is (Action.LAND if moment is Phase.LANDING else Action.HOVER)
+    own = {Phase.TAKING_OFF: Action.HOVER, Phase.LANDING: Action.LAND}
+    assert outputs.command.action is own.get(moment, Action.FLY)
     assert outputs.safety is SafetyMode.STOPPED
+    assert moment in own or (flight.run(1.5) and flight.speed < 0.1)
 
 
 def test_a_fault_free_flight_reports_no_fault(fly: Fly) -> None:
@@ -408,7 +410,7 @@ def test_a_landing_that_the_drone_does_not_do_is_done_for_it_although_nobody_tra
     assert outputs.command.action is Action.FLY and outputs.command.setpoint.vz < 0.0
     flight.until(lambda o: flight.body.z < 0.05, 15.0)
     assert flight.told("tracking_lost") and flight.told("landing_refused")
-    assert flight.outputs is not None and not flight.outputs.command.setpoint.theta
+    assert flight.outputs is not None and abs(flight.outputs.command.setpoint.theta) < 0.01
 
 
 def test_a_drone_that_stands_on_something_has_not_just_landed(fly: Fly) -> None:
@@ -420,8 +422,7 @@ def test_a_drone_that_stands_on_something_has_not_just_landed(fly: Fly) -> None:
         b = flight.body
         if flight.status is DroneStatus.LANDING and b.z <= 0.6:
             flight._become(DroneStatus.LANDED)
-        if flight.status is DroneStatus.LANDED:
-            flight.body = b._replace(z=0.6)
+        flight.body = b._replace(z=max(b.z, 0.6))
 
     flight._fly = on_a_stool
     flight.step(flight.order(OrderKind.LAND))

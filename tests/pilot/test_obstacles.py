@@ -14,7 +14,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.geometry import stopping_distance
-from housefly.messages import Action, DroneStatus, Inputs, Obstacle, OrderKind, Outputs, Phase
+from housefly.messages import (
+    DroneStatus,
+    Inputs,
+    Obstacle,
+    OrderKind,
+    Outputs,
+    Phase,
+    SafetyMode,
+)
 from housefly.pilot import navigator
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION
@@ -206,11 +214,13 @@ def test_somebody_who_crosses_the_path_is_let_past(fly: Fly) -> None:
 
 
 def test_stop_and_land_pass_while_it_waits(fly: Fly) -> None:
-    for kind, action in ((OrderKind.STOP, Action.HOVER), (OrderKind.LAND, Action.LAND)):
+    for kind, sinks in ((OrderKind.STOP, False), (OrderKind.LAND, True)):
         flight = underway(fly)
         flight.around = Chair((6.0, 3.5), radius=1.2).seen
         flight.until(lambda o, flight=flight: flight.told("no_way"), 10.0)
-        assert flight.step(flight.order(kind)).command.action is action
+        outputs = flight.step(flight.order(kind))
+        assert (outputs.command.setpoint.vz < -0.2) is sinks
+        assert sinks or outputs.safety is SafetyMode.STOPPED
 
 
 def test_what_is_not_believable_is_refused_once_and_changes_nothing(fly: Fly) -> None:
