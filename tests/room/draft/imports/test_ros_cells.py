@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from housefly.errors import RoomError
+from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
 from housefly.room.draft.missing import missing
 from housefly.room.draft.model import SiteDraft
@@ -39,6 +40,21 @@ def test_a_shipped_map_lacks_nothing_and_is_the_room_of_room_import(
     grid = build_grid(draft, site_of_draft(found.draft))
     other = build_grid(room, site_of_draft(found.draft))
     assert ((grid.cells == Cell.FREE) == (other.cells == Cell.FREE)).mean() > 0.99
+
+
+def test_unexplored_floor_is_free_when_that_is_said_and_the_pad_is_where_it_was_seen(
+    tmp_path: Path,
+) -> None:
+    pixels = np.full((400, 1000), 205, np.uint8)
+    pixels[50:350, 20:320] = 254
+    Image.fromarray(pixels).save(tmp_path / "map.png")
+    (tmp_path / "map.yaml").write_text(YAML.replace("0.196", "0.25"))
+    walled = imported(SiteDraft("a"), tmp_path / "map.yaml").draft
+    open_ = imported(SiteDraft("a"), tmp_path / "map.yaml", ImportHints(unexplored="free")).draft
+    assert {box.thing for box in walled.scanned} == {"unexplored"}
+    assert open_.scanned == ()
+    assert open_.bounds == walled.bounds
+    assert open_.pad == walled.pad
 
 
 def test_a_picture_of_noise_is_refused_before_its_boxes_are_counted(tmp_path: Path) -> None:

@@ -19,7 +19,11 @@ from housefly.errors import RoomError
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
 from housefly.room.draft.imports.point_cloud import fine_spacing
-from housefly.room.draft.imports.scan_part import cloud_part, without_broken_points
+from housefly.room.draft.imports.scan_part import (
+    ScanPart,
+    cloud_part,
+    without_broken_points,
+)
 from housefly.room.draft.missing import missing
 from housefly.room.draft.model import DraftBox, SiteDraft, with_size
 from housefly.room.draft.shapes import room_of_draft
@@ -223,6 +227,13 @@ def test_every_point_of_every_part_is_kept_or_counted(
     assert notes == ((words,) if broken else ())
 
 
+def test_a_triangle_of_a_broken_point_is_left_out_and_the_others_stay() -> None:
+    vertices = np.vstack([[np.nan, 0, 0], np.random.default_rng(1).random((6, 3))])
+    faces = np.array([[0, 1, 2], [1, 2, 3], [4, 0, 5], [4, 5, 6]])
+    (part,), _ = without_broken_points([ScanPart(vertices, faces)], "scan.obj")
+    assert np.array_equal(part.vertices[part.faces], vertices[faces[[1, 3]]])
+
+
 def sheet(x: float, y: float, spacing: float) -> Any:
     """Return points in a grid from 0 to x and y, one in the middle of each cell."""
     along = [np.arange(spacing / 2, side, spacing) for side in (x, y)]
@@ -356,6 +367,8 @@ def test_the_files_of_scanners_give_the_room(
     assert missing(found.draft) == ()
     assert words in "; ".join(found.notes)
     assert found.draft.bounds is not None
+    grid, (_, _, length, width) = grid_of(found.draft), found.draft.bounds
+    assert grid.is_free(grid.cell_of((length / 2, width / 2)))
     assert found.draft.bounds[2:] == pytest.approx((6.3, 4.3), abs=0.3)
 
 
