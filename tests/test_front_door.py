@@ -233,7 +233,7 @@ def test_python_runs_the_package_as_the_command_line() -> None:
         [sys.executable, "-m", "housefly", "room", "paint"], capture_output=True, text=True
     )
     assert done.returncode == 2
-    assert "housefly room: error: argument ACTION: invalid choice: 'paint'" in done.stderr
+    assert "housefly room: error: no command 'paint'" in done.stderr
 
 
 @pytest.fixture

@@ -73,6 +73,7 @@ if TYPE_CHECKING:
         StoreError,
         TaskError,
         ThingError,
+        UnknownState,
         WireError,
     )
     from housefly.hub.client.room_client import RoomClient
@@ -93,6 +94,7 @@ if TYPE_CHECKING:
         Fact,
         Facts,
         Inputs,
+        KnownMotion,
         LinkStatus,
         Observation,
         Obstacle,
@@ -144,7 +146,7 @@ __all__ = [
     "VIDEO_TOPIC", "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Clearing",
     "Command", "ConfigError", "Covariance", "DepthImage", "DroneStatus", "EditsError", "Estimate",
     "Event", "EventNews", "Fact", "Facts", "Flight", "HouseClient", "HouseflyError", "Identified",
-    "Inputs", "Judgement", "LinkError", "LinkStatus", "LoadedSite", "MessageRate",
+    "Inputs", "Judgement", "KnownMotion", "LinkError", "LinkStatus", "LoadedSite", "MessageRate",
     "MissingPartError", "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid", "Order",
     "OrderKind", "Outputs", "Path", "Phase", "PilotStep", "PlanAnswer", "PlannedTrajectory",
     "PlayedScene", "Pose", "PreflightCheck", "RecordingError", "RecordingNews", "Reference",
@@ -152,7 +154,7 @@ __all__ = [
     "Scan", "Sensor", "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity",
     "SharedStoreError", "SightNews", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError",
     "Summary", "TaskError", "TaskNews", "Telemetry", "ThingError", "TrackedFrame",
-    "TrajectoryPoint", "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect",
+    "TrajectoryPoint", "UnknownState", "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect",
     "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch", "load_site",
     "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
@@ -178,7 +180,8 @@ _MODULES = {
     "drones.ardrone.driver": "ArDrone",
     "errors": (
         "ConfigError EditsError HouseflyError LinkError MissingPartError RecordingError"
-        " RoomError SharedStoreError StaleEdits StoreError TaskError ThingError WireError"
+        " RoomError SharedStoreError StaleEdits StoreError TaskError ThingError UnknownState"
+        " WireError"
     ),
     "hub.client.room_client": "RoomClient",
     "lab.identification.result": "Identified",
