@@ -68,7 +68,8 @@ async def test_scans_arrive_in_metres_with_angles_and_what_is_no_distance_is_inf
         assert scan.received_at - scan.captured_at == pytest.approx(0.03)
         assert client.connected and not client.problem
 
-    await reading(client, server, check, lambda n: 25 * n)
+    # A second of its clock for each: none of them is late, however busy this machine is.
+    await reading(client, server, check, lambda n: 1000 * n)
     await server.stop()
 
 

@@ -30,4 +30,5 @@ def fault(pilot: FakePilot) -> None:
 def silent(pilot: FakePilot) -> None:
     """Let it fly, and the pilot say nothing more."""
     flying(pilot)
+    pilot.advance(0.0)
     pilot.publishing = False

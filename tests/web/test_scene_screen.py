@@ -21,12 +21,13 @@ VIEWS = (".view.map", ".view.video")
 
 
 STATES: dict[str, tuple[Callable[[Any], None], str]] = {
-    "ready": (ready, "Ready on the pad"),
-    "flying": (flying, "Hovering"),
-    "looking": (looking, "Looking at"),
-    "fault": (fault, "Motors are cut"),
-    "silent": (silent, ""),
+    "ready": (ready, "ready"),
+    "flying": (flying, "holding"),
+    "looking": (looking, "holding"),
+    "fault": (fault, "warning"),
+    "silent": (silent, "lost"),
 }
+"""What happens, and the shape of the headline by which it shows."""
 
 
 async def box(page: Page, selector: str) -> FloatRect:
@@ -51,9 +52,9 @@ def cover(one: FloatRect, other: FloatRect) -> bool:
 async def test_orders_and_stop_are_on_the_screen_at_every_size(
     page: Page, console: Any, state: str
 ) -> None:
-    change, words = STATES[state]
+    change, shape = STATES[state]
     change(console.pilot)
-    await expect(page.locator(".headline")).to_contain_text(words)
+    await expect(page.locator(".headline")).to_have_attribute("data-shape", shape)
     for width, height in FIVE_SIZES + AT_200_PERCENT:
         where = f"{state} {width}x{height}"
         await page.set_viewport_size({"width": width, "height": height})
