@@ -155,8 +155,8 @@ __all__ = [
     "SharedStoreError", "SightNews", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError",
     "Summary", "TaskError", "TaskNews", "Telemetry", "ThingError", "TrackedFrame",
     "TrajectoryPoint", "UnknownState", "VideoFrame", "WireError", "ZenohBus", "choose_gains",
-    "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch", "load_site",
-    "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
+    "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch",
+    "load_site", "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
 # fmt: on
 
