@@ -13,13 +13,13 @@ import numpy as np
 from _run import table
 from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
+from housefly.config.twin import RATE_POLE
 from housefly.lab.identification.box import find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
-from housefly.twin.ardrone.inner_loops import _RATE_POLE
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick
@@ -79,7 +79,7 @@ def delay_of(command_delay: float) -> float:
     its inner rate loop.
     """
     return float(
-        CONTROL_PERIOD * np.ceil(command_delay / CONTROL_PERIOD - 1e-9) + residence(_RATE_POLE)
+        CONTROL_PERIOD * np.ceil(command_delay / CONTROL_PERIOD - 1e-9) + residence(RATE_POLE)
     )
 
 
@@ -110,7 +110,7 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
         "climb_lag": truth["drone__climb_lag"],
         # Turning has no inner loop; the model gives it the delay of the tilt all the same, and what
         # that is too long goes here.
-        "yaw_lag": 1.0 / (residence(truth["drone__yaw_lag"]) - residence(_RATE_POLE)),
+        "yaw_lag": 1.0 / (residence(truth["drone__yaw_lag"]) - residence(RATE_POLE)),
         "command_delay": delay_of(truth["twin__command_delay"]) + mean_wait(steps, world.heard_at),
     }
     found_by_key = ((key, value, found.constants[key]) for key, value in lags.items())

@@ -4,7 +4,7 @@ Needs: MuJoCo: the extra `twin`, which `make setup` brings.
 Learns: the simulated drone has hidden constants, the pilot believes others; small steps in a
     checked box tell what it is like.
 Prints: how many steps were flown, then each constant with its 95 % interval beside what the pilot
-    believed and what is true.
+    believed and what is true of the whole way from command to motion; then what to think of it.
 """
 
 import housefly
@@ -22,7 +22,7 @@ real = housefly.load_site("bsen", **TRACKING, **HIDDEN)
 found = housefly.identify(believed, real=real, repeats=6)
 print(f"{len(found.blocks)} blocks were flown and seen")
 for key, interval in found.constants.items():
-    was, true = getattr(believed.site.drone, key), getattr(real.site.drone, key)
+    was, true = getattr(believed.site.drone, key), found.truth[key]
     value = f"{interval.value:6.3f} ({interval.low:.3f} to {interval.high:.3f})"
-    print(f"{key:<14} {value}; believed {was}, true {true}")
-print("; ".join(found.problems) or "the profile may be written")
+    print(f"{key:<14} {value}; believed {was}, true {true:.3g}")
+print(found.advice)

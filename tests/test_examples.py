@@ -126,7 +126,9 @@ def test_hidden_constants_are_identified() -> None:
         "24 blocks were flown",
         "attitude_lag",
         "true 5.5",
-        "the profile may be written",
+        "true 0.075",
+        "true 30",
+        "each interval holds the simulated value; the profile may be written",
     )
 
 

@@ -12,11 +12,12 @@ from housefly.wires.ardrone.command_delay import sending_delay
 
 
 def print_constants(found: Identified, loaded: LoadedSite) -> None:
-    """Print the constants beside those of the site."""
-    table = new_table(("constant", "value", "95 % interval", "unit", "the site has"))
+    """Print the constants beside the simulated ones, or beside those of the site."""
+    beside = "simulated" if found.truth else "the site has"
+    table = new_table(("constant", "value", "95 % interval", "unit", beside))
     for key, interval in found.constants.items():
         known = CONSTANTS[key]
-        present = getattr(loaded.site.drone, key)
+        present = found.truth.get(key, getattr(loaded.site.drone, key))
         inside = "" if interval.low <= present <= interval.high else " (outside)"
         span = f"{interval.low:.3g} to {interval.high:.3g}"
         table.add_row(key, f"{interval.value:.3g}", span, known.unit, f"{present:.3g}{inside}")

@@ -15,6 +15,8 @@ INNER_LOOP_DELAY = 0.005
 """What the simulated drone adds to it [s]: half of its control period, for which a datagram waits
 on average, and its rate loop.
 """
+RATE_POLE = 150.0
+"""Pole of the simulated drone's body rate loop, behind its tilt but not its turning [1/s]."""
 
 
 class TwinConfig(Section):

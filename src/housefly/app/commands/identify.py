@@ -183,11 +183,14 @@ def _conclude(
     from housefly.lab.identification.plots import draw_fit
     from housefly.lab.identification.result import Limits, fit_constants
     from housefly.lab.identification.samples import samples_of
+    from housefly.lab.identification.truth import simulated_truth
 
     site = loaded.site
+    truth = simulated_truth(site) if site.twin.enabled else None
     limits = Limits(site.limits.tilt_max, site.limits.vertical_speed_max, site.limits.yaw_rate_max)
     with console.status(f"fitting {len(flown)} blocks"):
-        found = fit_constants(samples_of(steps, flown, site.tracking.body), limits)
+        samples = samples_of(steps, flown, site.tracking.body)
+        found = fit_constants(samples, limits, truth=truth)
     if found.constants:
         print_constants(found, loaded)
         with console.status("drawing the fit"):
@@ -198,6 +201,8 @@ def _conclude(
         for problem in found.problems:
             console.print(f"  {problem}", markup=False)
         return 1
+    if found.truth:
+        console.print(found.advice, markup=False)
     profile = out / "drone.toml"
     write_profile(profile, found.constants, measurement_notes(found, loaded))
     console.print(

@@ -16,6 +16,7 @@ from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Identified, Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
+from housefly.lab.identification.truth import simulated_truth
 from housefly.messages import PilotStep
 from housefly.twin.world import SimulatedWorld
 
@@ -56,4 +57,5 @@ def identify(loaded: LoadedSite, *, real: LoadedSite | None = None, repeats: int
     if outcome != "completed":
         raise LinkError(f"the identification flight was given up: {outcome}")
     limits = Limits(site.limits.tilt_max, site.limits.vertical_speed_max, site.limits.yaw_rate_max)
-    return fit_constants(samples_of(steps, tuple(maneuver.flown), site.tracking.body), limits)
+    samples = samples_of(steps, tuple(maneuver.flown), site.tracking.body)
+    return fit_constants(samples, limits, truth=simulated_truth(flying.site))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from housefly.lab.identification.tilt import (
     TiltFit,
     fit_tilt,
 )
+from housefly.lab.identification.truth import missed_constants
 
 _MIN_BLOCKS = 4
 """Fewest blocks of each kind that give an interval."""
@@ -57,6 +59,7 @@ class Identified:
             none.
         tilt, climb, turn: the fits; None where there was nothing to fit.
         blocks: that counted.
+        truth: what a simulated drone ought to show, by the same keys; empty for a real one.
     """
 
     constants: dict[str, Interval]
@@ -65,16 +68,47 @@ class Identified:
     climb: RateFit | None
     turn: RateFit | None
     blocks: tuple[Samples, ...]
+    truth: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def missed(self) -> tuple[str, ...]:
+        """Keys of the constants whose interval does not hold the truth."""
+        return missed_constants(self.constants, self.truth)
+
+    @property
+    def advice(self) -> str:
+        """What to think of the constants and do with them, in plain sentences."""
+        if self.problems:
+            return f"no profile: {'; '.join(self.problems)}"
+        if not self.truth:
+            return "the profile may be written"
+        if not self.missed:
+            return "each interval holds the simulated value; the profile may be written"
+        outside = ", ".join(f"{key} ({self.truth[key]:.3g})" for key in self.missed)
+        return (
+            f"outside its interval: {outside}. About one flight in four misses one of six constants"
+            " by chance, and rarely two: fly again with another seed, and do not use the profile"
+            " if the same constant misses again"
+        )
 
 
-def fit_constants(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) -> Identified:
-    """Return the constants with their 95 % intervals, and what is wrong with them."""
+def fit_constants(
+    blocks: tuple[Samples, ...],
+    limits: Limits,
+    seed: int = 0,
+    truth: Mapping[str, float] | None = None,
+) -> Identified:
+    """Return the constants with their 95 % intervals, and what is wrong with them.
+
+    ``truth`` is what a simulated drone ought to show (``truth.simulated_truth``).
+    """
+    known = dict(truth or {})
     seen = tuple(
         block for block in blocks if block.at.size >= _MIN_FRAMES and block.gap <= _MAX_GAP
     )
     problems = [*_gaps(blocks, seen), *_excitation(seen, limits)]
     if problems:
-        return Identified({}, tuple(problems), None, None, None, seen)
+        return Identified({}, tuple(problems), None, None, None, seen, known)
     tilt = fit_tilt(tuple(block for block in seen if block.block.axis in TILT_AXES), seed)
     delay, half = float(tilt.fit.constants[TILT_DELAY]), float(tilt.fit.half[TILT_DELAY])
     climb = fit_climb(
@@ -91,7 +125,7 @@ def fit_constants(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) ->
         "climb_lag": _pole(climb, "climb_lag"),
         "yaw_lag": _pole(turn, "yaw_lag"),
     }
-    return Identified(constants, tuple(_doubts(constants, tilt)), tilt, climb, turn, seen)
+    return Identified(constants, tuple(_doubts(constants, tilt)), tilt, climb, turn, seen, known)
 
 
 def _interval(fit: Fit, number: int) -> Interval:

@@ -11,6 +11,7 @@ from math import atan, copysign, cos, sin
 from typing import NamedTuple
 
 from housefly.config.drone import DroneConfig
+from housefly.config.twin import RATE_POLE
 from housefly.geometry import GRAVITY
 from housefly.twin.ardrone.body import DRONE_MASS, INERTIA
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
@@ -26,8 +27,6 @@ _BRAKE_POLE = 2.0
 _TRIM_POLE = 0.4
 _TRIM_SPEED = 0.3
 """Integral gain of the hover [1/s^2], active below this speed [m/s]; learns the attitude offset."""
-_RATE_POLE = 150.0
-"""Pole of the innermost body rate loop [1/s]."""
 THRUST_MAX = 4 * 1.56
 """Four motors at full throttle [N] (paparazzi, simple_ardrone2.xml)."""
 _ANGULAR_ACCELERATION_MAX = 300.0
@@ -63,9 +62,12 @@ class InnerLoops:
     def __init__(self, drone: DroneConfig) -> None:
         self._gain = drone.attitude_gain
         self._climb_pole, self._yaw_pole = drone.climb_lag, drone.yaw_lag
+        if drone.profile:
+            # A profile's pole was fitted with the delay of the tilt, the body rate loop in it.
+            self._yaw_pole = 1.0 / (1.0 / drone.yaw_lag + 1.0 / RATE_POLE)
         # The rate loop adds a small lag of its own; this gain puts the slow pole of the cascade on
         # the identified one.
-        self._attitude_gain = drone.attitude_lag * (_RATE_POLE - drone.attitude_lag) / _RATE_POLE
+        self._attitude_gain = drone.attitude_lag * (RATE_POLE - drone.attitude_lag) / RATE_POLE
         self._held_height: float | None = None
         self._trim = (0.0, 0.0)
 
@@ -115,8 +117,8 @@ class InnerLoops:
         )
         return Wrench(
             thrust=min(max(lift, 0.0), THRUST_MAX),
-            roll=_torque(0, _RATE_POLE, phi_rate - sp * psi_rate - p),
-            pitch=_torque(1, _RATE_POLE, cr * theta_rate + cp * sr * psi_rate - q),
+            roll=_torque(0, RATE_POLE, phi_rate - sp * psi_rate - p),
+            pitch=_torque(1, RATE_POLE, cr * theta_rate + cp * sr * psi_rate - q),
             yaw=_torque(2, self._yaw_pole, cp * cr * psi_rate - sr * theta_rate - r),
         )
 
