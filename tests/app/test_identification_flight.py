@@ -77,6 +77,7 @@ def test_what_a_profile_says_of_a_simulated_drone_is_found_in_its_flight(
         "attitude_gain": 0.9,
         "drag": 0.4,
         "climb_lag": 2.0,
+        "yaw_lag": 14.0,
         "command_delay": (0.11, 0.05)[seed - 1],
     }
     exactly = {key: Interval(value, value, value) for key, value in truth.items()}
