@@ -42,7 +42,7 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--memory",
         action="store_true",
-        help="without a drone: the room sees, remembers and answers; ready in seconds",
+        help="without a drone: the room sees, remembers and answers, and nothing flies",
     )
 
 
