@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from itertools import pairwise
+from math import cos, hypot, pi, sin
 from pathlib import Path
 from typing import Any
 
@@ -165,6 +167,23 @@ def test_the_thinnest_pipe_is_no_gap(tmp_path: Path) -> None:
     found = read(tmp_path, draw)
     near = [wall for wall in found.draft.walls if abs(wall.start[0] - 3.0) < 0.03]
     assert len(near) >= 3
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_curve_of_many_short_lines_is_no_gap(tmp_path: Path, backwards: bool) -> None:
+    def draw(_: Any, space: Any) -> None:
+        room(space)
+        turn = [n * pi / 50 for n in range(101)]
+        spots = [(3000 + 150 * cos(a), 2000 + 150 * sin(a)) for a in turn]
+        for start, end in pairwise(spots):
+            ends = (end, start) if backwards else (start, end)
+            space.add_line(*ends, dxfattribs={"layer": "WALLS"})
+
+    found = read(tmp_path, draw)
+    assert "2 cm and smaller" not in said(found)
+    pillar = found.draft.walls[4:]
+    length = sum(hypot(w.end[0] - w.start[0], w.end[1] - w.start[1]) for w in pillar)
+    assert length == pytest.approx(2 * pi * 0.15, rel=0.02)
 
 
 @pytest.mark.parametrize(

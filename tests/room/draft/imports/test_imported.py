@@ -48,7 +48,15 @@ def test_any_bytes_are_a_room_or_refused(
 
 @pytest.mark.parametrize(
     ("suffix", "module"),
-    [(".ply", "trimesh"), (".svg", "svgpathtools"), (".dxf", "ezdxf")],
+    [
+        (".ply", "trimesh"),
+        (".svg", "svgpathtools"),
+        (".dxf", "ezdxf"),
+        (".pcd", "pypcd4"),
+        (".las", "laspy"),
+        (".laz", "lazrs"),
+        (".e57", "pye57"),
+    ],
 )
 def test_a_reader_that_is_not_installed_is_named_with_the_line_that_installs_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str, module: str

@@ -36,7 +36,6 @@ def read_dxf(path: Path) -> PlanDrawing:
     """Return what the model space of a DXF draws; raises RoomError or MissingPartError."""
     try:
         from ezdxf import filemanagement, recover
-        from ezdxf.lldxf.const import DXFStructureError
     except ImportError as error:
         raise MissingPartError(
             "the reader of DXF (ezdxf)", "pip install 'housefly[import]'"
@@ -44,7 +43,7 @@ def read_dxf(path: Path) -> PlanDrawing:
     try:
         try:
             document, mended = filemanagement.readfile(path), 0
-        except DXFStructureError:
+        except Exception:  # a file that is not quite as the format wants it
             document, auditor = recover.readfile(path)
             mended = len(auditor.errors) + len(auditor.fixes)
         drawing = dxf_drawing(document)

@@ -26,13 +26,13 @@ from housefly.room.draft.model import DraftBox, DraftWall, SiteDraft
 from housefly.room.reach import flood
 
 _LINES_MAX = 2000
-_LINE_MIN = 0.02
-"""Shapes that are not longer are left out [m]."""
+_LINE_MIN, _GAP = 0.02, 0.001
+"""Shapes that are not longer are left out; ends that are nearer to each other are one [m]."""
 _LINE_THICKNESS, _WIDTH_MAX = 0.03, 0.6
 """Walls in a plan are drawn by their faces; each face becomes so thick, and as thick as it is drawn
 up to that width, beyond which it is no wall's [m].
 """
-_SIDES = (1.5, 80.0)
+_SIDES = (2.0, 80.0)
 """Of a plan whose unit is guessed [m]."""
 _SAID_SIDES = (1.0, 200.0)
 """Of a plan whose unit was said, by somebody or by the file [m]."""
@@ -189,16 +189,50 @@ def _walls(
 ) -> Iterator[DraftWall]:
     """Yield the straight parts of shapes as walls, each once; what is too small is left out."""
     seen = set[tuple[Vec2, Vec2]]()
-    for shape in shapes:
+    for shape, joined, count in _joined(shapes, _GAP / unit):
         width = shape.width * unit
         thickness = round(width, 4) if _LINE_THICKNESS < width <= _WIDTH_MAX else _LINE_THICKNESS
-        points = _thinned([((x - low[0]) * unit, (y - low[1]) * unit) for x, y in shape.points])
+        points = _thinned([((x - low[0]) * unit, (y - low[1]) * unit) for x, y in joined])
         if len(points) < 2:
-            drawing.leave_out(LeftOut.TOO_SMALL, shape.kind)
+            drawing.left_out[LeftOut.TOO_SMALL, shape.kind] += count
         for start, end in pairwise(points):
             if (start, end) not in seen:
                 seen |= {(start, end), (end, start)}
                 yield DraftWall(start, end, thickness)
+
+
+def _joined(shapes: list[PlanShape], gap: float) -> Iterator[tuple[PlanShape, list[Vec2], int]]:
+    """Yield shapes with their points; those that go on where the one before ends are one.
+
+    A curve is often drawn as many lines, each of them too short for a wall. With the first of the
+    shapes and all points comes how many they are. Ends nearer than the gap are one.
+    """
+    waiting = iter(shapes)
+    first = next(waiting, None)
+    while first is not None:
+        points, count, after = list(first.points), 1, next(waiting, None)
+        while after is not None and (after.kind, after.width) == (first.kind, first.width):
+            longer = _prolonged(points, list(after.points), gap)
+            if longer is None:
+                break
+            points, count, after = longer, count + 1, next(waiting, None)
+        yield first, points, count
+        first = after
+
+
+def _prolonged(line: list[Vec2], other: list[Vec2], gap: float) -> list[Vec2] | None:
+    """Return two lines as one where an end of the one is an end of the other, else None."""
+    if dist(line[-1], other[0]) <= gap:
+        line.extend(other[1:])
+    elif dist(line[-1], other[-1]) <= gap:
+        line.extend(other[-2::-1])
+    elif dist(line[0], other[-1]) <= gap:
+        return other[:-1] + line
+    elif dist(line[0], other[0]) <= gap:
+        return other[:0:-1] + line
+    else:
+        return None
+    return line
 
 
 def _thinned(points: list[Vec2]) -> list[Vec2]:

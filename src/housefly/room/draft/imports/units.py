@@ -9,7 +9,7 @@ _SIDE, _HEIGHT = 7.0, 2.6
 """Of a usual room that is flown in [m]; a hall and a cupboard are as far from it as each other."""
 _HEIGHT_WEIGHT = 2.0
 """Heights of rooms differ less than their sides."""
-_RARE = {0.0254: 0.7, 0.3048: 0.7}
+_RARE = {0.0254: 1.0, 0.3048: 1.0}
 """Plans and scans in inches and feet are rarer than those in metric units."""
 
 
