@@ -82,6 +82,10 @@ def _moved(sighting: Sighting, aside: float, up: float) -> Sighting:
     return replace(sighting, pose=replace(sighting.pose, position=(x + aside, y, z + up)))
 
 
+RESCUES = {SafetyMode.STOPPED, SafetyMode.LAND, SafetyMode.DESCEND}
+"""In these our setpoint keeps the place, or sinks."""
+
+
 class OrdersAndFaults(RuleBasedStateMachine):
     """A flight, and what must hold of it whatever happens."""
 
@@ -211,8 +215,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
             assert command.action in (Action.CUT, Action.RESET, Action.IDLE), command
         if self.cut or self.stopped or outputs.safety is SafetyMode.STOPPED:
             assert command.action is not Action.TAKE_OFF
-            if outputs.safety is not SafetyMode.DESCEND:
-                assert command.action is not Action.FLY
+            assert command.action is not Action.FLY or outputs.safety in RESCUES, outputs.reason
         if command.action is Action.TAKE_OFF:
             assert self.ordered, "took off without an order"
         if command.action is Action.CUT and self.flight.body.z > 0.3:

@@ -136,11 +136,11 @@ def _command(body: bytes) -> TimedCommand:
     theta, phi, vz, yaw_rate, has_motion, is_tracked, hovers, *motion_numbers = numbers
     if not isfinite(issued_at):
         raise ValueError("the time is not finite")
-    forward, left, theta, phi = motion_numbers
+    setpoint = Setpoint(theta, phi, vz, yaw_rate)
+    forward, left, against_theta, against_phi = motion_numbers
     if not is_tracked:
         forward = left = None
-    motion = KnownMotion(forward, left, theta, phi, hovers) if has_motion else None
-    setpoint = Setpoint(theta, phi, vz, yaw_rate)
+    motion = KnownMotion(forward, left, against_theta, against_phi, hovers) if has_motion else None
     return TimedCommand(Command(_ACTIONS[action], setpoint), issued_at, motion)
 
 

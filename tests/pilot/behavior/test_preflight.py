@@ -47,6 +47,7 @@ BROKEN = {
     "drone_answers": known(telemetry_age=inf),
     "drone_landed": known(status=DroneStatus.EMERGENCY),
     "drone_upright": told(phi=3.1),
+    "drone_still": told(velocity=(0.3, 0.0, 0.0)),
     "drone_configured": told(configured=False),
     "drone_healthy": told(faults=("motors problem",)),
     "charge": known(battery=nan),

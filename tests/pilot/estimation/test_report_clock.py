@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from math import inf, isnan, nan, pi, sin
+from math import cos, inf, isnan, nan, pi, sin
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.geometry import quaternion_from_euler
+from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.displacement import OdometryTolerance
+from housefly.pilot.estimation.flow_monitor import USUAL_DRAG
 from housefly.pilot.estimation.onboard_odometry import FLOW_DELAY
 from housefly.pilot.estimation.report_clock import OFFSET_WINDOW, ReportClock
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
@@ -64,6 +65,12 @@ def speed(t: float) -> float:
     return 0.6 * sin(0.5 * pi * max(t, 0.0))
 
 
+def lean(t: float) -> float:
+    """Return the pitch that flies so, against drag [rad]."""
+    faster = 0.3 * pi * cos(0.5 * pi * t) if t > 0.0 else 0.0
+    return -(faster + USUAL_DRAG * speed(t)) / GRAVITY
+
+
 def worst_drift(stall: float, *, tells_time: bool) -> float:
     """Return the largest drift [m] that is seen while the drone's world stands still every 3 s."""
     monitor, capture = TrackingMonitor(OdometryTolerance(0.005, 0.04)), CaptureClock()
@@ -77,13 +84,13 @@ def worst_drift(stall: float, *, tells_time: bool) -> float:
             now,
             DroneStatus.FLYING,
             0.9,
-            theta=0.001,
+            theta=lean(world),
             velocity=(speed(world - FLOW_DELAY), 0.0, 0.0),
             height=1.0,
             drone_time=world if tells_time else None,
         )
         monitor.feel(report, DroneStatus.FLYING, 0.0)
-        pose = Pose((x, 0.0, 1.0), quaternion_from_euler(0.0, 0.001, 0.0))
+        pose = Pose((x, 0.0, 1.0), quaternion_from_euler(0.0, lean(world), 0.0))
         at = capture.captured_at(n, TICK, LINK, now)
         monitor.accept(Sighting("ardrone", pose, at, now))
         drift = monitor.consistency(now).drift
