@@ -23,10 +23,10 @@ _RECORD_MAX = 2000
 
 def read_pcd(path: Path) -> ScanFile:
     """Return the points of a PCD; raises RoomError, or what a broken file raises in pypcd4."""
-    try:
-        from pypcd4.pypcd4 import MetaData, PointCloud
-    except ImportError as error:
-        raise MissingPartError("the reader of PCD (pypcd4)", _INSTALL) from error
+    if not find_spec("pypcd4"):
+        raise MissingPartError("the reader of PCD (pypcd4)", _INSTALL)
+    from pypcd4.pypcd4 import MetaData, PointCloud
+
     with path.open("rb") as file:
         try:
             header = MetaData.parse_header(_pcd_header(file))
