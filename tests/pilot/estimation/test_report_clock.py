@@ -68,11 +68,13 @@ def speed(t: float) -> float:
 def lean(t: float) -> float:
     """Return the pitch that flies so, against drag [rad]."""
     faster = 0.3 * pi * cos(0.5 * pi * t) if t > 0.0 else 0.0
-    return -(faster + USUAL_DRAG * speed(t)) / GRAVITY
+    return (faster + USUAL_DRAG * speed(t)) / GRAVITY
 
 
 def worst_drift(stall: float, *, tells_time: bool) -> float:
-    """Return the largest drift [m] that is seen while the drone's world stands still every 3 s."""
+    """Return the largest drift [m] that is seen while the drone's world stands still every 3 s;
+    inf where the drone's own speed is not believed any more.
+    """
     monitor, capture = TrackingMonitor(OdometryTolerance(0.005, 0.04)), CaptureClock()
     lost, x, worst = 0.0, 0.0, 0.0
     for n in range(1800):
@@ -93,8 +95,10 @@ def worst_drift(stall: float, *, tells_time: bool) -> float:
         pose = Pose((x, 0.0, 1.0), quaternion_from_euler(0.0, lean(world), 0.0))
         at = capture.captured_at(n, TICK, LINK, now)
         monitor.accept(Sighting("ardrone", pose, at, now))
-        drift = monitor.consistency(now).drift
-        worst = max(worst, 0.0 if isnan(drift) else drift)
+        known = monitor.consistency(now)
+        worst = max(worst, 0.0 if isnan(known.drift) else known.drift)
+        if not known.flow_believed:
+            return inf
     return worst
 
 

@@ -222,7 +222,7 @@ def test_an_honest_flight_over_a_table_shows_nothing(site: LoadedSite) -> None:
     assert max(angle for angle in monitor if not isnan(angle)) < radians(10.0)
 
 
-def test_flow_that_errs_is_blamed_by_attitude_and_ends_in_a_landing_by_tracking(
+def test_flow_that_errs_is_blamed_and_the_drone_lands_by_tracking(
     honest: LiedFlight,
 ) -> None:
     flight = honest.lied_to(None, CRUISING)
