@@ -99,14 +99,16 @@ def test_a_second_goal_on_the_way_takes_over(fly: Fly) -> None:
     assert distance((flight.body.x, flight.body.y), (3.0, 3.5)) < 0.2
 
 
-def test_stop_hovers_at_once_latches_and_needs_resume_and_a_fresh_order(fly: Fly) -> None:
+def test_stop_brakes_at_once_latches_and_needs_resume_and_a_fresh_order(fly: Fly) -> None:
     flight = fly()
     flight.depart(3.0)
+    begun = flight.body
     outputs = flight.step(flight.order(OrderKind.STOP))
-    assert outputs.command.action is Action.FLY and outputs.safety is SafetyMode.STOPPED
+    assert outputs.command.setpoint.theta < -0.05 and outputs.safety is SafetyMode.STOPPED
     flight.step(flight.order(OrderKind.GO, place="entrance"))
     assert "STOP is latched" in refused(flight)
-    assert flight.run(3.0).safety is SafetyMode.STOPPED and flight.speed < 0.05
+    assert flight.run(3.0).safety is SafetyMode.STOPPED
+    assert distance((flight.body.x, flight.body.y), (begun.x, begun.y)) < 0.4
     flight.step(flight.order(OrderKind.RESUME))
     outputs = flight.run(5.0)
     assert outputs.phase is Phase.HOLDING and outputs.safety is SafetyMode.NOMINAL
