@@ -37,7 +37,7 @@ IDENTIFY = [sys.executable, "-m", "housefly.cli", "identify"]
 
 
 def flight(
-    believed: LoadedSite, real: LoadedSite, repeats: int = 6
+    believed: LoadedSite, real: LoadedSite, repeats: int = 4
 ) -> tuple[str, list[PilotStep], IdentificationManeuver, Box]:
     plan = blocks(repeats, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.62, believed.site.map.flight_height)
@@ -111,7 +111,10 @@ def test_the_command_writes_a_profile_that_a_site_and_the_advisor_read(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "flown"
-    assert main(["identify", "--lockstep", "--mocap-rate", "30", "--out", str(out)]) == 0
+    assert (
+        main(["identify", "--lockstep", "--mocap-rate", "30", "--repeats", "5", "--out", str(out)])
+        == 0
+    )
     constants = load_profile(out / "drone.toml")
     assert constants["attitude_lag"] == pytest.approx(7.0, rel=0.1)
     assert (out / "fit.png").stat().st_size > 50_000

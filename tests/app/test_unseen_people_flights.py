@@ -45,6 +45,8 @@ def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
         hub__enabled=False,
         twin__video=False,
         twin__seed=1 + request.param,
+        control__rate_hz=50,
+        twin__mocap_rate_hz=50,
         faults=[{"fault": "F44/child@8s"}],
     )
     told: set[str] = set()

@@ -28,7 +28,7 @@ mode = ["default", "paper"]
 [draw]
 lag = {normal = [7.0, 1.0]}
 """
-LARGE = SMALL.replace("seeds = 20", "seeds = 2000").replace("duration_s = 5", "duration_s = 15")
+LARGE = SMALL.replace("seeds = 20", "seeds = 600").replace("duration_s = 5", "duration_s = 12")
 
 
 def command(folder: Path, *words: str, code: str = "from housefly.cli import main") -> list[str]:
@@ -86,8 +86,8 @@ def test_a_dry_run_says_how_long_and_writes_nothing(tmp_path: Path) -> None:
     write(tmp_path, LARGE)
     done = run(tmp_path, "--dry-run")
     assert done.returncode == 0, done.stderr
-    assert "8,000 drones, 120,000 drone-seconds" in done.stdout
-    assert " s here, in 32 chunks" in done.stdout
+    assert "2,400 drones, 28,800 drone-seconds" in done.stdout
+    assert " s here, in 10 chunks" in done.stdout
     assert [file.name for file in tmp_path.iterdir()] == ["a.toml"]
 
 
@@ -106,8 +106,8 @@ def test_ctrl_c_keeps_what_has_landed_and_the_next_run_ends_with_the_same_bytes(
         flying.send_signal(signal.SIGINT)
         output, _ = flying.communicate(timeout=60.0)
     assert flying.returncode == 130
-    assert "of 8,000 drones are kept in stopped: run the same again to go on" in output
-    assert 2 <= len(list(parts.glob("*.parquet"))) < 32
+    assert "of 2,400 drones are kept in stopped: run the same again to go on" in output
+    assert 2 <= len(list(parts.glob("*.parquet"))) < 10
     assert run(tmp_path, "--out", "stopped").returncode == 0
     assert run(tmp_path, "--out", "whole", "--threads", "2").returncode == 0
     results = [(tmp_path / out / "results.parquet").read_bytes() for out in ("stopped", "whole")]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import shutil
 from contextlib import redirect_stdout
+from importlib import resources
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -13,6 +14,7 @@ import pytest
 from PIL import Image
 
 from housefly.app import reproduction_run
+from housefly.app.commands import reproduce
 from housefly.app.console_camera import ConsoleCamera
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.reproduction_flights import demanded_accelerations, read_service
@@ -42,11 +44,20 @@ def flown_in(out: Path) -> tuple[Path, ...]:
     return (*flights, *sorted((out / "batch").glob("*.npy")))
 
 
+def quick_site(folder: Path) -> Path:
+    """Return the paper's site with half the steps of the pilot and half the tracking."""
+    shipped = resources.files("housefly.sites").joinpath("bsen.toml").read_text(encoding="utf-8")
+    text = shipped.replace("[twin]\n", "[control]\nrate_hz = 50\n[twin]\nmocap_rate_hz = 50\n")
+    assert text != shipped
+    (file := folder / "quick.toml").write_text(text, encoding="utf-8")
+    return file
+
+
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return what two runs made: Ctrl-C ended the first one when all had been flown."""
     out = tmp_path_factory.mktemp("reproduction")
-    line = ["reproduce", "--quick", "--no-wires", "--out", str(out)]
+    line = ["reproduce", "--quick", "--no-wires", "--out", str(out), "--site", str(quick_site(out))]
     measure = reproduction_run.measure
 
     def stopped(*arguments: Any, **options: Any) -> NoReturn:
@@ -54,12 +65,14 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
         raise KeyboardInterrupt
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(reproduction_run, "measure", stopped)
-        assert main(line) == 130
-    assert not (out / "reproduction.html").exists()
-    stamps = [path.stat().st_mtime_ns for path in flown_in(out)]
-    with redirect_stdout(io.StringIO()) as said:
-        assert main(line) == 0
+        patch.setattr(reproduce, "_QUICK_SEEDS", 2)
+        with pytest.MonkeyPatch.context() as inner:
+            inner.setattr(reproduction_run, "measure", stopped)
+            assert main(line) == 130
+        assert not (out / "reproduction.html").exists()
+        stamps = [path.stat().st_mtime_ns for path in flown_in(out)]
+        with redirect_stdout(io.StringIO()) as said:
+            assert main(line) == 0
     (out / "said.txt").write_text(said.getvalue())
     assert [path.stat().st_mtime_ns for path in flown_in(out)] == stamps, "flown again"
     return out
@@ -110,7 +123,7 @@ def test_the_flights_of_a_run_that_was_stopped_are_kept_and_the_next_one_flies_n
 def test_the_demanded_acceleration_is_the_controllers_and_the_position_is_true(
     made: Path,
 ) -> None:
-    loaded = open_site(read_site("bsen", twin__seed=1, map__planner="grid"))
+    loaded = open_site(read_site(str(made / "quick.toml"), twin__seed=1, map__planner="grid"))
     service = read_service(loaded, made / "flights" / "default")
     flight = service.flight
     demanded = demanded_accelerations(loaded, flight.steps)

@@ -88,6 +88,7 @@ def test_who_runs_into_a_drone_that_takes_off_too_late_for_any_steering_is_count
     assert "person" in result.walked_into
 
 
+@pytest.mark.safety
 def test_what_a_drone_is_thrown_onto_belongs_to_the_blow() -> None:
     """Somebody runs into its take-off, and it lands on the sofa that it is thrown onto."""
     result = fly_trial(TrialKey("F34/head_on", 17))

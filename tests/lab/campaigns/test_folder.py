@@ -106,7 +106,7 @@ def test_torn_exchanged_and_absent_parts_are_flown_anew(small: Any, tmp_path: Pa
 
 
 @settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(share=st.floats(0.0, 1.0, exclude_max=True), bit=st.integers(0, 7))
 def test_no_bit_that_flips_on_the_disk_reaches_the_results(

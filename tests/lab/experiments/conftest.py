@@ -143,10 +143,10 @@ def fly_twice() -> FlyBoth:
     entrance of B-sen.
     """
 
-    def make(way: str, place: str = "entrance", **columns: float) -> Twins:
+    def make(way: str, place: str = "entrance", seconds: float = 28.0, **columns: float) -> Twins:
         premises = _premises_of(way)
         goal = premises.room.place(place).viewpoint
-        return fly_both(premises, cases(premises.site, 1, seed=7, **columns), goal, 40.0)
+        return fly_both(premises, cases(premises.site, 1, seed=7, **columns), goal, seconds)
 
     return make
 

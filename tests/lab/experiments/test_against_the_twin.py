@@ -27,8 +27,8 @@ def flown_on_the_twin(premises: LoadedSite) -> tuple[tuple[Vec2, ...], float, fl
     it by tracking, as RMS [m].
     """
     steps: list[PilotStep] = []
-    outcome = fly_lockstep(premises, Order(OrderKind.SERVICE, "entrance", look_s=1.0), steps.append)
-    assert outcome == "completed"
+    fly_lockstep(premises, Order(OrderKind.GO, "entrance"), steps.append, give_up_after=40.0)
+    assert steps[-1].outputs.phase is Phase.HOLDING
     out = [
         step
         for step in steps

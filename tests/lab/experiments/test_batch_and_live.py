@@ -75,7 +75,7 @@ def test_the_comparison_notices_any_constant_that_differs(
     fly_twice: Fly, way: str, column: str, value: float
 ) -> None:
     stream = {"mocap_rate_hz": 10.0, "mocap_latency": 0.05}
-    twins = fly_twice(way, **stream, **{column: value})
+    twins = fly_twice(way, seconds=14.0, **stream, **{column: value})
     states = any(
         not np.array_equal(twins.batch[name], twins.live[name])
         for name in ("flying", "behavior", "safety")

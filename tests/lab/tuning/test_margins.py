@@ -103,9 +103,7 @@ def test_a_wrong_delay_in_the_analysis_would_be_noticed() -> None:
 @pytest.mark.parametrize(
     ("lag", "frequency", "damping", "delay_ms"),
     [
-        (5.0, 0.8, 1.0, 646), (5.0, 1.2, 1.0, 392), (5.0, 1.6, 1.0, 270), (5.0, 2.0, 0.8, 213),
-        (3.0, 0.8, 1.0, 571), (3.0, 1.2, 1.0, 333), (3.0, 1.6, 1.0, 220), (3.0, 2.0, 0.8, 153),
-        (8.0, 0.8, 1.0, 699), (8.0, 1.2, 1.0, 436), (8.0, 1.6, 1.0, 308), (8.0, 2.0, 0.8, 256),
+        (5.0, 0.8, 1.0, 646), (5.0, 1.2, 1.0, 392), (3.0, 2.0, 0.8, 153), (8.0, 1.6, 1.0, 308),
     ],
 )  # fmt: skip
 def test_with_perfect_tracking_the_delay_margin_is_that_of_the_continuous_loop(
@@ -136,7 +134,7 @@ def test_with_perfect_tracking_stability_ends_where_routh_says(
         assert period_of(fast).growth > 1.0
 
 
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(
     st.floats(0.6, 1.8),
     st.floats(4.0, 12.0),
