@@ -55,6 +55,8 @@ LINES: dict[str, tuple[str, ...]] = {
     "history": ("shelf",),
     "watch": (),
     "sensors": (),
+    "export": ("events.csv",),
+    "memory forget": ("person-1",),
     "memory import-tms": ("dump.json",),
     "memory export-tms": ("dump.json",),
     "campaign": ("campaign.toml",),
@@ -76,7 +78,8 @@ NO_NEED_TO_REFUSE = {
     *{("gains", "out"), ("plan", "png"), ("room show", "png"), ("room import", "out")},
     *{("clips export", "out"), ("reproduce", "out"), ("safety", "out"), ("campaign", "out")},
     *{("memory export-tms", "file"), ("task import-rpn", "out"), ("task import-rpn", "title")},
-    *{("new", "name"), ("new", "port"), ("history", "kind"), ("mcp", "site")},
+    *{("new", "name"), ("new", "port"), ("history", "kind"), ("export", "kind")},
+    *{("mcp", "site"), ("export", "file"), ("export", "pseudonyms"), ("export", "thing")},
     *{("clips list", word) for word in ("person", "place", "thing", "task", "limit")},
     *{(command, "seed") for command in ("demo", "fly", "identify", "reproduce", "safety")},
     # The answer is no, or nothing.
