@@ -165,5 +165,5 @@ def test_the_page_alone_is_made_of_what_is_there_and_says_which_source_flew_it_a
 
 def test_a_page_of_no_flights_names_no_source(fly: Callable[..., int], tmp_path: Path) -> None:
     assert fly(NEW, "safety", "--seeds", "0") == 0
-    assert "flown by" not in (tmp_path / "case" / PAGE_FILE).read_text()
+    assert "<dt>flown by</dt>" not in (tmp_path / "case" / PAGE_FILE).read_text()
     assert not (tmp_path / "case" / FLOWN_BY_FILE).exists()

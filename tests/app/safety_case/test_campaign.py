@@ -115,10 +115,14 @@ def test_a_value_of_another_kind_is_told_with_its_line(
 def test_a_plan_holds_every_row_its_control_and_every_pair_once() -> None:
     keys = SafetyPlan(seeds=8, controls=2, pairs=1, fault_free=3).keys()
     assert len(set(keys)) == len(keys)
-    rows = flown_rows()
-    pairs = len(rows) * (len(rows) - 1) // 2
+    rows, crossed = flown_rows(), [row for row in flown_rows() if row.crossed]
+    single = len(rows) - len(crossed)
+    pairs = single * (single - 1) // 2
     harmful = sum(row.harmful for row in rows)
-    assert len(keys) == 8 * len(rows) + 2 * harmful + 3 + pairs
+    with_orders = sum(key.row.split("/")[0] in {row.number for row in crossed} for key in keys)
+    controls = 2 * sum(row.harmful for row in crossed)
+    assert len(keys) == 8 * single + 2 * harmful + 3 + pairs + with_orders - controls
+    assert with_orders - controls >= 5 * len(crossed)
 
 
 def test_the_page_names_every_row_and_the_unsafe_flight_and_escapes_words(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
+from math import cos, sin
 from typing import Any
 
 import numpy as np
@@ -36,6 +37,8 @@ from housefly.pilot.behavior.acceptor import STATES
 from housefly.pilot.navigator import RoomNavigator
 from housefly.pilot.safety.rules import MODE_SEVERITY
 
+FLOW_TICKS = 4
+"""Flow comes so late [ticks of 10 ms]."""
 SETTLE = 0.3
 """The drone is found in the air and waits so long before it is ordered to go [s]."""
 SIGNALS = ("cmd_theta", "cmd_phi", "cmd_vz", "cmd_yaw_rate")
@@ -91,8 +94,25 @@ class Live:
             if not self._ordered and now >= SETTLE - 1e-9:
                 self._ordered = True
                 orders = (Order(OrderKind.GO, goal=self._goal, issued_at=now),)
-            telemetry = Telemetry(now, DroneStatus.FLYING, 1.0) if self._seen else None
+            telemetry = _told(ticks, tick, now) if self._seen else None
             yield self._pilot.step(now, Inputs(sightings, telemetry, orders))
+
+
+def _told(ticks: Any, tick: int, now: float) -> Telemetry:
+    """Return what an honest drone reports of itself."""
+    row, felt = ticks[tick], ticks[max(tick - FLOW_TICKS, 0)]
+    c, s = cos(felt["psi"]), sin(felt["psi"])
+    ahead, left = c * felt["vx"] + s * felt["vy"], c * felt["vy"] - s * felt["vx"]
+    return Telemetry(
+        now,
+        DroneStatus.FLYING,
+        1.0,
+        theta=float(row["theta"]),
+        phi=float(row["phi"]),
+        velocity=(float(ahead), float(left), float(row["vz"])),
+        height=float(row["z"]),
+        drone_time=now,
+    )
 
 
 def fly_both(premises: LoadedSite, drone: Cases, goal: Vec2, duration: float) -> Twins:
@@ -143,7 +163,7 @@ def fly_twice() -> FlyBoth:
     entrance of B-sen.
     """
 
-    def make(way: str, place: str = "entrance", seconds: float = 28.0, **columns: float) -> Twins:
+    def make(way: str, place: str = "entrance", seconds: float = 40.0, **columns: float) -> Twins:
         premises = _premises_of(way)
         goal = premises.room.place(place).viewpoint
         return fly_both(premises, cases(premises.site, 1, seed=7, **columns), goal, seconds)

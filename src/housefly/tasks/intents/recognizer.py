@@ -48,6 +48,7 @@ class Recognizer:
         STOP is looked for first and last: what is only STOP words always is STOP, and so is what
         nobody understands but has one of them in it.
         """
+        text = " ".join(text.split())
         bare, quoted = without_quotes(text)
         said = folded(bare, self.book.language)
         stop = Intent(IntentName.STOP, IntentSlots(), text, self.book.language)
