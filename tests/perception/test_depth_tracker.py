@@ -207,7 +207,7 @@ def test_images_that_cannot_be_are_refused_in_words_and_change_nothing(scene: Sc
     bad = {
         "not a depth camera": replace(good, source="stranger"),
         "future": replace(good, captured_at=now + 1.0),
-        "older": replace(good, captured_at=now - 5.0),
+        "s late": replace(good, captured_at=now - 5.0),
         "not newer": replace(good, captured_at=now - 0.6),
         "images a second": replace(good, captured_at=now - 0.49),
         "finite": replace(good, fx=nan),

@@ -139,7 +139,7 @@ def test_scans_that_cannot_be_are_refused_in_words_and_change_nothing(make_hall:
     good = hall.scan()
     bad = {
         "future": replace(good, captured_at=hall.now + 1.0),
-        "older": replace(good, captured_at=hall.now - 5.0),
+        "s late": replace(good, captured_at=hall.now - 5.0),
         "finite": replace(good, first_angle=nan),
         "none": replace(good, ranges=(nan,) * BEAMS),
         "not a scanner": replace(good, source="stranger"),
