@@ -247,7 +247,7 @@ TRACKING = PreflightCheck(
                 "NOT READY",
             ],
         ),
-        (PreflightView(), 1, ["NOT READY"]),
+        (PreflightView(), 2, []),
     ],
 )
 def test_the_list_of_a_house_that_runs_is_printed_and_says_whether_it_may_take_off(
