@@ -1,1 +1,1 @@
-import"./chunk-chunk-GBZITIIU.js";
+import"./chunk-chunk-LOMDLHTK.js";

@@ -236,6 +236,25 @@ export const DE_TOLD: Templates = {
   "leans {n} degrees and does not move (limit {m}): stuck on something, landing":
     "neigt sich {n} Grad und bewegt sich nicht (Grenze {m}): hängt fest, sie landet",
   "{d} m from where it should be": "{d} m von der Sollposition",
+  "{why}: held": "{why}: gehalten",
+  "{d} m/s": "{d} m/s",
+  "at most {d} m/s": "höchstens {d} m/s",
+  "it stands still, by its own word": "sie steht nach eigener Angabe still",
+  "it takes off and holds itself by that speed":
+    "sie hebt ab und hält sich nach dieser Geschwindigkeit",
+  "the drone says that it moves while it stands": "die Drohne meldet Bewegung, obwohl sie steht",
+  "people may be unseen: a sensor that looks for them is nothing usable for {n} s":
+    "Personen werden vielleicht nicht gesehen: ein Sensor dafür liefert seit {n} s nichts Brauchbares",
+  "the drone does not see how it moves: it cannot hold itself":
+    "die Drohne sieht ihre Bewegung nicht: sie kann sich nicht selbst halten",
+  "{why}, and the drone's own speed is not believed: sinking level":
+    "{why}, und der eigenen Geschwindigkeit der Drohne ist nicht zu trauen: sie sinkt waagerecht",
+  ["look at its bottom camera and the floor below, " +
+      "then switch it off and on"]:
+    "Kamera unten und Boden darunter ansehen, dann aus- und einschalten",
+  ["the drone's own speed is not what tracking sees and how it leans: it cannot hold itself, " +
+      "landing by tracking"]:
+    "die eigene Geschwindigkeit passt weder zur Ortung noch zur Neigung: Landung nach Ortung",
   "about to leave the map by {d} m": "verlässt gleich die Karte um {d} m",
   "flies at {d} m/s (limit {m} m/s)": "fliegt mit {d} m/s (Grenze {m} m/s)",
   "moves more than {d} m/s otherwise than told": "bewegt sich mehr als {d} m/s anders als befohlen",

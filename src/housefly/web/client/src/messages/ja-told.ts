@@ -210,6 +210,23 @@ export const JA_TOLD: Templates = {
   "leans {n} degrees and does not move (limit {m}): stuck on something, landing":
     "{n}度傾いても動きません（限度 {m}）。何かに引っかかっています。着陸します",
   "{d} m from where it should be": "予定の位置から {d} m ずれています",
+  "{why}: held": "{why}。その場で止めています",
+  "{d} m/s": "毎秒{d} m",
+  "at most {d} m/s": "毎秒{d} m以下",
+  "it stands still, by its own word": "自身の報告では静止しています",
+  "it takes off and holds itself by that speed": "この速度をもとに離陸し、位置を保ちます",
+  "the drone says that it moves while it stands": "着地しているのに、動いていると報告しています",
+  "people may be unseen: a sensor that looks for them is nothing usable for {n} s":
+    "人が見えていないかもしれません：センサーが{n}秒間、使える値を出していません",
+  "the drone does not see how it moves: it cannot hold itself": "ドローンは自分の動きが見えず、自分では位置を保てません",
+  "{why}, and the drone's own speed is not believed: sinking level":
+    "{why}。ドローン自身の速度も信頼できないため、水平に降下します",
+  ["look at its bottom camera and the floor below, " +
+      "then switch it off and on"]:
+    "下向きカメラと床を確認し、電源を入れ直してください",
+  ["the drone's own speed is not what tracking sees and how it leans: it cannot hold itself, " +
+      "landing by tracking"]:
+    "ドローン自身の速度が計測とも傾きとも合いません。計測をもとに着陸します",
   "about to leave the map by {d} m": "地図の外へ {d} m 出そうです",
   "flies at {d} m/s (limit {m} m/s)": "{d} m/s で飛行中（限度 {m} m/s）",
   "moves more than {d} m/s otherwise than told": "動きが指令と {d} m/s 以上違います",
