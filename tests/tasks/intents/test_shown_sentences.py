@@ -78,7 +78,7 @@ def test_what_the_page_offers_to_tap_is_understood(language: Language) -> None:
 
 def shown_in_the_field(language: Language) -> str:
     """Return what the page's field shows before anything is typed."""
-    found = re.search(r'\? t\("(Look [^"]+)"\)', (CLIENT / "ask-bar.tsx").read_text("utf-8"))
+    found = re.search(r'placeholder=\{t\("([^"]+)"\)', (CLIENT / "ask-bar.tsx").read_text("utf-8"))
     assert found is not None
     if language == "en":
         return found[1]

@@ -1,1 +1,1 @@
-import"./chunk-chunk-LOMDLHTK.js";
+import"./chunk-chunk-X3AT55XI.js";

@@ -244,7 +244,7 @@ export const DE_TOLD: Templates = {
     "sie hebt ab und hält sich nach dieser Geschwindigkeit",
   "the drone says that it moves while it stands": "die Drohne meldet Bewegung, obwohl sie steht",
   "people may be unseen: a sensor that looks for them is nothing usable for {n} s":
-    "Personen werden vielleicht nicht gesehen: ein Sensor dafür liefert seit {n} s nichts Brauchbares",
+    "Personen werden vielleicht nicht gesehen: seit {n} s nichts Brauchbares von einem Sensor",
   "the drone does not see how it moves: it cannot hold itself":
     "die Drohne sieht ihre Bewegung nicht: sie kann sich nicht selbst halten",
   "{why}, and the drone's own speed is not believed: sinking level":

@@ -621,16 +621,10 @@ const texts: Speech["texts"] = {
   "Map with the focus: nearer, farther, whole room": "Karte gewählt: näher, weiter, ganzer Raum",
   "No drone":
     "Keine Drohne",
-  "The room sees, remembers and answers; nothing flies.":
-    "Der Raum sieht, merkt sich und antwortet; nichts fliegt.",
   "To add one, set enabled = true under [drone] in the site file and start again.":
     "Um eine hinzuzufügen, unter [drone] der Standortdatei enabled = true setzen und neu starten.",
-  "Every service flies, and there is no drone.":
-    "Jeder Dienst fliegt, und es gibt keine Drohne.",
   "Floor plan of the room":
     "Grundriss des Raums",
-  "Where is the cup …":
-    "Wo ist die Tasse …",
 };
 
 export const DE: Speech = { texts, told: teller(DE_TOLD, { point: ",", stop: "." }) };

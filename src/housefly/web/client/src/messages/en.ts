@@ -566,11 +566,8 @@ export const EN = [
   "+ − 0",
   "Map with the focus: nearer, farther, whole room",
   "No drone",
-  "The room sees, remembers and answers; nothing flies.",
   "To add one, set enabled = true under [drone] in the site file and start again.",
-  "Every service flies, and there is no drone.",
   "Floor plan of the room",
-  "Where is the cup …",
 ] as const;
 
 export type Key = (typeof EN)[number];

@@ -591,16 +591,10 @@ const texts: Speech["texts"] = {
   "Map with the focus: nearer, farther, whole room": "地図を選択中：拡大、縮小、部屋全体",
   "No drone":
     "ドローンなし",
-  "The room sees, remembers and answers; nothing flies.":
-    "部屋は見て、覚えて、答えます。飛ぶものはありません。",
   "To add one, set enabled = true under [drone] in the site file and start again.":
     "追加するには、サイトファイルの [drone] に enabled = true と書いて、再起動してください。",
-  "Every service flies, and there is no drone.":
-    "どのサービスも飛行が必要ですが、ドローンがありません。",
   "Floor plan of the room":
     "部屋の間取り図",
-  "Where is the cup …":
-    "コップはどこ…",
 };
 
 export const JA: Speech = { texts, told: teller(JA_TOLD, { point: ".", stop: "。" }) };

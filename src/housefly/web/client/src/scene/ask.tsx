@@ -56,7 +56,7 @@ export function Ask() {
           type="search"
           enterkeyhint="go"
           aria-label={t("Where is, go to")}
-          placeholder={hasDrone.value ? t("Where is … / go to …") : t("Where is the cup …")}
+          placeholder={t("Where is … / go to …")}
           list="names"
           maxLength={200}
           autocomplete="off"

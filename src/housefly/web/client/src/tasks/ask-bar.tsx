@@ -2,7 +2,6 @@ import { useEffect, useRef } from "preact/hooks";
 import { answer, ask } from "./ask";
 import { running } from "./board";
 import { ideas } from "./ideas";
-import { hasDrone } from "../store";
 import { learnNames } from "./names";
 import { Chips, SentenceAnswerView } from "./sentence-answer";
 import { t } from "../messages/language";
@@ -29,11 +28,7 @@ export function AskBar() {
           type="search"
           enterkeyhint="go"
           aria-label={t("Ask for something")}
-          placeholder={
-            hasDrone.value
-              ? t("Look at the entrance, where is the cup …")
-              : t("Where is the cup …")
-          }
+          placeholder={t("Look at the entrance, where is the cup …")}
           maxLength={500}
           autocomplete="off"
         />

@@ -12,7 +12,6 @@ const IDEAS: Record<Language, () => string[]> = {
     ...(hasDrone.value ? places() : []).map((one) => `Look at the ${one.toLowerCase()}`),
     ...things().map((one) => `Where is ${one}?`),
     "Is anybody in the room?",
-    ...(hasDrone.value ? [] : ["What happened today?"]),
   ],
   de: () => [
     "Wer ist an der Tür?",

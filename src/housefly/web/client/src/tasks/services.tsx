@@ -107,9 +107,7 @@ export function Services() {
         ))}
       </ul>
       {offered.value.length === 0 && (
-        <p class="quiet">
-          {hasDrone.value ? t("Not known yet.") : t("Every service flies, and there is no drone.")}
-        </p>
+        <p class="quiet">{hasDrone.value ? t("Not known yet.") : t("No drone")}</p>
       )}
     </section>
   );
