@@ -16,7 +16,7 @@ INSTALLED = ("manifest.json", "service-worker.js", "icon-192.png", "icon-512.png
 """What only a device loads that has the console as an app."""
 LIMIT = 190_000
 """What is loaded before the first screen shows, a third of it the styles of all screens."""
-LATER_LIMIT = 60_500
+LATER_LIMIT = 60_000
 """Other screens and parts, which are loaded when there is time or need."""
 SCRIPT_LIMIT = 42_000
 """All script of the first load on its way, compressed."""
