@@ -54,7 +54,8 @@ def _list(options: Namespace) -> int:
             at = clock_time(status.last_at, time.time())
             plain_console.print(f"    {at}: {status.last_words}", soft_wrap=True)
     if running is not None and len(known) < len(rules):
-        plain_console.print("the others fly, and this room has no drone")
+        which = "the others fly" if known else "every rule flies"
+        plain_console.print(f"{which}, and this room has no drone")
     return 0
 
 
