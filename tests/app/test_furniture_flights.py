@@ -24,8 +24,9 @@ SHELF = {
     "model": "smart shelf",
     "length": 0.5,
     "width": 0.35,
-    "top": 1.0,
+    "top": 1.8,
 }
+"""Too tall to be flown over."""
 SHELF_PLACE = (11.5, 4.2)
 CHAIR = {"name": "chair", "body": "chair", "length": 0.5, "width": 0.5, "top": 1.5}
 HULL = half_diagonal(0.517, 0.451)

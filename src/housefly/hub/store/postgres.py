@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import socket
+import time
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from itertools import chain
@@ -26,6 +27,8 @@ except ImportError as error:
 
 _SETTINGS = "-c lock_timeout=1000"
 _CONNECT_TIMEOUT = 3
+_RELEASE_TIME = 1.0
+"""A server lets go of what a killed process held within this [s]."""
 _REASONS: dict[str, str] = {
     "53100": "disk is full",
     "55P03": "another process holds the database",
@@ -119,8 +122,7 @@ def locked_database(url: str, remedy: str) -> Iterator[None]:
         )
     with closing(connection):
         with _telling():
-            found = connection.execute("SELECT pg_try_advisory_lock(%s)", (_RUN_LOCK,)).fetchone()
-            is_mine = found is not None and found[0]
+            is_mine = _lock_of_run(connection)
             holder = None if is_mine else connection.execute(_HOLDER, (_RUN_LOCK,)).fetchone()
         if not is_mine:
             who = (holder and holder[0]) or "who is unknown"
@@ -129,6 +131,18 @@ def locked_database(url: str, remedy: str) -> Iterator[None]:
                 f"end that run, or {remedy}",
             )
         yield
+
+
+def _lock_of_run(connection: psycopg.Connection[Row]) -> bool:
+    """Take the lock of a run; a run that was killed a moment ago may still seem to hold it."""
+    give_up_at = time.monotonic() + _RELEASE_TIME
+    while True:
+        found = connection.execute("SELECT pg_try_advisory_lock(%s)", (_RUN_LOCK,)).fetchone()
+        if found is not None and found[0]:
+            return True
+        if time.monotonic() > give_up_at:
+            return False
+        time.sleep(_RELEASE_TIME / 20)
 
 
 def _placed(sql: str) -> bytes:
