@@ -119,7 +119,7 @@ async def test_a_link_that_is_too_old_is_not_shown_as_a_good_one(
     sheet = await invite(page, "Ask")
     code = sheet.get_by_role("img", name="QR code of the link")
     await expect(code).to_be_visible()
-    await expect(sheet).to_contain_text("The link is too old: make a new one.", timeout=20_000)
+    await expect(sheet).to_contain_text("The link expired: make a new one.", timeout=20_000)
     await expect(code).to_have_count(0)
 
 

@@ -20,7 +20,7 @@ LATER_LIMIT = 60_000
 """Other screens and parts, which are loaded when there is time or need."""
 SCRIPT_LIMIT = 42_000
 """All script of the first load on its way, compressed."""
-ALL_SCRIPT_LIMIT = 60_500
+ALL_SCRIPT_LIMIT = 60_000
 """The same with all that comes later, without the view in space and the other languages."""
 LANGUAGE_LIMIT = 20_000
 """One language on its way, compressed: only who reads it loads it."""

@@ -50,8 +50,10 @@ NAMES = names()
 
 def ideas(language: Language) -> Iterator[str]:
     """Yield what the page offers to tap, its gaps filled."""
-    text = (CLIENT / "ideas.ts").read_text(encoding="utf-8")
-    block = re.search(rf"\b{language}: \(\) => \[(.*?)\],?\n", text, re.S | re.M)
+    file, begin = (CLIENT / "ideas.ts", "ideasToAsk() ??")
+    if language != "en":
+        file, begin = (MESSAGES / f"{language}.ts", "const ideas =")
+    block = re.search(rf"{re.escape(begin)} \[(.*?)\];\n", file.read_text("utf-8"), re.S)
     assert block is not None
     for quoted in re.findall(r'"([^"]+)"|`([^`]+)`', block[1]):
         yield re.sub(r"\$\{[^}]*\}", "sofa", "".join(quoted))

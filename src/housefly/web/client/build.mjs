@@ -16,7 +16,7 @@ const options = {
   minify: true,
   charset: "utf8",
   format: "esm",
-  target: ["es2021"],
+  target: ["es2022"],
   jsx: "automatic",
   jsxImportSource: "preact",
   legalComments: "none",

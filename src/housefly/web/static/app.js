@@ -1,1 +1,1 @@
-import"./chunk-chunk-X3AT55XI.js";
+import"./chunk-chunk-W36Q6C2N.js";

@@ -4,26 +4,14 @@ import type { Shape } from "../headline";
 
 function Icon({ children }: { children: ComponentChildren }) {
   return (
-    <svg
-      class="icon"
-      viewBox="0 0 24 24"
-      width="20"
-      height="20"
-      aria-hidden="true"
-      focusable="false"
-    >
+    <svg class="icon" viewBox="0 0 24 24" width="20" height="20" aria-hidden="true">
       {children}
     </svg>
   );
 }
 
-const stroke = {
-  "fill": "none",
-  "stroke": "currentColor",
-  "stroke-width": 2,
-  "stroke-linecap": "round",
-  "stroke-linejoin": "round",
-} as const;
+/** Drawn as a line of the colour of the text around it. */
+const stroke = { class: "stroke" };
 
 const OCTAGON = "M8 2h8l6 6v8l-6 6H8l-6-6V8z";
 

@@ -87,19 +87,19 @@ function Offer() {
   const { reply, role: guest } = made.value;
   const may = t(ROLES.find((one) => one.role === guest)!.may);
   if (usedInvitations.value.has(reply.name))
-    return <p role="status">✓ {t("The link was used: whoever opened it {may}.", { may })}</p>;
+    return <p role="status">✓ {t("The link was used: the guest {may}.", { may })}</p>;
   if (left.value <= 0)
-    return <p role="status">△ {t("The link is too old: make a new one.")}</p>;
+    return <p role="status">△ {t("The link expired: make a new one.")}</p>;
   return (
     <div class="offer">
       <p>
-        {t("Whoever opens the link first {may}. It works once, for:", { may })}{" "}
+        {t("The first to open it {may}. It works once, for:", { may })}{" "}
         <strong class="number">{clock(left.value)}</strong>
       </p>
       {!reply.qr && (
         <p class="quiet">
           {t("Only this machine reaches the console.")}{" "}
-          {t("For a phone, end Housefly and start it so:")} <kbd>housefly run --lan</kbd>
+          {t("For a phone, restart with:")} <kbd>housefly run --lan</kbd>
         </p>
       )}
       {(!reply.qr || copied.value === "failed") && <p class="link">{link(reply)}</p>}

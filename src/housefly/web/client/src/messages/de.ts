@@ -265,12 +265,12 @@ const texts: Speech["texts"] = {
   "Your role is “{role}”: ask who runs Housefly for a link.":
     "Ihre Rolle ist „{role}“: Um einen Link bitten, wer Housefly betreibt.",
   "What may the other one do? STOP is for everybody.": "Was darf der Gast? STOP ist für alle da.",
-  "The link was used: whoever opened it {may}.": "Der Link wurde benutzt: Wer ihn öffnete, {may}.",
-  "The link is too old: make a new one.": "Der Link ist abgelaufen: einen neuen erstellen.",
-  "Whoever opens the link first {may}. It works once, for:":
+  "The link was used: the guest {may}.": "Der Link wurde benutzt: Wer ihn öffnete, {may}.",
+  "The link expired: make a new one.": "Der Link ist abgelaufen: einen neuen erstellen.",
+  "The first to open it {may}. It works once, for:":
     "Wer den Link zuerst öffnet, {may}. Er gilt einmal, noch:",
   "Only this machine reaches the console.": "Nur dieses Gerät erreicht die Konsole.",
-  "For a phone, end Housefly and start it so:": "Für ein Handy Housefly beenden und so starten:",
+  "For a phone, restart with:": "Für ein Handy Housefly beenden und so starten:",
   "QR code of the link": "QR-Code des Links",
   "Copied": "Kopiert",
   "Copy link": "Link kopieren",
@@ -621,10 +621,14 @@ const texts: Speech["texts"] = {
   "Map with the focus: nearer, farther, whole room": "Karte gewählt: näher, weiter, ganzer Raum",
   "No drone":
     "Keine Drohne",
-  "To add one, set enabled = true under [drone] in the site file and start again.":
+  "The room sees, remembers and answers; nothing flies.":
+    "Der Raum sieht, merkt sich und antwortet; nichts fliegt.",
+  "To add one: enabled = true under [drone] in the site file.":
     "Um eine hinzuzufügen, unter [drone] der Standortdatei enabled = true setzen und neu starten.",
   "Floor plan of the room":
     "Grundriss des Raums",
 };
 
-export const DE: Speech = { texts, told: teller(DE_TOLD, { point: ",", stop: "." }) };
+const ideas = ["Wer ist an der Tür?", "Ist jemand da?", "Ist alles in Ordnung?", "Was ist heute passiert?"];
+
+export const DE: Speech = { texts, ideas, told: teller(DE_TOLD, { point: ",", stop: "." }) };

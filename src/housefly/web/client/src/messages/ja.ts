@@ -252,11 +252,11 @@ const texts: Speech["texts"] = {
   "No link could be made.": "リンクを作れませんでした。",
   "Your role is “{role}”: ask who runs Housefly for a link.": "あなたの役割は「{role}」です。リンクは管理者に頼んでください。",
   "What may the other one do? STOP is for everybody.": "相手に何を許しますか。STOPは誰でも使えます。",
-  "The link was used: whoever opened it {may}.": "リンクは使われました。開いた人は{may}。",
-  "The link is too old: make a new one.": "リンクの期限が切れました。新しく作ってください。",
-  "Whoever opens the link first {may}. It works once, for:": "最初に開いた人は{may}。1回だけ使えます。残り：",
+  "The link was used: the guest {may}.": "リンクは使われました。開いた人は{may}。",
+  "The link expired: make a new one.": "リンクの期限が切れました。新しく作ってください。",
+  "The first to open it {may}. It works once, for:": "最初に開いた人は{may}。1回だけ使えます。残り：",
   "Only this machine reaches the console.": "この画面はこの機器からしか開けません。",
-  "For a phone, end Housefly and start it so:": "スマートフォンで使うには、Houseflyを終了し、次のように起動してください：",
+  "For a phone, restart with:": "スマートフォンで使うには、Houseflyを終了し、次のように起動してください：",
   "QR code of the link": "リンクのQRコード",
   "Copied": "コピーしました",
   "Copy link": "リンクをコピー",
@@ -591,10 +591,14 @@ const texts: Speech["texts"] = {
   "Map with the focus: nearer, farther, whole room": "地図を選択中：拡大、縮小、部屋全体",
   "No drone":
     "ドローンなし",
-  "To add one, set enabled = true under [drone] in the site file and start again.":
+  "The room sees, remembers and answers; nothing flies.":
+    "部屋は見て、覚えて、答えます。飛ぶものはありません。",
+  "To add one: enabled = true under [drone] in the site file.":
     "追加するには、サイトファイルの [drone] に enabled = true と書いて、再起動してください。",
   "Floor plan of the room":
     "部屋の間取り図",
 };
 
-export const JA: Speech = { texts, told: teller(JA_TOLD, { point: ".", stop: "。" }) };
+const ideas = ["玄関に誰がいますか", "誰かいますか", "大丈夫ですか", "今日何がありましたか"];
+
+export const JA: Speech = { texts, ideas, told: teller(JA_TOLD, { point: ".", stop: "。" }) };

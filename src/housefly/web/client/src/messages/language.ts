@@ -12,4 +12,4 @@ speakBy({
 });
 
 export { decimal, language, type Language } from "./numbers";
-export { choose, LANGUAGES, tongue, translated } from "./speech";
+export { choose, ideasToAsk, LANGUAGES, tongue, translated } from "./speech";

@@ -7,6 +7,8 @@ export interface Speech<Text extends string = string> {
   texts: Record<Text, string>;
   /** What the server says in English, in this language; null where no template fits. */
   told(english: string): string | null;
+  /** What one may ask here; English ideas come with the names of the room. */
+  ideas?: string[];
 }
 
 /** What fetches the files of a page's other languages. */
@@ -84,6 +86,8 @@ export function text(key: string, values: Values = {}): string {
 }
 
 const pluralOf = (count: number): string => new Intl.PluralRules(language.value).select(count);
+
+export const ideasToAsk = (): string[] | undefined => speech.value?.ideas;
 
 const foreign = new Set<string>();
 /** Without the capital and the full stop that the page may have given it. */
