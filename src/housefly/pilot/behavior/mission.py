@@ -184,6 +184,11 @@ class PeopleSilence:
         """How long, in words."""
         return f"nothing usable for {self.age:.0f} s" if isfinite(self.age) else "not heard yet"
 
+    @property
+    def predicate(self) -> str:
+        """How long, after the name of the sensor in a sentence."""
+        return f"gave {self.words}" if isfinite(self.age) else f"is {self.words}"
+
 
 NO_SILENCE = PeopleSilence()
 """Nothing that looks for people is silent."""

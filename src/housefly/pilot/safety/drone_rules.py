@@ -311,7 +311,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         condition="a sensor that looks for people is silent",
         broken=lambda c: c.now.silence.is_too_long,
         words=lambda c: (
-            f"people may be unseen: a sensor that looks for them is {c.now.silence.words}"
+            f"people may be unseen: a sensor that looks for them {c.now.silence.predicate}"
             f" (limit {c.now.silence.limit:g} s): slowly"
         ),
     ),

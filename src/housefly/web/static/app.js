@@ -1,1 +1,1 @@
-import"./chunk-chunk-W36Q6C2N.js";
+import"./chunk-chunk-2NQ4O4SZ.js";

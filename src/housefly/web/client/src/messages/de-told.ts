@@ -243,7 +243,7 @@ export const DE_TOLD: Templates = {
   "it takes off and holds itself by that speed":
     "sie hebt ab und hält sich nach dieser Geschwindigkeit",
   "the drone says that it moves while it stands": "die Drohne meldet Bewegung, obwohl sie steht",
-  "people may be unseen: a sensor that looks for them is nothing usable for {n} s":
+  "people may be unseen: a sensor that looks for them gave nothing usable for {n} s":
     "Personen werden vielleicht nicht gesehen: seit {n} s nichts Brauchbares von einem Sensor",
   "the drone does not see how it moves: it cannot hold itself":
     "die Drohne sieht ihre Bewegung nicht: sie kann sich nicht selbst halten",

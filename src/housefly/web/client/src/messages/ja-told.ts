@@ -216,7 +216,7 @@ export const JA_TOLD: Templates = {
   "it stands still, by its own word": "自身の報告では静止しています",
   "it takes off and holds itself by that speed": "この速度をもとに離陸し、位置を保ちます",
   "the drone says that it moves while it stands": "着地しているのに、動いていると報告しています",
-  "people may be unseen: a sensor that looks for them is nothing usable for {n} s":
+  "people may be unseen: a sensor that looks for them gave nothing usable for {n} s":
     "人が見えていないかもしれません：センサーが{n}秒間、使える値を出していません",
   "the drone does not see how it moves: it cannot hold itself": "ドローンは自分の動きが見えず、自分では位置を保てません",
   "{why}, and the drone's own speed is not believed: sinking level":
