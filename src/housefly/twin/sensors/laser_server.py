@@ -170,8 +170,9 @@ class LaserServer:
             request.first - self._parameters.first : request.last - self._parameters.first + 1
         ]
         width = max(request.cluster, 1)
-        clustered = tuple(min(asked[at : at + width]) for at in range(0, len(asked), width))
-        return measurement_reply(request, self._stamp, clustered)
+        if width > 1:
+            asked = tuple(min(asked[at : at + width]) for at in range(0, len(asked), width))
+        return measurement_reply(request, self._stamp, asked)
 
     def _version(self) -> ScipReply:
         product = f"SOKUIKI Sensor {self._parameters.model.partition('(')[0]}"

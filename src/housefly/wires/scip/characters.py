@@ -5,7 +5,10 @@ The manual's examples: 1234 is "CB", 5432 is "1Dh", 16000000 is "m2@0".
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
 
 from housefly.errors import WireError
 
@@ -46,9 +49,14 @@ def strip_checksum(line: str) -> str:
     return line[:-1]
 
 
-def encode_lines(values: Iterable[int], width: int) -> list[str]:
-    """Return numbers as lines of at most 64 characters with a checksum each."""
-    text = "".join(encode_number(value, width) for value in values)
+def encode_lines(values: Sequence[int], width: int) -> list[str]:
+    """Return numbers as lines of at most 64 characters with a checksum each; raises WireError."""
+    numbers = np.fromiter(values, np.int64, len(values))
+    misfits = numbers[(numbers < 0) | (numbers >= 1 << (6 * width))]
+    if misfits.size:
+        raise WireError(f"{misfits[0]} does not fit into {width} characters")
+    characters = (numbers[:, None] >> _shifts(width) & 0x3F) + _BASE
+    text = characters.astype(np.uint8).tobytes().decode("ascii")
     return [
         text[at : at + _BLOCK] + checksum(text[at : at + _BLOCK])
         for at in range(0, len(text), _BLOCK)
@@ -60,4 +68,13 @@ def decode_lines(lines: Sequence[str], width: int) -> tuple[int, ...]:
     text = "".join(strip_checksum(line) for line in lines)
     if len(text) % width:
         raise WireError(f"{len(text)} characters of data are no multiple of {width}")
-    return tuple(decode_number(text[at : at + width]) for at in range(0, len(text), width))
+    digits = np.frombuffer(text.encode("ascii"), np.uint8).astype(np.int64) - _BASE
+    wrong = np.flatnonzero((digits < 0) | (digits > 0x3F))
+    if wrong.size:
+        raise WireError(f"{text[wrong[0]]!r} is no SCIP digit")
+    return tuple((digits.reshape(-1, width) << _shifts(width)).sum(axis=1).tolist())
+
+
+def _shifts(width: int) -> NDArray[np.int64]:
+    """Return how far the digits of a number are shifted, the most significant first."""
+    return np.arange(6 * (width - 1), -1, -6, dtype=np.int64)
