@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 from contextlib import suppress
+from functools import cache
 from itertools import pairwise
 
 from housefly.app.commands.ask import HISTORY_COMMAND, SENSORS_COMMAND, WATCH_COMMAND, WHERE_COMMAND
@@ -92,8 +93,9 @@ _REMEDIES = {
 }
 
 
+@cache
 def build_parser() -> argparse.ArgumentParser:
-    """Return the parser of all commands."""
+    """Return the parser of all commands; it is built once."""
     parser = SuggestingParser(
         prog="housefly",
         description="A room that knows where everything is flies a small drone on errands.",
