@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import ast
+import runpy
 import subprocess
 import sys
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -21,14 +24,18 @@ def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
 
 
-def run(name: str, *arguments: str, timeout: float = 280.0) -> str:
-    done = subprocess.run(
-        [sys.executable, str(FOLDER / name), *arguments],
-        capture_output=True,
-        text=True,
-        timeout=timeout,
-        check=False,
-    )
+def run(name: str, *arguments: str) -> str:
+    """Run a script in this process, which has imported and loaded already what each one needs."""
+    with redirect_stdout(StringIO()) as said, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "argv", [name, *arguments])
+        runpy.run_path(str(FOLDER / name), run_name="__main__")
+    return said.getvalue()
+
+
+def run_alone(name: str) -> str:
+    """Run a script in a process of its own, as somebody types it."""
+    line = [sys.executable, str(FOLDER / name)]
+    done = subprocess.run(line, capture_output=True, text=True, timeout=280.0, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -42,7 +49,7 @@ def assert_in_order(output: str, *words: str) -> None:
 
 
 def test_a_path_is_planned_and_a_bad_goal_is_refused_in_words() -> None:
-    output = run("01_plan_a_path.py")
+    output = run_alone("01_plan_a_path.py")
     assert_in_order(
         output,
         "150 x 80 cells",

@@ -12,6 +12,7 @@ from housefly.record.truth import COMPLETED, HOME_RADIUS
 
 STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING)
 """The phases of a whole service, in order."""
+_SEVERITIES = tuple(SafetyMode)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,16 +48,13 @@ class ServiceMonitor:
         phase = step.outputs.phase
         seen = self.seen if phase in self.seen or phase not in STAGES else (*self.seen, phase)
         texts = [event.text for event in step.outputs.events if event.severity is not Severity.INFO]
-        severities = list(SafetyMode)
-        worst = max(self.worst, step.outputs.safety, key=severities.index)
-        monitor = replace(
-            self,
-            seen=seen,
-            worst=worst,
-            trouble=texts[-1] if texts else self.trouble,
-            footing=self._stood(step),
-        )
-        return replace(monitor, outcome=monitor._verdict(step))
+        worst = max(self.worst, step.outputs.safety, key=_SEVERITIES.index)
+        footing, monitor = self._stood(step), self
+        if texts or footing is not self.footing or (seen, worst) != (self.seen, self.worst):
+            trouble = texts[-1] if texts else self.trouble
+            monitor = replace(self, seen=seen, worst=worst, trouble=trouble, footing=footing)
+        outcome = monitor._verdict(step)
+        return replace(monitor, outcome=outcome) if outcome else monitor
 
     def _stood(self, step: PilotStep) -> Footing:
         """Learn where the drone stands before its flight."""

@@ -52,7 +52,6 @@ from housefly.pilot.estimation.estimation_report import (
     EstimationReport,
     estimation_report,
 )
-from housefly.pilot.estimation.estimator import disturbance_of
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.kept_place import TO_FLOOR, KeptPlace, known_motion, sinking
@@ -345,7 +344,7 @@ class Pilot:
     def _known_motion(self, here: PoseEstimate, assessment: GateAssessment) -> KnownMotion | None:
         if self._params.is_paper or self._estimator is None or not assessment.airborne:
             return None
-        push = disturbance_of(self._estimator.state, self._estimator.history)
+        push = self._estimator.disturbance
         return known_motion(here, push, assessment.knows_place, assessment.knows_speed)
 
     def _guidance(
@@ -439,7 +438,7 @@ class Pilot:
         height = self._settings.drifts_from
         if height <= 0.0 or self._estimator is None:
             return spot
-        push = disturbance_of(self._estimator.state, self._estimator.history)
+        push = self._estimator.disturbance
         brake = self._params.estimator.model.hover_drag
         x, y = landing_drift(push, height, brake)
         return spot[0] - x, spot[1] - y

@@ -81,6 +81,12 @@ def pose_gate(box: CompiledBox[EstimatorState]) -> PoseGate:
 
 
 @compiled_with_arrays
+def newest_span(box: CompiledBox[EstimatorState]) -> int:
+    """Return the number of the newest command span."""
+    return box[0].delay_filter.newest
+
+
+@compiled_with_arrays
 def tracked_climb_rate(box: CompiledBox[EstimatorState]) -> float:
     """Return the climb rate by tracking [m/s]."""
     return box[0].height_yaw.z.v

@@ -41,7 +41,8 @@ class ClimbOdometry:
         change, gap = height - self.height, at - self.at
         if change == 0.0 and gap <= READING_GAP:
             is_stuck = at - self.changed_at > STUCK_TIME
-            return replace(self, at=at, stepped=nan if is_stuck else self.stepped)
+            stepped = nan if is_stuck else self.stepped
+            return ClimbOdometry(self.climbed, stepped, at, self.height, self.changed_at)
         dt = max(gap, min(at - self.changed_at, PING_TIME))
         is_climb = abs(change) <= CLIMB_MAX * dt + SONAR_NOISE
         is_lost = not (gap <= READING_GAP and isfinite(change))
@@ -51,4 +52,4 @@ class ClimbOdometry:
 
     def over_floor(self) -> ClimbOdometry:
         """Return the odometry of a drone with nothing but floor below it."""
-        return replace(self, stepped=0.0)
+        return self if self.stepped == 0.0 else replace(self, stepped=0.0)

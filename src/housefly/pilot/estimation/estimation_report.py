@@ -63,7 +63,7 @@ def estimation_report(
         command_delay_std=delay_deviation(delay),
         nis=health.nis,
         height_nis=health.height_nis,
-        push=disturbance_of(state, history),
+        push=disturbance_of(state.delay_filter.newest, history),
         load=-state.climb.axis.d / GRAVITY if params.climb.wander > 0.0 else nan,
         height_std=sqrt(max(0.0, _height_variance(state, params))),
     )

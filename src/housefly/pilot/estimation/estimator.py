@@ -231,9 +231,9 @@ def position_variance(
     return state.paper_filter.x.xx
 
 
-def disturbance_of(state: EstimatorState, history: CommandHistory) -> Vec2:
-    """Return the steady push in the plane [m/s^2], as of the last sighting."""
-    row = history[state.delay_filter.newest & (history.size - 1)]
+def disturbance_of(newest: int, history: CommandHistory) -> Vec2:
+    """Return the steady push in the plane [m/s^2], by the number of the newest command span."""
+    row = history[newest & (history.size - 1)]
     return float(row["x_d"]), float(row["y_d"])
 
 

@@ -7,20 +7,25 @@ from math import dist, sqrt
 import numpy as np
 
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
-from housefly.geometry import Vec3
+from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.numeric import CompiledBox, boxed, unboxed
 from housefly.pilot.estimation.boxed_estimator import (
     begun_at,
     estimated,
+    newest_span,
     pose_gate,
     sighting_taken,
     tracked_climb_rate,
 )
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
 from housefly.pilot.estimation.displacement import OdometryTolerance
-from housefly.pilot.estimation.estimator import estimator_created, pose_estimate
+from housefly.pilot.estimation.estimator import (
+    disturbance_of,
+    estimator_created,
+    pose_estimate,
+)
 from housefly.pilot.estimation.estimator_state import (
     EstimatorParameters,
     EstimatorState,
@@ -82,6 +87,11 @@ class PoseEstimator:
     def state(self) -> EstimatorState:
         """What the compiled estimator remembers; putting it together takes its time."""
         return unboxed(self.box)
+
+    @property
+    def disturbance(self) -> Vec2:
+        """The steady push in the plane [m/s^2], as of the last sighting."""
+        return disturbance_of(newest_span(self.box), self.history)
 
     @property
     def climb_rate(self) -> float:
