@@ -33,6 +33,8 @@ from housefly.pilot.step import PilotParameters
 from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)
+QUICK: dict[str, Any] = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
+"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 IDENTIFY = [sys.executable, "-m", "housefly.cli", "identify"]
 
 
@@ -53,7 +55,7 @@ def flight(
 
 @pytest.mark.slow
 def test_a_drone_that_hovers_in_the_box_but_not_in_its_middle_goes_there_first() -> None:
-    loaded = open_site(read_site("bsen"))
+    loaded = open_site(read_site("bsen", **QUICK))
     x, y = loaded.room.home
     box = Box((x - 0.4, y + 0.3), reach=0.62, height=loaded.site.map.flight_height)
     maneuver = IdentificationManeuver(blocks(4, loaded.site.limits.tilt_max)[:2], box)
@@ -110,11 +112,10 @@ def test_what_a_profile_says_of_a_simulated_drone_is_found_in_its_flight(
 def test_the_command_writes_a_profile_that_a_site_and_the_advisor_read(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    out = tmp_path / "flown"
-    assert (
-        main(["identify", "--lockstep", "--mocap-rate", "30", "--repeats", "5", "--out", str(out)])
-        == 0
-    )
+    out, lab = tmp_path / "flown", tmp_path / "quick.toml"
+    lab.write_text("[control]\nrate_hz = 50\n[twin]\nmocap_rate_hz = 30\n")
+    line = ["identify", "--lockstep", "--site", str(lab), "--repeats", "4", "--out", str(out)]
+    assert main(line) == 0
     constants = load_profile(out / "drone.toml")
     assert constants["attitude_lag"] == pytest.approx(7.0, rel=0.1)
     assert (out / "fit.png").stat().st_size > 50_000
@@ -137,7 +138,7 @@ def test_the_command_writes_a_profile_that_a_site_and_the_advisor_read(
 def test_a_fault_in_the_middle_of_a_step_ends_the_test_and_lands_the_drone(
     fault: str, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    loaded = open_site(read_site("bsen", twin__mocap_rate_hz=30))
+    loaded = open_site(read_site("bsen", **QUICK))
     outcome, steps, maneuver = broken_flight(loaded, fault, monkeypatch)
     assert words in outcome
     assert (
@@ -193,7 +194,7 @@ def unlimited(*site: Any) -> PilotParameters:
 def test_what_a_maneuver_asks_goes_through_the_last_gate(
     guarded: bool, tilt: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    loaded = open_site(read_site("bsen"))
+    loaded = open_site(read_site("bsen", **QUICK))
     monkeypatch.setattr(
         "housefly.lab.identification.pattern.Block.asked", lambda self, elapsed: 3.0
     )

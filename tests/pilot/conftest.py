@@ -39,7 +39,12 @@ from housefly.pilot.control.model import Constants, DroneState, drone_step
 from housefly.room.grid import Cell, OccupancyGrid, build_grid
 from housefly.room.model import Place, Room, Shape, Solid
 
-TICK = 0.01
+TICK = 0.02
+"""Time between two steps of the pilot [s]: half the steps of the shipped rate, the same flight."""
+PHYSICS_TICK = 0.005
+"""Time between two steps of the drone [s]."""
+REPORT_PERIOD = 0.04
+"""The drone tells about itself at the first step after so long [s]."""
 ENDURANCE = 720.0
 """How long a full battery lasts in the air [s]."""
 
@@ -119,7 +124,9 @@ class Flight:
         delay: float = 0.06,
         seed: int = 1,
         is_mapped: bool = False,
+        tick: float = TICK,
     ) -> None:
+        self.tick = tick
         self.site, self.room = site, make_room()
         self.grid = make_grid(0.5, 0.3) if site.mode == "paper" else make_grid(0.1, 0.5)
         if is_mapped:  # as the site says
@@ -129,7 +136,7 @@ class Flight:
         self.constants = constants or Constants()
         self.wind = wind
         self.random = np.random.default_rng(seed)
-        self.now, self.frame = 0.0, 0
+        self.now, self.frame, self.reported_at = 0.0, 0, 0.0
         self.body = DroneState(x=self.room.home[0], y=self.room.home[1], psi=self.room.home_yaw)
         self.status, self.since = DroneStatus.LANDED, 0.0
         self.battery = 0.9
@@ -144,7 +151,7 @@ class Flight:
         self.command = Command(Action.IDLE)
         self.in_flight: list[Sighting] = []
         self.felt = np.random.default_rng(seed + 1000)
-        self.past: deque[tuple[float, float, float]] = deque(maxlen=round(0.04 / TICK) + 1)
+        self.past: deque[tuple[float, float, float]] = deque(maxlen=round(0.04 / tick) + 1)
         self.outputs: Outputs | None = None
         self.events: list[Event] = []
         self.phases: list[Phase] = []
@@ -184,7 +191,7 @@ class Flight:
             s = self.command.setpoint
             wanted = (s.theta, s.phi, s.vz, s.yaw_rate)
         elif self.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
-            self.body = DroneState(x=b.x, y=b.y, z=max(0.0, b.z - 4.0 * TICK), psi=b.psi)
+            self.body = DroneState(x=b.x, y=b.y, z=max(0.0, b.z - 4.0 * self.tick), psi=b.psi)
             return
         else:
             climb = {DroneStatus.TAKING_OFF: 0.5 * (1.0 - b.z), DroneStatus.LANDING: -0.4}.get(
@@ -194,11 +201,11 @@ class Flight:
             c, s = cos(b.psi), sin(b.psi)
             ax, ay = -0.8 * (b.vx + flow[0]) - wind[0], -0.8 * (b.vy + flow[1]) - wind[1]
             wanted = (0.1 * (c * ax + s * ay), -0.1 * (-s * ax + c * ay), climb * 1.5, 0.0)
-        for _ in range(2):
-            self.body = drone_step(self.body, *wanted, wind, self.constants, TICK / 2)
+        for _ in range(round(self.tick / PHYSICS_TICK)):
+            self.body = drone_step(self.body, *wanted, wind, self.constants, PHYSICS_TICK)
 
         if self.status not in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
-            self.battery -= TICK / ENDURANCE
+            self.battery -= self.tick / ENDURANCE
 
     # --- the tracking system ---
 
@@ -255,10 +262,11 @@ class Flight:
 
     def step(self, *orders: Order) -> Outputs:
         """Run one tick of the loop."""
-        self.now = round(self.now + TICK, 6)
+        self.now = round(self.now + self.tick, 6)
         self._fly()
         self._feel()
-        if self.talks and round(self.now / TICK) % 5 == 0:
+        if self.talks and self.now - self.reported_at > REPORT_PERIOD - 1e-6:
+            self.reported_at = self.now
             self.heard = self.report()
         before = self.outputs.behavior if self.outputs else Behavior.HOVER
         self.outputs = self.pilot.step(
@@ -282,7 +290,7 @@ class Flight:
 
     def _measure(self, before: Behavior) -> None:
         assert self.outputs is not None
-        self.score.flown_s += TICK
+        self.score.flown_s += self.tick
         self.score.switches += self.outputs.behavior is not before
         if self.outputs.path is not None and len(self.outputs.path.waypoints) > 1:
             points = self.outputs.path.waypoints
@@ -290,7 +298,7 @@ class Flight:
 
     def run(self, seconds: float) -> Outputs:
         """Run for this long."""
-        for _ in range(round(seconds / TICK)):
+        for _ in range(round(seconds / self.tick)):
             outputs = self.step()
         return outputs
 
@@ -347,6 +355,16 @@ class Flight:
         self.until(lambda o: o.phase is Phase.HOLDING, 10.0)
         return self.run(2.0)
 
+    def hover(self, place: Vec2) -> Outputs:
+        """Fly to a place [m] and hover there."""
+        return self.begin(f"hover at {place}", lambda: self._hover(place))
+
+    def _hover(self, place: Vec2) -> Outputs:
+        self.run(0.5)
+        self.step(self.order(OrderKind.GO, goal=place))
+        self.until(lambda o: o.phase is Phase.HOLDING, 60.0)
+        return self.run(1.0)
+
     def depart(self, seconds: float = 0.0) -> Outputs:
         """Leave for the entrance and fly this long on the path."""
         return self.begin(f"depart {seconds}", lambda: self._depart(seconds))
@@ -399,6 +417,7 @@ def fly(request: pytest.FixtureRequest) -> Callable[..., Flight]:
         seed: int = 1,
         tracking: dict[str, object] | None = None,
         is_mapped: bool = False,
+        tick: float = TICK,
         **keys: object,
     ) -> Flight:
         flight = Flight(
@@ -409,9 +428,12 @@ def fly(request: pytest.FixtureRequest) -> Callable[..., Flight]:
             delay,
             seed,
             is_mapped,
+            tick,
         )
         if not is_patched:
-            flight.made = repr((mode, constants, wind, delay, seed, tracking, is_mapped, keys))
+            flight.made = repr(
+                (mode, constants, wind, delay, seed, tracking, is_mapped, tick, keys)
+            )
         return flight
 
     return make

@@ -23,10 +23,7 @@ class Blind:
     def __init__(self, fly: Fly, place: Vec2 = PLACE, top: float = 0.6) -> None:
         self.top, self.silent, self.reach = top, False, 0.4
         self.flight = flight = fly()
-        flight.run(0.5)
-        flight.step(flight.order(OrderKind.GO, goal=place))
-        flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
-        flight.run(1.0)
+        flight.hover(place)
         self.place = flight.body.x, flight.body.y
         self._step, flight.pilot.step = flight.pilot.step, self.told
         flight.tracking.gaps = ((flight.now, inf),)

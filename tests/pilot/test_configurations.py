@@ -136,7 +136,7 @@ def try_out(
     except ConfigError as error:
         assert error.key and len(error.problem) > 20
         return "refused"
-    flight = fly(mode=mode, tracking=tracking, is_mapped=True, **given_keys)
+    flight = fly(mode=mode, tracking=tracking, is_mapped=True, tick=0.01, **given_keys)
     flight.pilot = SlowPilot(flight.pilot, rate_hz)
     flight.run(0.5)
     flight.step(flight.order(OrderKind.GO, goal=GOAL))

@@ -108,7 +108,7 @@ def test_a_flight_that_branches_off_goes_on_bit_for_bit_and_the_first_one_stays(
     second.wind = (0.3, 0.2)
     second.run(1.0)
     third, ahead = branched(first), []
-    for _ in range(500):
+    for _ in range(200):
         ahead.append(repr(alone.step()))
         assert repr(first.step()) == ahead[-1] == repr(third.step())
     assert second.body != first.body == third.body == alone.body
@@ -124,7 +124,7 @@ def test_a_room_that_branches_off_goes_on_bit_for_bit_and_the_first_one_stays() 
     second.sim.world.disturb(Disturbances(wind=(0.5, 0.0, 0.0)))
     second.run(1.0)
     third = branched(first)
-    for _ in range(500):
+    for _ in range(200):
         ahead = repr(alone.step())
         assert repr(first.step()) == ahead == repr(third.step())
     truth = alone.sim.world.truth()

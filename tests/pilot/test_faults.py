@@ -294,7 +294,7 @@ def test_charge_for_no_more_than_the_way_home_turns_it_home_and_less_keeps_it_do
     flight.step(flight.order(OrderKind.GO, place="entrance"))
     assert "coming home for safety" in flight.events[-1].text
     flight.battery = 0.3
-    assert flight.run(1.0).safety is SafetyMode.NOMINAL
+    assert flight.run(1.2).safety is SafetyMode.NOMINAL
     flight.step(flight.order(OrderKind.GO, place="entrance"))
     assert "coming home for safety" in flight.events[-1].text, "whatever the gauge shows since"
     landed(flight, 60.0)

@@ -18,7 +18,6 @@ from housefly.messages import Action, Order, OrderKind, Phase
 from housefly.messages.order_fault import CALMING_ORDERS, order_fault
 
 Fly = Callable[..., Any]
-TICK = 0.01
 NUMBERS = st.floats() | st.sampled_from(
     [1e308, -1e308, 1.7e308, 1e300, 1e18, 2.0**63, 1e4, -0.0, 5e-324, inf, -inf, nan]
 )
@@ -71,7 +70,7 @@ def test_no_step_raises_whatever_the_order(fly: Fly) -> None:
     @settings(max_examples=100)
     @given(order=ORDERS, kind=st.sampled_from([OrderKind.GO, OrderKind.SERVICE, OrderKind.HOVER]))
     def step(order: Order, kind: OrderKind) -> None:
-        fresh = replace(order, kind=kind, issued_at=flight.now + TICK)
+        fresh = replace(order, kind=kind, issued_at=flight.now + flight.tick)
         flight.step(fresh, replace(fresh, place=""))
 
     step()

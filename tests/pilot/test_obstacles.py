@@ -234,7 +234,7 @@ def test_what_is_not_believable_is_refused_once_and_changes_nothing(fly: Fly) ->
         Obstacle("f", (1e6, 1.0), 0.3, source="x"),
     )
     noisy.around = lambda f: bad
-    for _ in range(300):
+    for _ in range(150):
         assert noisy.step().command == quiet.step().command
     assert sum(event.code == "obstacle_refused" for event in noisy.events) == len(bad)
 

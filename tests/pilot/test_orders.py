@@ -199,7 +199,7 @@ def test_a_drone_that_flies_after_its_motors_were_cut_is_landed(fly: Fly) -> Non
     flight.until(lambda _: flight.told("not_acknowledged"), 20.0)
     flight.report = _with_status(flight.report, DroneStatus.FLYING)
     flight.run(0.5)
-    actions = {flight.step().command.action for _ in range(300)}
+    actions = {flight.step().command.action for _ in range(150)}
     assert actions == {Action.LAND}
     assert flight.outputs.phase is Phase.LANDING and flight.told("flies_after_cut")
 

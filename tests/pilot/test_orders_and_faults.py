@@ -41,7 +41,7 @@ MOVING_ORDERS = (OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE, OrderKind.
 ODD_NUMBERS = st.sampled_from([nan, inf, -inf, 1e308, -1e308, 5e-324, -0.0, 1e4, 2.0, 6.0])
 PLACES = st.sampled_from(["entrance", "home", "nowhere", "", "\0", "x" * 500, "../.."])
 GOALS = st.none() | st.tuples(ODD_NUMBERS, ODD_NUMBERS) | st.just((4.0, 3.5))
-PAUSES = st.sampled_from([0.01, 0.1, 0.5, 1.0, 2.5, 5.0])
+PAUSES = st.sampled_from([0.02, 0.1, 0.5, 1.0, 2.5, 5.0])
 ODD_REPORTS: tuple[dict[str, Any], ...] = (
     {"battery": nan},
     {"battery": 0.05},
@@ -157,7 +157,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
     def loop_is_late(self, late: float) -> None:
         """One step comes late."""
         self.flight.late = late
-        self.wait(0.01)
+        self.wait(0.02)
         self.flight.late = 0.0
 
     @rule(distance=st.floats(0.3, 2.0), speed=st.floats(-1.5, 1.5))
@@ -194,7 +194,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
 
     def wait(self, seconds: float) -> None:
         """Run on without an order."""
-        for _ in range(round(seconds / 0.01)):
+        for _ in range(round(seconds / self.flight.tick)):
             self.check(self.flight.step())
 
     def check(self, outputs: Outputs, orders: tuple[Order, ...] = ()) -> None:

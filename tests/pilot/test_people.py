@@ -36,7 +36,7 @@ BODY = 0.2
 
 
 class Person:
-    """Somebody whom a sensor sees twenty times a second, walking straight on from a time on."""
+    """Somebody whom a sensor sees 25 times a second, walking straight on from a time on."""
 
     def __init__(
         self,
@@ -59,7 +59,7 @@ class Person:
         if flight.body.z > 0.15:
             apart = hypot(flight.body.x - x, flight.body.y - y)
             self.closest = min(self.closest, apart - BODY - HULL)
-        if round(now * 100) % 5:
+        if round(now * 100) % 4:
             return ()
         walks = self.leaves_at <= now < self.leaves_at + self.walks_for
         velocity = self.velocity if walks else (0.0, 0.0)
@@ -79,14 +79,7 @@ class Person:
 def hovering(fly: Fly, at: tuple[float, float], **options: Any) -> Any:
     """A flight that hovers at a place [m]."""
     flight = fly(**options)
-
-    def begun() -> Any:
-        flight.run(0.5)
-        flight.step(flight.order(OrderKind.GO, goal=at))
-        flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
-        return flight.run(1.0)
-
-    flight.begin(f"hover at {at}", begun)
+    flight.hover(at)
     return flight
 
 
@@ -509,8 +502,8 @@ def test_a_way_that_closes_again_and_again_is_not_told_every_tick(fly: Fly) -> N
     flight = fly()
     flight.depart(4.0)
     x, y = flight.body.x + 0.9, flight.body.y + 0.9
-    for tick in range(600):
-        side = 0.35 if tick // 4 % 2 else -0.35
+    for tick in range(300):
+        side = 0.35 if tick // 2 % 2 else -0.35
         flight.around = lambda f, side=side: (
             Obstacle("flicker", (x + side, y - side), 0.3, seen_at=f.now, source="laser"),
         )

@@ -20,7 +20,7 @@ Fly = Callable[..., Any]
 SPACE: dict[str, object] = {"map__planner": "space", "limits__speed": 1.0}
 HULL, BODY = half_diagonal(0.517, 0.451), 0.25
 ENTRANCE = (10.75, 1.25)
-STEP = 0.01
+STEP = 0.02
 
 
 class Walker:

@@ -22,7 +22,7 @@ from housefly.pilot.behavior.trajectory_profile import SpacePath
 
 Fly = Callable[..., Any]
 SPACE: dict[str, object] = {"map__planner": "space", "limits__speed": 1.0}
-STEP = 0.01
+STEP = 0.02
 
 
 def watched(flight: Any, seconds: float, *orders: Any) -> list[Outputs]:

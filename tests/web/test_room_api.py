@@ -207,7 +207,7 @@ def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: R
 
 def fuzz(operation: Any, address: str, key: str) -> None:
     @settings(
-        max_examples=25, deadline=None, suppress_health_check=list(HealthCheck), database=None
+        max_examples=12, deadline=None, suppress_health_check=list(HealthCheck), database=None
     )
     @given(case=operation.as_strategy())
     def asked(case: Any) -> None:

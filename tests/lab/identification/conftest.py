@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numba import njit
 
 from housefly.lab.identification.pattern import Axis, Block, blocks
 from housefly.lab.identification.samples import COMMANDS_BEFORE, Samples
+from housefly.numeric import compiled_with_arrays
 from housefly.pilot.control.model import Constants, DroneState, drone_step
 
 TICK = 0.01
@@ -17,7 +17,7 @@ STEPS = 20
 """Steps of the drone for each tick: switches are then known to a quarter of a millisecond."""
 
 
-@njit
+@compiled_with_arrays
 def integrated(
     body: DroneState,
     edges: np.ndarray,
@@ -119,7 +119,7 @@ def seen(
     )
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def fly_pattern() -> Callable[..., tuple[Samples, ...]]:
     """Return a function that flies all blocks of a pattern."""
 

@@ -20,7 +20,7 @@ from housefly.tasks.scheduler.values import (
 )
 
 LIMITS = SchedulerLimits()
-KILLS = 20
+KILLS = 12
 _PROGRAM = """
 import random, sys, time
 from pathlib import Path
@@ -78,7 +78,7 @@ def begun(path: Path) -> int:
     return path.read_text().count("0 begun") if path.exists() else 0
 
 
-def test_twenty_kills_take_back_nothing_that_was_said(tmp_path: Path) -> None:
+def test_a_dozen_kills_take_back_nothing_that_was_said(tmp_path: Path) -> None:
     database, said, dice = tmp_path / "tasks" / "tasks.db", tmp_path / "said", random.Random(5)
     for kill in range(KILLS):
         command = [sys.executable, "-c", _PROGRAM, str(database), str(said), str(kill)]
