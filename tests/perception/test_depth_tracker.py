@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from math import cos, hypot, inf, nan, pi, sin
 from typing import Any
 
@@ -12,7 +13,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.depth import DepthCameraConfig
 from housefly.geometry import quaternion_from_euler, rotate
 from housefly.messages import DepthImage, Pose
@@ -21,6 +21,7 @@ from housefly.perception.depth_checks import FROZEN_IMAGES
 from housefly.perception.depth_tracker import MAX_SAMPLED_PIXELS, DepthTracker, depth_view
 from housefly.perception.laser_tracker import OwnFootprint, TrackingResult
 from housefly.perception.tracker import BIRTH_HITS, DEATH_MISSES
+from housefly.room.files import load_room
 from housefly.room.model import Room, Shape, Solid
 
 BAND = (0.85, 1.35)
@@ -62,6 +63,7 @@ def entry(solid: Solid, start: FloatArray, ways: FloatArray) -> FloatArray:
     return np.where((enters > 0.0) & (leaves > enters), enters, inf)
 
 
+@lru_cache(maxsize=16)  # a scene that stands still is looked at again and again
 def render(room: Room, pose: Pose, size: tuple[int, int], focal: float) -> FloatArray:
     """The depth image [m] of a room with floor and ceiling, shape (height, width)."""
     v, u = np.mgrid[: size[1], : size[0]].reshape(2, -1)
@@ -152,7 +154,7 @@ def test_an_empty_room_has_no_ghosts(scene: Scene) -> None:
 @pytest.mark.parametrize("yaw", [0.0, 0.5 * pi, pi, -0.5 * pi])
 @pytest.mark.parametrize("x", [3.0, 9.0])
 def test_the_empty_b_sen_has_no_ghosts_wherever_the_camera_looks(x: float, yaw: float) -> None:
-    room = open_site(read_site("bsen")).room
+    room = load_room("bsen")
     empty = Scene(room, Pose((x, 3.0, 1.6), looking(yaw, 0.15)))
     for _ in range(5):
         assert empty.look() == TrackingResult()

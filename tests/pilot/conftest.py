@@ -78,7 +78,7 @@ class Tracking:
     gaps (from, to) [s].
     """
 
-    rate_hz: float = 100.0
+    rate_hz: float = 50.0
     latency: float = 0.02
     noise: float = 0.001
     loss: float = 0.0

@@ -25,14 +25,16 @@ from housefly.messages import (
 )
 from housefly.pilot import navigator
 from housefly.pilot.assembly import make_pilot, warm_up
+from housefly.pilot.behavior import mission_signals
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION
-from housefly.pilot.behavior.mission_signals import WAITING_TIMEOUT
 from housefly.pilot.planning import live
 from housefly.pilot.planning.obstacles import FREED_AFTER
 from housefly.room.distance import half_diagonal
 
 Fly = Callable[..., Any]
 HULL = half_diagonal(0.517, 0.451)
+PATIENCE = 6.0
+"""Shorter than the pilot's own, so that the test is over sooner [s]."""
 LATENCY = 0.1
 """From a decision of the pilot to the drone's attitude [s]: command delay and tracking latency."""
 
@@ -166,15 +168,24 @@ def test_a_source_that_says_that_a_thing_is_gone_frees_its_place_at_once(fly: Fl
 
 
 def test_a_way_that_stays_blocked_is_given_up_for_home_and_a_way_home_for_landing(fly: Fly) -> None:
-    flight = underway(fly)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(mission_signals, "WAITING_TIMEOUT", PATIENCE)
+        give_up_twice(underway(fly))
+
+
+def give_up_twice(flight: Any) -> None:
+    """Block a flight's way, and then its way home."""
     flight.around = Chair((6.0, 3.5), radius=1.2).seen
-    flight.until(lambda o: o.phase is Phase.RETURNING, WAITING_TIMEOUT + 15.0)
+    flight.until(lambda o: flight.told("no_way"), 10.0)
+    began = flight.now
+    flight.until(lambda o: o.phase is Phase.RETURNING, PATIENCE + 15.0)
+    assert flight.now - began > 0.8 * PATIENCE
     assert any("coming home" in event.text for event in flight.events)
     around = Chair((3.6, 2.5), radius=3.0)
     around.place = (flight.room.home[0] - 0.4, flight.room.home[1])
     around.radius = 1.0
     flight.around = around.seen
-    flight.until(lambda o: o.phase is Phase.LANDING, WAITING_TIMEOUT + 25.0)
+    flight.until(lambda o: o.phase is Phase.LANDING, PATIENCE + 25.0)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 10.0)
     assert around.closest > HULL
 
