@@ -114,7 +114,7 @@ def test_the_command_writes_a_profile_that_a_site_and_the_advisor_read(
 ) -> None:
     out, lab = tmp_path / "flown", tmp_path / "quick.toml"
     lab.write_text("[control]\nrate_hz = 50\n[twin]\nmocap_rate_hz = 30\n")
-    line = ["identify", "--lockstep", "--site", str(lab), "--repeats", "4", "--out", str(out)]
+    line = ["identify", "--lockstep", "--site", str(lab), "--repeats", "5", "--out", str(out)]
     assert main(line) == 0
     constants = load_profile(out / "drone.toml")
     assert constants["attitude_lag"] == pytest.approx(7.0, rel=0.1)

@@ -83,7 +83,14 @@ def quick(folder: Path, shipped: str = SHIPPED) -> Path:
     return file
 
 
+@pytest.fixture
+def no_report(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Draw no page of a flight of which only the summary is looked at."""
+    monkeypatch.setattr("housefly.record.recorder.write_report", lambda *_: None)
+
+
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_report")
 def test_the_same_seed_gives_the_same_flight_and_another_seed_another(tmp_path: Path) -> None:
     site = str(quick(tmp_path))
     first, again, other = (
@@ -119,6 +126,7 @@ def test_the_recording_holds_ros_2_types_that_the_mcap_library_reads(flown: Fly)
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_report")
 def test_the_paper_mode_flies_the_service_too(tmp_path: Path) -> None:
     site = quick(tmp_path)
     summary = fly(tmp_path / "out", "tv", "--mode", "paper", "--site", str(site))
@@ -134,6 +142,7 @@ def test_an_unknown_place_is_refused_with_the_known_ones(
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_report")
 @pytest.mark.parametrize(
     ("name", "place"),
     [("small_house", "east"), pytest.param("turtlebot3", "far", marks=pytest.mark.safety)],

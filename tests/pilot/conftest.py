@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import groupby
-from math import cos, hypot, sin
+from math import cos, floor, hypot, sin
 from operator import is_
 
 import numpy as np
@@ -43,8 +43,8 @@ TICK = 0.02
 """Time between two steps of the pilot [s]: half the steps of the shipped rate, the same flight."""
 PHYSICS_TICK = 0.005
 """Time between two steps of the drone [s]."""
-REPORT_PERIOD = 0.04
-"""The drone tells about itself at the first step after so long [s]."""
+REPORT_PERIOD = 0.05
+"""The drone tells about itself every so often, at the next step [s]."""
 ENDURANCE = 720.0
 """How long a full battery lasts in the air [s]."""
 
@@ -136,7 +136,7 @@ class Flight:
         self.constants = constants or Constants()
         self.wind = wind
         self.random = np.random.default_rng(seed)
-        self.now, self.frame, self.reported_at = 0.0, 0, 0.0
+        self.now, self.frame, self.reports = 0.0, 0, 0
         self.body = DroneState(x=self.room.home[0], y=self.room.home[1], psi=self.room.home_yaw)
         self.status, self.since = DroneStatus.LANDED, 0.0
         self.battery = 0.9
@@ -265,8 +265,9 @@ class Flight:
         self.now = round(self.now + self.tick, 6)
         self._fly()
         self._feel()
-        if self.talks and self.now - self.reported_at > REPORT_PERIOD - 1e-6:
-            self.reported_at = self.now
+        reports = floor(self.now / REPORT_PERIOD + 1e-6)
+        if self.talks and reports > self.reports:
+            self.reports = reports
             self.heard = self.report()
         before = self.outputs.behavior if self.outputs else Behavior.HOVER
         self.outputs = self.pilot.step(

@@ -9,7 +9,7 @@ import pytest
 from gate_bench import blind
 
 from housefly.geometry import distance
-from housefly.messages import Action, DroneStatus, OrderKind, Phase, SafetyMode
+from housefly.messages import Action, DroneStatus, OrderKind, Phase, SafetyMode, Telemetry
 from housefly.pilot.safety.energy import GAUGE_STILL_TIME
 
 Fly = Callable[..., Any]
@@ -173,9 +173,14 @@ def test_a_drone_that_lands_by_itself_or_cuts_out_ends_the_mission_in_words(fly:
 def test_one_damaged_report_in_flight_ends_no_mission(fly: Fly, damaged: DroneStatus) -> None:
     flight = cruising(fly())
     true, told = flight.report, len(flight.events)
-    flight.report = lambda: replace(true(), status=damaged)
-    flight.run(0.05)
-    flight.report = true
+
+    def damaged_once() -> Telemetry:
+        flight.report = true
+        return replace(true(), status=damaged)
+
+    flight.report = damaged_once
+    flight.run(0.1)
+    assert flight.report is true, "it was told"
     outputs = flight.run(1.0)
     assert outputs.phase is Phase.OUTBOUND and outputs.safety is SafetyMode.NOMINAL
     assert flight.events[told:] == []

@@ -40,7 +40,7 @@ def test_frozen_poses_with_fresh_stamps_count_as_no_tracking(fly: Fly) -> None:
 def test_a_drift_of_two_centimetres_a_second_is_told_at_ten_and_landed_before_thirty(
     fly: Fly,
 ) -> None:
-    flight = fly(tracking={"rate_hz": 100.0})
+    flight = fly(tick=0.01, tracking={"rate_hz": 100.0})
     flight.depart(6.0)
     start = flight.now
 

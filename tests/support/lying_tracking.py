@@ -129,6 +129,7 @@ class LiedFlight:
 
     def step(self, *orders: Order) -> Outputs:
         """Run one round."""
+        before = self.sim.now
         self.sim.advance()
         # A lie that is there from the start would keep it on its pad.
         inputs = replace(self.sim.inputs(*orders), origin_known=True)
@@ -138,7 +139,7 @@ class LiedFlight:
         if self.lie is not None:
             inputs = replace(inputs, sightings=self._told(inputs.sightings))
         self.outputs = self.sim.step(inputs).outputs
-        self._score()
+        self._score(self.sim.now - before)
         return self.outputs
 
     def _told(self, sightings: tuple[Sighting, ...]) -> tuple[Sighting, ...]:
@@ -154,7 +155,7 @@ class LiedFlight:
             told.append(made)
         return tuple(told)
 
-    def _score(self) -> None:
+    def _score(self, elapsed: float) -> None:
         assert self.outputs is not None
         truth = self.sim.world.truth()
         height = truth.pose.position[2]
@@ -162,7 +163,7 @@ class LiedFlight:
         if self.sim.now >= self.since and airborne:
             vx, vy, _ = truth.velocity
             self.speed = max(self.speed, hypot(vx, vy))
-            self.travelled += hypot(vx, vy) * 0.01
+            self.travelled += hypot(vx, vy) * elapsed
             if height > 0.15:
                 self.contacts = max(self.contacts, truth.contacts)
         for event in self.outputs.events:

@@ -8,10 +8,11 @@ proof is not the map: the hull with its heading is measured at every row that is
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
+from numpy.typing import NDArray
 
 from housefly.config.site import Site
 from housefly.numeric import FloatArray
@@ -53,6 +54,23 @@ TURN_RATE = 0.9
 TIGHT_MORE = 0.02
 """Where the disc has so much more than is proven, the heading is free [m]."""
 _WIDE, _NARROW_GAIN = 0.35, 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _NarrowWay:
+    """A way of the narrow hull.
+
+    Attributes:
+        voxels: the map that it was found in.
+        cells: of the way, shape (n, 3).
+        opened: where the hull may be, tight only beside the way.
+        weights: what a voxel costs beside its length.
+    """
+
+    voxels: VoxelMap
+    cells: NDArray[np.int64]
+    opened: VoxelMask
+    weights: FloatArray
 
 
 class DoorMap:
@@ -123,23 +141,19 @@ class DoorMap:
             return None
         wide = with_rows(self._wide, live).free()
         for voxels in maps:
-            flight = self._through(voxels, wide, rows, start, goal, limits, zones)
+            found = self._searched(voxels, wide, start, goal)
+            if found is None:  # each map is free only where the one before it is
+                return None
+            flight = self._through(found, rows, start, goal, limits, zones)
             proven = None if flight is None else self._proven(flight, rows, yaw)
             if proven is not None:
                 return proven
         return None
 
-    def _through(
-        self,
-        voxels: VoxelMap,
-        wide: VoxelMask,
-        rows: FloatArray,
-        start: KinematicState,
-        goal: FloatArray,
-        limits: MotionLimits,
-        zones: Callable[[FloatArray], FloatArray] | None,
-    ) -> Trajectory | None:
-        """Return a trajectory of the narrow hull that is tight only where it must be, or None."""
+    def _searched(
+        self, voxels: VoxelMap, wide: VoxelMask, start: KinematicState, goal: FloatArray
+    ) -> _NarrowWay | None:
+        """Return the voxels of a way of the narrow hull, or None."""
         free = voxels.free()
         is_tight = free & ~wide
         weights = narrowness(voxels, _WIDE, _NARROW_GAIN) + self._dear + DOOR_WEIGHT * is_tight
@@ -148,8 +162,21 @@ class DoorMap:
         if not len(cells):
             return None
         opened = _opened(free, is_tight, cells, voxels.resolution)
-        search = CellSearch(opened, weights)
-        corners = straightened_cells(voxels, search, cells, start.place, goal)
+        return _NarrowWay(voxels, cells, opened, weights)
+
+    def _through(
+        self,
+        way: _NarrowWay,
+        rows: FloatArray,
+        start: KinematicState,
+        goal: FloatArray,
+        limits: MotionLimits,
+        zones: Callable[[FloatArray], FloatArray] | None,
+    ) -> Trajectory | None:
+        """Return a trajectory of the narrow hull that is tight only where it must be, or None."""
+        voxels, opened = way.voxels, way.opened
+        search = CellSearch(opened, way.weights)
+        corners = straightened_cells(voxels, search, way.cells, start.place, goal)
         slow = limits._replace(narrow_speed=min(limits.narrow_speed, DOOR_SPEED))
         return trajectory_along(voxels, opened, rows, corners, start, slow, zones)
 
