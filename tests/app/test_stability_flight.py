@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
@@ -31,6 +32,7 @@ def tracked(rate: float, latency: float) -> LoadedSite:
     )
 
 
+@cache
 def judged(rate: float, latency: float) -> tuple[LoadedSite, Judgement]:
     loaded = tracked(rate, latency)
     return loaded, judge_gains(loaded)

@@ -72,6 +72,7 @@ def test_a_chair_that_is_taken_for_a_person_does_not_keep_the_drone_in_the_air(s
     assert result.ending == "stands on the floor"
 
 
+@pytest.mark.safety
 def test_a_chair_beside_the_pad_is_told_and_landed_beside() -> None:
     """The hull's narrow side would fit; the watch of the way never lets it there."""
     result = fly_trial(TrialKey("F33/1m", 2))
