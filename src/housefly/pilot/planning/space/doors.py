@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import ceil
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +69,7 @@ class _NarrowWay:
     """
 
     voxels: VoxelMap
-    cells: NDArray[np.int64]
+    cells: NDArray[Any]
     opened: VoxelMask
     weights: FloatArray
 
