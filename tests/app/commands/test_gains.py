@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from contextlib import redirect_stdout
+from functools import cache
+from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -16,10 +19,12 @@ from housefly.cli import main
 from housefly.messages import Order, OrderKind
 
 
-def lines_for(rate: str, latency: str, capsys: pytest.CaptureFixture[str]) -> str:
+@cache
+def lines_for(rate: str, latency: str) -> str:
     """Return what the command prints for a site file."""
-    assert main(["gains", "--rate", rate, "--latency", latency]) == 0
-    _, _, after = capsys.readouterr().out.partition("for the site file:\n")
+    with redirect_stdout(StringIO()) as said:
+        assert main(["gains", "--rate", rate, "--latency", latency]) == 0
+    _, _, after = said.getvalue().partition("for the site file:\n")
     return "".join(
         f"{line}\n" for line in after.splitlines() if line.startswith("[") or " = " in line
     )
@@ -32,9 +37,9 @@ def site_with(lines: str, folder: Path) -> LoadedSite:
 
 
 def test_the_advice_for_five_frames_a_second_flies_with_the_lines_it_comes_with(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path,
 ) -> None:
-    lines = lines_for("5", "0.1", capsys)
+    lines = lines_for("5", "0.1")
     assert "pose_age_level = 0.55" in lines
     advised = site_with(lines, tmp_path)
     assert advised.site.twin.mocap_rate_hz == 5.0
@@ -47,27 +52,23 @@ def test_the_advice_for_five_frames_a_second_flies_with_the_lines_it_comes_with(
 
 
 def test_without_the_advised_limits_the_refusal_names_the_age_of_the_pose(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path,
 ) -> None:
-    lines = lines_for("5", "0.1", capsys).replace("pose_age_level = 0.55\n", "")
+    lines = lines_for("5", "0.1").replace("pose_age_level = 0.55\n", "")
     order = Order(OrderKind.SERVICE, "table", look_s=0.0)
     outcome = fly_lockstep(site_with(lines, tmp_path), order, lambda step: None)
     assert re.search(r"refused: tracking shows the drone as it was 0\.\d+ s ago", outcome)
     assert "limits.pose_age_level: 0.25 s" in outcome and "does not see" not in outcome
 
 
-def test_tracking_that_is_fast_enough_needs_no_other_limits(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    lines = lines_for("50", "0.02", capsys)
+def test_tracking_that_is_fast_enough_needs_no_other_limits() -> None:
+    lines = lines_for("50", "0.02")
     assert "[limits]" not in lines and "mocap_rate_hz = 50" in lines
 
 
 @pytest.mark.parametrize("rate", ["5", "10", "30"])
-def test_what_it_writes_is_what_it_judged(
-    rate: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    loaded = site_with(lines_for(rate, "0.1", capsys), tmp_path)
+def test_what_it_writes_is_what_it_judged(rate: str, tmp_path: Path) -> None:
+    loaded = site_with(lines_for(rate, "0.1"), tmp_path)
     judged = judge_gains(loaded)
     assert judged.objections == ()
     assert loaded.site.limits.pose_age_level > 0.1 + 2.0 / float(rate)
