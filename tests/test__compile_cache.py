@@ -131,3 +131,26 @@ def in_a_new_process(folder: Path) -> tuple[float, int]:
         text=True,
     )
     return float(done.stdout), len(set(kept.rglob("*.nbc")) - before)
+
+
+ONLY_FOR_CALLERS = """
+from room_top import _inner, doubled
+doubled(1.0)
+print(len(doubled.signatures), len(_inner.signatures))
+print(_inner(1.0) == _inner.py_func(1.0), len(_inner.signatures))
+"""
+
+
+def test_machine_code_is_made_only_of_what_python_calls(tmp_path: Path) -> None:
+    """At the second start the callee comes from disk, with the same values."""
+    for name, text in SOURCES.items():
+        (tmp_path / f"{name}.py").write_text(text)
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path), "NUMBA_CACHE_DIR": str(tmp_path)}
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-c", ONLY_FOR_CALLERS],
+            env=environment, capture_output=True, text=True, check=True,
+        )  # fmt: skip
+        assert done.stdout.split() == ["1", "0", "True", "1"]
+    kept = [path.name for path in tmp_path.rglob("*.nbc")]
+    assert sum(name.startswith("room_top._inner-") for name in kept) == 2, kept

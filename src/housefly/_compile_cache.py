@@ -45,6 +45,8 @@ _FORGOTTEN_AFTER = 7 * 86400.0
 """Compiled code that was not loaded for this long is thrown away at the next compilation [s]."""
 _TOUCHED_AFTER = 86400.0
 """A file that is loaded gets a new date when its own is older than this [s]."""
+_INNER = "for callers"
+"""Names code that is not called from Python."""
 
 
 class CompileCache(_Cache):
@@ -65,12 +67,8 @@ class CompileCache(_Cache):
         target_context.refresh()
         if not self._enabled:
             return None
-        path = self._path(sig, target_context.codegen())
-        try:
-            payload = pickle.loads(path.read_bytes())
-            if time.time() - path.stat().st_mtime > _TOUCHED_AFTER:
-                os.utime(path)
-        except (OSError, EOFError, pickle.UnpicklingError):
+        payload = _read(self._path(sig, target_context.codegen()))
+        if payload is None:
             return None
         return CompileResult._rebuild(target_context, *payload)  # type: ignore[no-untyped-call]
 
@@ -78,12 +76,23 @@ class CompileCache(_Cache):
         """Keep what was compiled for these types; where nothing can be written it is not kept."""
         if not self._enabled or data.lifted or data.library.has_dynamic_globals:
             return
-        path = self._path(sig, data.codegen)
+        self._write(self._path(sig, data.codegen), data._reduce())
+
+    def _write(self, path: Path, payload: Any) -> None:
         part = path.with_name(f"{path.name}.{os.getpid()}.part")
         with suppress(OSError):
             _prepared(self._folder)
-            part.write_bytes(dumps(data._reduce()))  # type: ignore[no-untyped-call]
+            part.write_bytes(dumps(payload))  # type: ignore[no-untyped-call]
             part.replace(path)
+
+    def load_inner(self, args: tuple[Any, ...], target_context: Any) -> Any:
+        """Return what ``save_inner`` kept for these types of arguments; None when there is none."""
+        target_context.refresh()
+        return _read(self._path(args, target_context.codegen(), _INNER))
+
+    def save_inner(self, args: tuple[Any, ...], codegen: Any, data: Any) -> None:
+        """Keep the form for callers; where nothing can be written it is not kept."""
+        self._write(self._path(args, codegen, _INNER), data)
 
     def enable(self) -> None:
         """Read and write from now on."""
@@ -102,11 +111,21 @@ class CompileCache(_Cache):
         function = self._dispatcher.py_func
         return f"{function.__module__}.{function.__qualname__}".replace("<", "").replace(">", "")
 
-    def _path(self, sig: Any, codegen: Any) -> Path:
+    def _path(self, sig: Any, codegen: Any, form: str = "") -> Path:
         arguments, _ = normalize_signature(sig)  # type: ignore[no-untyped-call]
-        made_from = (made_by(), codegen.magic_tuple(), code_digest(self._dispatcher))
+        made_from = (made_by(), codegen.magic_tuple(), code_digest(self._dispatcher), form)
         text = repr((made_from, [_type_text(kind) for kind in arguments]))
         return self._folder / f"{self._name()}-{sha256(text.encode()).hexdigest()[:32]}.nbc"
+
+
+def _read(path: Path) -> Any:
+    try:
+        payload = pickle.loads(path.read_bytes())
+        if time.time() - path.stat().st_mtime > _TOUCHED_AFTER:
+            os.utime(path)
+    except (OSError, EOFError, pickle.UnpicklingError):
+        return None
+    return payload
 
 
 @cache

@@ -16,13 +16,13 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
-from numba import njit
-from numba.core.dispatcher import Dispatcher
+from numba.core import config
 from numba.typed import List
 from numpy.typing import NDArray
 
 from housefly._compile_cache import CompileCache
 from housefly._compile_cache import made_by as made_by
+from housefly._compiled_function import CompiledFunction
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 Value = TypeVar("Value")
@@ -62,18 +62,21 @@ def compiled(function: Function) -> Function:
     not need, the loop over many drones is four times as fast; and a division by zero gives infinity
     or nan in place of an exception.
     """
-    return cast(Function, _kept(njit(**OPTIONS)(function)))
+    return cast(Function, _kept(function, OPTIONS))
 
 
 def compiled_with_arrays(function: Function) -> Function:
     """Compile a numeric function that makes arrays or lists of its own, and keep its type."""
-    return cast(Function, _kept(njit(nogil=True)(function)))
+    return cast(Function, _kept(function, {"nogil": True}))
 
 
-def _kept(dispatcher: Any) -> Any:
+def _kept(function: Function, options: dict[str, Any]) -> Any:
     """Let the compiler look for machine code on disk; without a compiler it is a plain function."""
-    if isinstance(dispatcher, Dispatcher):
-        vars(dispatcher)["_cache"] = CompileCache(dispatcher, CACHE)
+    if getattr(config, "DISABLE_JIT", 0):
+        return function
+    wanted = {"nopython": True, "boundscheck": None, **options}
+    dispatcher: Any = CompiledFunction(py_func=function, targetoptions=wanted)
+    dispatcher._cache = CompileCache(dispatcher, CACHE)
     return dispatcher
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 import sys
 import time
 from collections.abc import Callable
@@ -18,6 +20,9 @@ from housefly.numeric import CACHE, made_by
 
 _Say = Callable[[str], object]
 _PACKAGE = Path(housefly.__file__).parent
+_PLANNERS = (
+    sys.executable, "-c", "from housefly.app.compiling import compile_planners as c; c()"
+)  # fmt: skip
 
 
 class CompiledPart(Enum):
@@ -67,12 +72,42 @@ def _content_digest(file: Path) -> str:
     return sha256(file.read_bytes()).hexdigest()
 
 
+_KINDS: tuple[dict[str, str], ...] = (
+    {"mode": "default"},
+    {"mode": "paper"},
+    {"map__planner": "grid"},
+)
+
+
 def _chain() -> None:
+    """Compile the steps here and the planners on another core: what is made there is found here
+    when the steps come to it.
+    """
     from housefly.pilot.assembly import warm_up
 
-    for changes in ({"mode": "default"}, {"mode": "paper"}, {"map__planner": "grid"}):
+    beside = subprocess.Popen(_PLANNERS, stderr=subprocess.DEVNULL) if _cores() > 1 else None
+    try:
+        for changes in _KINDS:
+            loaded = open_site(read_site("bsen", **changes))
+            warm_up(loaded.site, loaded.room, loaded.grid)
+    finally:
+        if beside is not None:
+            beside.terminate()
+            beside.wait()
+
+
+def compile_planners() -> None:
+    """Compile what plans, beside the process that compiles the steps."""
+    from housefly.pilot.assembly import make_pilot
+
+    for changes in _KINDS:
         loaded = open_site(read_site("bsen", **changes))
-        warm_up(loaded.site, loaded.room, loaded.grid)
+        pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
+        pilot.plan(next(place.viewpoint for place in loaded.room.places if place.name != "home"))
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _engine() -> None:
