@@ -7,6 +7,7 @@ callers: machine code is made of what Python calls, and of nothing else.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +23,14 @@ _typing: Any = numba.core.typing
 _Dispatcher: Any = numba.core.registry.CPUDispatcher
 _Library: Any = numba.core.codegen.JITCodeLibrary
 """The compiler's inner parts have no types."""
+
+
+def tell_each(listener: Callable[[str], object] | None) -> None:
+    """Have the name of each function told when its compilation begins; None: no more."""
+    _listeners[:] = [listener] if listener else []
+
+
+_listeners: list[Callable[[str], object]] = []
 
 
 class CompiledFunction(_Dispatcher):  # type: ignore[misc]
@@ -64,6 +73,8 @@ class CompiledFunction(_Dispatcher):  # type: ignore[misc]
                 self._cache.save_inner(args, codegen, _reduced(inner))
 
     def _compiled_inner(self, args: tuple[Any, ...]) -> _Inner:
+        for listener in _listeners:
+            listener(f"{self.py_func.__module__}.{self.py_func.__name__}")
         flags = _compiler.Flags()
         self.targetdescr.options.parse_as_flags(flags, self.targetoptions)
         flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True

@@ -14,6 +14,7 @@ from hashlib import sha256
 from pathlib import Path
 
 import housefly
+from housefly._compiled_function import tell_each
 from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site
 from housefly.numeric import CACHE, made_by
@@ -23,6 +24,10 @@ _PACKAGE = Path(housefly.__file__).parent
 _PLANNERS = (
     sys.executable, "-c", "from housefly.app.compiling import compile_planners as c; c()"
 )  # fmt: skip
+
+
+_SAID_EVERY = 3.0
+"""A long compilation says where it is about so often [s]."""
 
 
 class CompiledPart(Enum):
@@ -42,11 +47,29 @@ def compile_once(part: CompiledPart, say: _Say) -> None:
         return
     say(f"compiling {part.value} (once, kept for the next start) ...")
     start = time.monotonic()
-    _COMPILE[part]()
+    tell_each(_Progress(say).begin)
+    try:
+        _COMPILE[part]()
+    finally:
+        tell_each(None)
     say(f"compiled in {time.monotonic() - start:.1f} s")
     with suppress(OSError):
         mark.parent.mkdir(parents=True, exist_ok=True)
         mark.write_text(json.dumps({"made_by": made_by(), "sources": _loaded_sources()}))
+
+
+class _Progress:
+    """Says every few seconds how many functions are compiled, and which one is next."""
+
+    def __init__(self, say: _Say) -> None:
+        self._say, self._count, self._said = say, 0, time.monotonic()
+
+    def begin(self, name: str) -> None:
+        """Count a function; say so when the last words are some seconds old."""
+        self._count += 1
+        if time.monotonic() - self._said >= _SAID_EVERY:
+            self._said = time.monotonic()
+            self._say(f"compiling {name.removeprefix('housefly.')} (function {self._count})")
 
 
 def _is_fresh(mark: Path) -> bool:

@@ -1,7 +1,11 @@
-"""Compiles all numeric code, so that no flight or campaign waits for it."""
+"""Compiles numeric code, so that no flight or campaign waits for it.
+
+``python -m housefly.app.warm_up`` compiles everything, with ``chain`` behind it the control loop.
+"""
 
 from __future__ import annotations
 
+import sys
 from functools import partial
 
 from housefly.app.compiling import CompiledPart, compile_once
@@ -9,7 +13,8 @@ from housefly.app.compiling import CompiledPart, compile_once
 
 def main() -> None:
     """Compile what is not compiled yet, and say so."""
-    for part in CompiledPart:
+    names = [name.upper() for name in sys.argv[1:]]
+    for part in [CompiledPart[name] for name in names] or CompiledPart:
         compile_once(part, partial(print, flush=True))
 
 
