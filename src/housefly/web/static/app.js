@@ -1,1 +1,1 @@
-import"./chunk-chunk-2NQ4O4SZ.js";
+import"./chunk-chunk-TQB6S7LY.js";

@@ -621,14 +621,17 @@ const texts: Speech["texts"] = {
   "Map with the focus: nearer, farther, whole room": "Karte gewählt: näher, weiter, ganzer Raum",
   "No drone":
     "Keine Drohne",
-  "The room sees, remembers and answers; nothing flies.":
-    "Der Raum sieht, merkt sich und antwortet; nichts fliegt.",
   "To add one: enabled = true under [drone] in the site file.":
     "Um eine hinzuzufügen, unter [drone] der Standortdatei enabled = true setzen und neu starten.",
   "Floor plan of the room":
     "Grundriss des Raums",
 };
 
-const ideas = ["Wer ist an der Tür?", "Ist jemand da?", "Ist alles in Ordnung?", "Was ist heute passiert?"];
+const ideas = [
+  "Wer ist an der Tür?",
+  "Ist jemand da?",
+  "Ist alles in Ordnung?",
+  "Was ist heute passiert?",
+];
 
 export const DE: Speech = { texts, ideas, told: teller(DE_TOLD, { point: ",", stop: "." }) };

@@ -566,7 +566,6 @@ export const EN = [
   "+ − 0",
   "Map with the focus: nearer, farther, whole room",
   "No drone",
-  "The room sees, remembers and answers; nothing flies.",
   "To add one: enabled = true under [drone] in the site file.",
   "Floor plan of the room",
 ] as const;

@@ -591,8 +591,6 @@ const texts: Speech["texts"] = {
   "Map with the focus: nearer, farther, whole room": "地図を選択中：拡大、縮小、部屋全体",
   "No drone":
     "ドローンなし",
-  "The room sees, remembers and answers; nothing flies.":
-    "部屋は見て、覚えて、答えます。飛ぶものはありません。",
   "To add one: enabled = true under [drone] in the site file.":
     "追加するには、サイトファイルの [drone] に enabled = true と書いて、再起動してください。",
   "Floor plan of the room":

@@ -4,7 +4,7 @@ import { t } from "../messages/language";
 export const NoDrone = () => (
   <section class="card no-drone" aria-label={t("No drone")}>
     <p>
-      <strong>{t("No drone")}</strong> {t("The room sees, remembers and answers; nothing flies.")}{" "}
+      <strong>{t("No drone")}</strong>{" "}
       {t("To add one: enabled = true under [drone] in the site file.")}
     </p>
   </section>
