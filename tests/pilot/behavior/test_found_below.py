@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.pilot.behavior.found_below import (
-    EVERYWHERE,
-    EVERYWHERE_PLACES,
-    FORGOTTEN_AFTER,
-    NEAR,
-    STEADY_AFTER,
-    FoundBelow,
-)
+from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER, NEAR, STEADY_AFTER, FoundBelow
 
 PLACE = (3.0, 2.0)
 
@@ -84,25 +77,3 @@ def test_a_drone_that_stands_begins_anew() -> None:
     found = shown(0.9)
     found.forget()
     assert not found.is_near(PLACE) and not list(found)
-
-
-@pytest.mark.parametrize(
-    ("apart", "is_everywhere"),
-    [(EVERYWHERE / (EVERYWHERE_PLACES - 1) + 0.01, True), (0.7, False)],
-    ids=["wherever it looked", "all over a large table"],
-)
-def test_what_shows_at_many_places_far_apart_is_no_thing(apart: float, is_everywhere: bool) -> None:
-    found, now = FoundBelow(), 0.0
-    for place in range(EVERYWHERE_PLACES):
-        assert not found.is_everywhere
-        for _ in range(round(2.0 * STEADY_AFTER / 0.1)):
-            found.show((apart * place, 2.0, 1.1), now)
-            now += 0.1
-    assert found.is_everywhere == is_everywhere
-
-
-def test_what_shows_in_passing_is_not_everywhere() -> None:
-    found = FoundBelow()
-    for step in range(100):
-        found.show((0.05 * step, 2.0, 1.1), 0.1 * step)
-    assert not found.is_everywhere

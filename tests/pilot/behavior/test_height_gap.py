@@ -144,14 +144,3 @@ def test_an_old_report_says_nothing(feel: Feel, monitor: SonarMonitor) -> None:
     feel(1.1)
     feel(*[0.15] * LONG, age=1.0)
     assert monitor.found == 0.0
-
-
-def test_a_sonar_that_is_doubted_shows_nothing_until_the_drone_has_landed(
-    monitor: SonarMonitor, feel: Feel
-) -> None:
-    assert feel(*[1.1] * LONG, *[0.5] * LONG) > 0.0
-    monitor.doubt()
-    assert feel(*[0.5] * LONG) == 0.0
-    feel(0.0, z=0.1, status=LANDED)
-    assert not monitor.is_doubted
-    assert feel(*[1.1] * LONG, *[0.5] * LONG) > 0.0

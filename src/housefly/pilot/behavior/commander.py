@@ -356,9 +356,6 @@ class Commander:
         if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
             if not self._navigator.people.is_above_furniture(place, BEAM_RADIUS):
                 self.found.show(vehicle.position, vehicle.now)
-            if self.found.is_everywhere:
-                self.sonar.doubt()
-                self.found.forget()
             return self.sonar.words
         return "something was found below here" if self.found.is_near(place) else ""
 

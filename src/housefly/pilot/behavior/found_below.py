@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import combinations
 from math import inf
 
 from housefly.geometry import Vec2, Vec3, distance
@@ -26,12 +25,6 @@ FORGOTTEN_AFTER = 2.0
 """... once the floor has shown there for so long [s] ..."""
 _AT_REST, STEADY_AFTER = 0.06, 1.0
 """... where it had shown for so long [s] to a drone that moved no farther [m]."""
-
-
-EVERYWHERE, EVERYWHERE_PLACES = 2.5, 4
-"""What shows below a drone at rest at so many places, two of them so far apart [m], is no thing:
-the sonar is wrong.
-"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,14 +80,6 @@ class FoundBelow:
     def is_near(self, place: Vec2) -> bool:
         """Return whether something that was found may stand below a place [m]."""
         return any(distance(place, found) < NEAR for found in self)
-
-    @property
-    def is_everywhere(self) -> bool:
-        """Whether something shows wherever the drone looks for a place to land."""
-        places = [thing.place for thing in self._things if thing.is_steady]
-        return len(places) >= EVERYWHERE_PLACES and any(
-            distance(one, other) >= EVERYWHERE for one, other in combinations(places, 2)
-        )
 
     def show(self, position: Vec3, now: float) -> None:
         """Take in that something shows below the drone at a position [m] and a time [s]."""

@@ -37,16 +37,6 @@ class SonarMonitor:
         self._pad = PadFloor()
         self._told = nan
         self._way, self._passed = 0.0, (0.0, 0.0, 0.0)
-        self._is_doubted = False
-
-    @property
-    def is_doubted(self) -> bool:
-        """Whether nothing of what the sonar shows is believed in this flight any more."""
-        return self._is_doubted
-
-    def doubt(self) -> None:
-        """Believe nothing of what the sonar shows until the drone has landed."""
-        self._is_doubted = True
 
     @property
     def found(self) -> float:
@@ -80,9 +70,6 @@ class SonarMonitor:
         report, position = vehicle.telemetry, vehicle.position
         if report is None or position is None or vehicle.status is not DroneStatus.FLYING:
             self._has_worked = False
-            self._is_doubted &= vehicle.status is DroneStatus.FLYING
-            return 0.0
-        if self._is_doubted:
             return 0.0
         if vehicle.telemetry_age > REPORT_AGE_MAX or not isfinite(report.height):
             return 0.0

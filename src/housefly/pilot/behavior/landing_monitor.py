@@ -2,7 +2,6 @@
 
     arrived ──column free──► sinks by the pilot ──low, still free──► the drone's own landing
        └──column blocked──► waits in the air; after a while tries another place within 2 m
-              └──the sonar shows something at each──► lands by tracking, without the sonar
 
 Whoever has not moved for long counts as a thing here, beside which the drone may land: else a chair
 that is taken for a person keeps it in the air.
@@ -66,7 +65,6 @@ class LandingMonitor:
         self._unreachable: set[Vec2] = set()
         self._fault = self._told = ""
         self._sinking: TrackingTask | None = None
-        self._has_doubted = False
 
     def allowed(self, found: list[Signal], vehicle: VehicleStatus) -> list[Signal]:
         """Return the signals without those that would land the drone onto somebody."""
@@ -97,11 +95,11 @@ class LandingMonitor:
 
     def step(self, vehicle: VehicleStatus) -> list[Event]:
         """Say what holds a landing back, and look for another place."""
-        events = self._doubt_of_sonar(vehicle)
         if not self._fault:
             self._told = ""
-            return events
+            return []
         fault, self._fault = self._fault, ""
+        events = []
         if not self._told:
             text = f"not landing: {fault}"
             events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
@@ -112,13 +110,6 @@ class LandingMonitor:
             self._ask_at = vehicle.now + SPOT_PERIOD
             events.extend(self._elsewhere(vehicle))
         return events
-
-    def _doubt_of_sonar(self, vehicle: VehicleStatus) -> list[Event]:
-        was_doubted, self._has_doubted = self._has_doubted, self._commander.sonar.is_doubted
-        if was_doubted or not self._has_doubted:
-            return []
-        text = "its sonar shows something everywhere: landing by tracking"
-        return [Event(vehicle.now, Severity.WARNING, "sonar_doubted", text)]
 
     def _patience(self, vehicle: VehicleStatus) -> float:
         """Return how long to wait for what is below to go away [s]."""
