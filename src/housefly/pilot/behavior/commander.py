@@ -342,6 +342,8 @@ class Commander:
     def look_below(self, vehicle: VehicleStatus) -> None:
         """Take in what the drone's own sensor shows below it."""
         self.sonar.step(vehicle)
+        if self.sonar.is_wrong:
+            self.found.forget()
         if vehicle.status is not DroneStatus.FLYING:
             self.found.forget()
             self.insists = False

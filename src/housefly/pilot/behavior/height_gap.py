@@ -8,6 +8,7 @@ from housefly.geometry import Vec3
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.pad_floor import PadFloor
+from housefly.pilot.behavior.shown_everywhere import ShownEverywhere
 
 HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
@@ -35,6 +36,7 @@ class SonarMonitor:
         self._since = self._until = inf
         self._found = 0.0
         self._pad = PadFloor()
+        self._everywhere = ShownEverywhere()
         self._told = nan
         self._way, self._passed = 0.0, (0.0, 0.0, 0.0)
 
@@ -42,6 +44,11 @@ class SonarMonitor:
     def found(self) -> float:
         """How high above the floor something seems to stand below [m]; 0 while nothing does."""
         return self._found
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether it shows something everywhere, so that nothing is believed to stand below."""
+        return self._everywhere.is_wrong
 
     @property
     def words(self) -> str:
@@ -70,6 +77,7 @@ class SonarMonitor:
         report, position = vehicle.telemetry, vehicle.position
         if report is None or position is None or vehicle.status is not DroneStatus.FLYING:
             self._has_worked = False
+            self._everywhere.forget()
             return 0.0
         if vehicle.telemetry_age > REPORT_AGE_MAX or not isfinite(report.height):
             return 0.0
@@ -78,7 +86,11 @@ class SonarMonitor:
             return 0.0
         floor = self._pad.offset_at(position[:2])
         gap = position[2] - floor - max(report.height, RANGE_MIN)
-        return gap if gap > HEIGHT_GAP_MAX else self._pad.height
+        is_shown = gap > HEIGHT_GAP_MAX
+        self._everywhere.step(position[:2], gap if is_shown else 0.0)
+        if self.is_wrong:
+            return 0.0
+        return gap if is_shown else self._pad.height
 
     def _is_stuck(self, told: float, position: Vec3) -> bool:
         """Return whether the sonar has told the same [m] for the whole of a long way."""

@@ -32,6 +32,8 @@ ON_GOAL = 0.3
 """A landing so near to its goal sinks above the goal, any other one where the drone is [m]."""
 OVERHEAD, OVERHEAD_PERIOD = 0.5, 1.0
 """Above what is nearer below than this [m] the drone rises for so long [s], and leaves."""
+FLOOR_HEIGHT = 0.1
+"""Where tracking and the sonar never agree, the drone lands itself once either is so low [m]."""
 SPOT_PERIOD = 3.0
 """How often another place to land is looked for [s] ..."""
 SPOT_RETRY = 0.5
@@ -65,6 +67,7 @@ class LandingMonitor:
         self._unreachable: set[Vec2] = set()
         self._fault = self._told = ""
         self._sinking: TrackingTask | None = None
+        self._sonar_wrong = False
 
     def allowed(self, found: list[Signal], vehicle: VehicleStatus) -> list[Signal]:
         """Return the signals without those that would land the drone onto somebody."""
@@ -95,11 +98,11 @@ class LandingMonitor:
 
     def step(self, vehicle: VehicleStatus) -> list[Event]:
         """Say what holds a landing back, and look for another place."""
+        events = self._tell_of_sonar(vehicle)
         if not self._fault:
             self._told = ""
-            return []
+            return events
         fault, self._fault = self._fault, ""
-        events = []
         if not self._told:
             text = f"not landing: {fault}"
             events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
@@ -110,6 +113,12 @@ class LandingMonitor:
             self._ask_at = vehicle.now + SPOT_PERIOD
             events.extend(self._elsewhere(vehicle))
         return events
+
+    def _tell_of_sonar(self, vehicle: VehicleStatus) -> list[Event]:
+        was_wrong, self._sonar_wrong = self._sonar_wrong, self._commander.sonar.is_wrong
+        if was_wrong or not self._sonar_wrong:
+            return []
+        return [Event(vehicle.now, Severity.WARNING, "sonar_wrong", _SONAR_WRONG)]
 
     def _patience(self, vehicle: VehicleStatus) -> float:
         """Return how long to wait for what is below to go away [s]."""
@@ -150,7 +159,7 @@ class LandingMonitor:
         """Sink a little further; return whether there is still a way to go."""
         assert vehicle.estimate is not None
         x, y, z = vehicle.estimate.position
-        if z <= self._lowest + 0.05:
+        if z <= self._lowest + 0.05 or self._is_on_floor(vehicle):
             return False
         commander = self._commander
         if self._sinking is None:
@@ -160,6 +169,11 @@ class LandingMonitor:
         commander.descend_to(sink_height(z, self._lowest - self._lead))
         self._sinking = commander.task
         return True
+
+    def _is_on_floor(self, vehicle: VehicleStatus) -> bool:
+        """Return whether the drone may be as low as it says, and tracking too high."""
+        is_told = vehicle.telemetry is not None and vehicle.telemetry.height < FLOOR_HEIGHT
+        return is_told and self._commander.sonar.is_wrong
 
     def _elsewhere(self, vehicle: VehicleStatus) -> list[Event]:
         place = vehicle.place
@@ -184,4 +198,5 @@ class LandingMonitor:
         return [Event(vehicle.now, Severity.WARNING, "landing_blocked", _NOWHERE)]
 
 
+_SONAR_WRONG = "the drone's sonar shows something everywhere: landing by the tracked height"
 _NOWHERE = "no clear place to land within 2 m: waiting in the air"
