@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
 import subprocess
 import sys
@@ -17,6 +16,7 @@ from housefly.config.site import Site
 from housefly.errors import HouseflyError
 from housefly.hub.client.discovery import running
 from housefly.room.edits import is_reached, reached_from
+from housefly.twin.installed import INSTALL, is_installed
 
 _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
 
@@ -49,13 +49,9 @@ def _python(_: Site) -> MachineCheck:
 
 
 def _physics(_: Site) -> MachineCheck:
-    there = importlib.util.find_spec("mujoco") is not None
-    return MachineCheck(
-        "simulated room (MuJoCo)",
-        there,
-        "installed" if there else "missing",
-        "pip install 'housefly[twin]'",
-    )
+    there = is_installed()
+    found = "installed" if there else "missing"
+    return MachineCheck("simulated room (MuJoCo)", there, found, INSTALL)
 
 
 def _renderer(_: Site) -> MachineCheck:

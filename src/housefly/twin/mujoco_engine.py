@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 
 from housefly.errors import MissingPartError
+from housefly.twin.installed import INSTALL, PART
 
 try:
     import mujoco
 except ImportError as error:
-    raise MissingPartError("MuJoCo (the simulated room)", "pip install 'housefly[twin]'") from error
+    raise MissingPartError(PART, INSTALL) from error
 except AttributeError as error:
     # MuJoCo loads the OpenGL that MUJOCO_GL names while it is imported, and trips when the library
     # is not there.

@@ -42,6 +42,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.flight import fly_service
+    from housefly.twin.installed import require_simulator
     from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=not options.lockstep)
@@ -55,6 +56,8 @@ def _run(options: Namespace) -> int:
         raise ConfigError("--look", f"is {options.look}; allowed: a number from 0 to 120 s")
     if not (options.lockstep or options.headless):
         checked_exposure(loaded.site)
+    if options.lockstep or loaded.site.twin.enabled:
+        require_simulator()
     compile_once(CompiledPart.CHAIN, console.print)
     outcome = fly_service(
         loaded,

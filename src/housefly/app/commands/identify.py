@@ -124,6 +124,7 @@ def _fly(
     from housefly.lab.identification.maneuver import IdentificationManeuver
     from housefly.lab.identification.pattern import blocks
     from housefly.record.recorder import FlightRecorder
+    from housefly.twin.installed import require_simulator
 
     site = loaded.site
     plan = blocks(options.repeats, site.limits.tilt_max)
@@ -143,6 +144,8 @@ def _fly(
     console.print(f"{len(plan)} blocks in {where}; about {length:.0f} s")
     if not options.lockstep:
         refuse_taken_ports(site, web=False)
+    if options.lockstep or site.twin.enabled:
+        require_simulator()
     compile_once(CompiledPart.CHAIN, console.print)
     recorder = FlightRecorder(out, site, loaded.room, loaded.grid)
     flight = IdentificationFlight(

@@ -81,10 +81,13 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.interactive import Screen, run_interactively
     from housefly.app.run_folder import temporary_run_folder
+    from housefly.twin.installed import require_simulator
     from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=True)
     checked_exposure(loaded.site)
+    if loaded.site.twin.enabled:
+        require_simulator()
     if loaded.site.drone.enabled:
         compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None

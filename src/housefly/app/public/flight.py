@@ -22,6 +22,7 @@ from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import ReplayResult, read_steps
 from housefly.record.summary import Summary
+from housefly.twin.installed import require_simulator
 
 _MAX_LOOK = 120.0
 """Longest time to look [s]."""
@@ -84,10 +85,13 @@ def fly(
 
     Raises:
         ConfigError: there is no such place, or a value is out of range.
+        MissingPartError: the room is simulated, and MuJoCo is not installed.
         LinkError: the drone or the tracking system did not answer in time.
         RecordingError: ``out`` cannot be written to.
     """
     order = _order(goal, loaded, look_s)
+    if lockstep or loaded.site.twin.enabled:
+        require_simulator()
     temporary = TemporaryFolder() if out is None else None
     folder = temporary.path if temporary else Path(out or "")
     if not lockstep:

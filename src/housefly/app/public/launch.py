@@ -19,6 +19,7 @@ from housefly.config.site import Site
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import reserved_store
+from housefly.twin.installed import require_simulator
 
 _START_TIMEOUT = 60.0
 """Longest time until pilot, tracking and drone answer [s]."""
@@ -36,10 +37,13 @@ def launch(loaded: LoadedSite, *, logs: str | Path | None = None) -> Iterator[Bu
         logs: folder for the output of the processes; None takes a temporary one.
 
     Raises:
+        MissingPartError: the site simulates its room, and MuJoCo is not installed.
         LinkError: a port is taken, or something did not start or answer in time.
         StoreError: another run uses the same memory.
     """
     site, _ = with_newest_edits(loaded.site)
+    if site.twin.enabled:
+        require_simulator()
     refuse_taken_ports(site, web=False)
     with reserved_store(site), _started(site, logs) as bus:
         yield bus
