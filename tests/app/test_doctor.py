@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
+
+from housefly.app import doctor
 from housefly.app.doctor import check_room
 from housefly.app.loaded_site import read_site
+from housefly.cli import main
 from housefly.config.site import Site, changed
 from housefly.room.bsen import bsen
 from housefly.room.files import save_room
@@ -38,3 +43,17 @@ def test_a_room_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     found = check_room(changed(read_site("bsen"), room__model=str(tmp_path)))
     assert not found.well
     assert "room.toml" in found.found
+
+
+def test_a_missing_simulator_is_a_lack_only_of_a_simulated_room_and_its_command_is_whole(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    monkeypatch.setattr(doctor, "check_machine", lambda site: (doctor._physics(site),))
+    monkeypatch.setenv("COLUMNS", "120")
+    assert main(["doctor"]) == 1
+    assert "pip install 'housefly[twin]'" in capsys.readouterr().out
+    real = tmp_path / "real.toml"
+    real.write_text("[twin]\nenabled = false\n")
+    assert main(["doctor", "--site", str(real)]) == 0
+    assert "note" in capsys.readouterr().out

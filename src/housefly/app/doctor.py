@@ -48,10 +48,11 @@ def _python(_: Site) -> MachineCheck:
     )
 
 
-def _physics(_: Site) -> MachineCheck:
+def _physics(site: Site) -> MachineCheck:
     there = is_installed()
     found = "installed" if there else "missing"
-    return MachineCheck("simulated room (MuJoCo)", there, found, INSTALL)
+    optional = not site.twin.enabled
+    return MachineCheck("simulated room (MuJoCo)", there, found, INSTALL, optional)
 
 
 def _renderer(_: Site) -> MachineCheck:

@@ -6,7 +6,7 @@ from argparse import Namespace
 
 from housefly.app.commands.shared import add_site_arguments
 from housefly.app.commands.subcommand import Subcommand
-from housefly.app.terminal import console, new_table
+from housefly.app.terminal import new_table, plain_console
 
 
 def _run(options: Namespace) -> int:
@@ -18,7 +18,7 @@ def _run(options: Namespace) -> int:
     for check in checks:
         mark = "ok" if check.well else ("note" if check.optional else "LACKS")
         table.add_row(mark, check.name, check.found, "" if check.well else check.remedy)
-    console.print(table)
+    plain_console.print(table)
     return 0 if all(check.well or check.optional for check in checks) else 1
 
 
