@@ -97,10 +97,34 @@ def test_against_a_steady_push_it_leans_as_the_pilot_did() -> None:
     speed = AttitudeSpeed()
     speed.know(KnownMotion(0.0, 0.0, theta=0.05, phi=-0.02, hovers=False), 0.0)
     for step in range(200):
-        speed.update(report(step * STEP, theta=0.05, phi=-0.02))
+        speed.update(report(step * STEP, theta=0.05, phi=-0.02, psi=1e-9 * step))
     assert hypot(*speed.velocity) < 1e-9, "so it stands still"
     sinking = sinking_setpoint(2.0, report(2.0, 0.05, -0.02), speed, TILT_MAX)
     assert (sinking.theta, sinking.phi) == (0.05, -0.02)
+
+
+@pytest.mark.parametrize("lean", [-0.15, 0.0, 0.1])
+@pytest.mark.parametrize("speed", [-0.5, 0.5])
+def test_a_drone_whose_reports_stand_still_is_braked_by_what_it_was_asked_for(
+    lean: float, speed: float
+) -> None:
+    brake, velocity, theta = AttitudeSpeed(), speed, 0.0
+    asked: deque[float] = deque([0.0] * 6)
+    fastest_back = 0.0
+    for step in range(-20, 0):
+        brake.update(report(step * STEP, theta=lean, velocity=(0.4, 0.0)))
+    brake.know(KnownMotion(speed, 0.0, hovers=False), 0.0)
+    for step in range(400):
+        now = step * STEP
+        newest = report(now, theta=lean, velocity=(0.4, 0.0))
+        brake.update(newest)
+        setpoint = sinking_setpoint(now, newest, brake, TILT_MAX)
+        brake.ask(setpoint)
+        asked.append(setpoint.theta)
+        theta += STEP * 7.0 * (asked.popleft() - theta)
+        velocity += STEP * (GRAVITY * tan(theta) - 0.58 * velocity)
+        fastest_back = max(fastest_back, -velocity if speed > 0.0 else velocity)
+    assert abs(velocity) < AT_REST_SPEED and fastest_back < 0.25
 
 
 def test_at_rest_or_without_a_fresh_report_it_leaves_the_drone_to_its_own_hover() -> None:

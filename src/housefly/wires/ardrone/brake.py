@@ -1,8 +1,9 @@
 """Bringing a drone to rest when nobody else steers any more.
 
 Pure. The velocity is the last one that tracking gave, carried on by the attitude that the drone
-reports. Where tracking was not believed it is the drone's own, and where that is none, the speed
-that its attitude must have given it. The drone's own hover brakes as well, but gently, and only
+reports, or, where its reports stand still, by the one that it was asked for. Where tracking was not
+believed it is the drone's own, and where that is none, the speed that its attitude must have given
+it. The drone's own hover brakes as well, but gently, and only
 where its flow camera sees enough: a drone whose speed is not believed sinks level in its place.
 """
 
@@ -31,6 +32,12 @@ ON_FLOOR, SINK_TIME_MAX = 0.12, 9.0
 """It is on the floor when its sonar says less than this [m], or after so long [s]."""
 KNOWN_FOR = 12.0
 """The last velocity by tracking is carried on for so long [s]."""
+FROZEN_AFTER = 0.1
+"""Reports in flight that tell the same to the last bit for longer say nothing, where the drone's
+own speed is not believed either [s] ...
+"""
+_ATTITUDE_LAG = 0.2
+"""... and the drone leans as it was asked to, with delay and lag [s]."""
 _GAP_MAX = 0.3
 """After a longer gap between reports the speed from attitude starts anew [s]."""
 
@@ -48,6 +55,19 @@ class AttitudeSpeed:
         self.motion = KnownMotion()
         self._known_at = -inf
         self._last: Telemetry | None = None
+        self._changed_at = inf
+        self._asked: Vec2 = (0.0, 0.0)
+        self._leans: Vec2 = (0.0, 0.0)
+
+    def ask(self, setpoint: Setpoint) -> None:
+        """Take in what the drone is told to do."""
+        self._asked = setpoint.theta, setpoint.phi
+
+    def attitude(self, report: Telemetry) -> Vec2:
+        """Return how the drone leans [rad], theta and phi, by its report if that tells anything."""
+        is_frozen = report.received_at - self._changed_at > FROZEN_AFTER
+        says_nothing = is_frozen and not self.motion.hovers
+        return self._leans if says_nothing else (report.theta, report.phi)
 
     def know(self, motion: KnownMotion, at: float) -> None:
         """Take in what the pilot knew at a time [s]."""
@@ -67,6 +87,8 @@ class AttitudeSpeed:
     def update(self, report: Telemetry) -> None:
         """Take in a report; one that was taken in before changes nothing."""
         last, self._last = self._last, report
+        if last is None or _told(last) != _told(report):
+            self._changed_at = report.received_at
         if last is None:
             return
         if report.status is not DroneStatus.FLYING:
@@ -83,13 +105,22 @@ class AttitudeSpeed:
             cos(turned) * forward + sin(turned) * left,
             cos(turned) * left - sin(turned) * forward,
         )
-        level = self.motion
-        ahead = GRAVITY * (sin(report.theta) - sin(level.theta))
-        aside = GRAVITY * (sin(level.phi) - sin(report.phi))
+        self._lean(report, dt)
+        level, (theta, phi) = self.motion, self._leans
+        ahead = GRAVITY * (sin(theta) - sin(level.theta))
+        aside = GRAVITY * (sin(level.phi) - sin(phi))
         self.velocity = (
             forward + dt * (ahead - _DRAG * forward),
             left + dt * (aside - _DRAG * left),
         )
+
+    def _lean(self, report: Telemetry, dt: float) -> None:
+        """Lean as is reported, or as is asked for where reports stand still."""
+        theta, phi = self._leans
+        share = min(dt / _ATTITUDE_LAG, 1.0)
+        asked_theta, asked_phi = self._asked
+        self._leans = theta + share * (asked_theta - theta), phi + share * (asked_phi - phi)
+        self._leans = self.attitude(report)
 
 
 def braking_setpoint(
@@ -110,8 +141,9 @@ def braking_setpoint(
         return None
     forward, left = _velocity(now, report, speed)
     level = speed.motion
-    forward += BRAKE_LEAD * GRAVITY * (sin(report.theta) - sin(level.theta))
-    left -= BRAKE_LEAD * GRAVITY * (sin(report.phi) - sin(level.phi))
+    theta, phi = speed.attitude(report)
+    forward += BRAKE_LEAD * GRAVITY * (sin(theta) - sin(level.theta))
+    left -= BRAKE_LEAD * GRAVITY * (sin(phi) - sin(level.phi))
     length = hypot(forward, left)
     if not isfinite(length) or length < AT_REST_SPEED:
         return None
@@ -129,6 +161,10 @@ def sinking_setpoint(
     theta = braked.theta if braked else _limited(level.theta, tilt_max)
     phi = braked.phi if braked else _limited(level.phi, tilt_max)
     return Setpoint(theta, phi, -SINK_RATE, 0.0)
+
+
+def _told(report: Telemetry) -> tuple[float, ...]:
+    return report.theta, report.phi, report.psi, *report.velocity
 
 
 def _velocity(now: float, report: Telemetry, speed: AttitudeSpeed) -> Vec2:

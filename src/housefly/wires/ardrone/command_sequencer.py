@@ -15,7 +15,7 @@ from collections.abc import Callable
 from enum import Enum
 from math import isfinite, radians
 
-from housefly.messages import Action, Command, DroneStatus, KnownMotion, Setpoint, Telemetry
+from housefly.messages import LEVEL, Action, Command, DroneStatus, KnownMotion, Setpoint, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.brake import (
@@ -131,6 +131,7 @@ class CommandSequencer:
         self._commanded_at = at_time
         self._is_gone = False
         self._setpoint = command.setpoint
+        self._speed.ask(command.setpoint if command.action is Action.FLY else LEVEL)
         if motion is not None:
             self._speed.know(motion, at_time)
         changed = command.action is not self._action
@@ -171,6 +172,7 @@ class CommandSequencer:
         if is_long or (is_low and now - self._sinking_since > 1.0):
             return (_LAND, _HOVER)
         setpoint = sinking_setpoint(now, report, self._speed, self.maxima.tilt)
+        self._speed.ask(setpoint)
         return (pcmd_from_setpoint(setpoint, self.maxima),)
 
     def _is_silent(self, now: float) -> bool:
@@ -217,6 +219,7 @@ class CommandSequencer:
         if setpoint is None:
             self._braking_since = float("-inf")
             return (_HOVER,)
+        self._speed.ask(setpoint)
         return (pcmd_from_setpoint(setpoint, self.maxima),)
 
     def _idle(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
