@@ -124,7 +124,7 @@ def _report(t: float, psi: float, forward: float, left: float, flight: FeltFligh
         received_at=t,
         status=DroneStatus.FLYING,
         battery=0.8,
-        phi=0.001,
+        phi=0.001 + 1e-6 * (t % 1.0),
         theta=0.001,
         psi=(psi + pi) % (2.0 * pi) - pi,
         height=1.0,

@@ -525,6 +525,9 @@ class Pilot:
             home_time=self._way_home.duration,
             has_way_home=self._way_home.exists,
             below=self._missions.blind_landing.fault,
+            missing_lean=self._estimator.monitor.lean.missing(vehicle.now)
+            if self._estimator
+            else None,
             steers=not self._params.is_paper,
         )
 

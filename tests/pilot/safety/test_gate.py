@@ -181,6 +181,21 @@ def test_stop_is_flown_by_our_setpoint_while_the_place_is_believed_and_kept(stee
     assert gate.judge(FLY, gone).command == Command(Action.HOVER)
 
 
+@given(setpoints, st.tuples(st.floats(-4.0, 4.0), st.floats(-4.0, 4.0)))
+def test_what_a_drone_is_asked_for_whose_attitude_hangs_is_within_limits(
+    setpoint: Setpoint, missing: tuple[float, float]
+) -> None:
+    hangs = replace(FINE, missing_lean=missing)
+    out = judge(Command(Action.FLY, setpoint), hangs)[1].setpoint
+    assert all(isfinite(value) for value in (out.theta, out.phi, out.vz, out.yaw_rate))
+    assert max(abs(out.theta), abs(out.phi)) <= LIMITS.tilt_max
+
+
+def test_a_drone_whose_attitude_hangs_is_asked_for_what_is_missing_besides() -> None:
+    out = judge(FLY, replace(FINE, missing_lean=(-0.05, 0.3)))[1].setpoint
+    assert out == replace(FLY.setpoint, theta=pytest.approx(0.05), phi=pytest.approx(0.2))
+
+
 WRONG = TrackingConsistency(flow_wrong=True)
 UNTOLD = TrackingConsistency(flow_untold=True)
 

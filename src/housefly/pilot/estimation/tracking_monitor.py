@@ -21,6 +21,7 @@ from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
 from housefly.pilot.estimation.flow_monitor import USUAL_DRAG, FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
+from housefly.pilot.estimation.lean_watch import LeanWatch
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
     NO_ODOMETRY,
@@ -72,6 +73,9 @@ class TrackingMonitor:
     Args:
         tolerance: what tracking and odometry may be off by.
         drag: linear drag over mass of the drone [1/s].
+
+    Attributes:
+        lean: whether the attitude that the drone reports stands still, and how it leans then.
     """
 
     def __init__(self, tolerance: OdometryTolerance, drag: float = USUAL_DRAG) -> None:
@@ -83,6 +87,7 @@ class TrackingMonitor:
         self._bank = lag_bank()
         self._latency = NO_LATENCY
         self._flow = FlowMonitor(drag)
+        self.lean = LeanWatch()
         self._report: OnboardReport | None = None
         self._carry = CarryDetector()
         self._climb, self._climbed_then = ClimbOdometry(), 0.0
@@ -126,6 +131,7 @@ class TrackingMonitor:
             drone_time=nan if telemetry.drone_time is None else telemetry.drone_time,
         )
         if all(map(isfinite, report[:-2])):
+            self.lean.feel(report)
             self._odometry = odometry_advanced(self._odometry, self._motion, report)
             self._witness(report)
 
@@ -202,7 +208,7 @@ class TrackingMonitor:
     def _is_covered(self, since: float, until: float) -> bool:
         """Return whether the odometry has no hole between two times [s]."""
         is_fresh = until <= self._reported_at + REPORT_GAP_MAX
-        is_told = self._attitude_told and not self._flow.is_wrong
+        is_told = self._attitude_told and not self._is_flow_wrong
         return is_told and is_fresh and self._odometry.since <= since
 
     def vouches(self, at: float) -> bool:
@@ -232,6 +238,11 @@ class TrackingMonitor:
         )
 
     @property
+    def _is_flow_wrong(self) -> bool:
+        """Whether the drone's own hover flies by a speed, or an attitude, that is wrong."""
+        return self._flow.is_wrong or self.lean.is_stuck
+
+    @property
     def refusing(self) -> bool:
         """Whether the newest sighting was refused."""
         return self._refused_since is not None
@@ -258,7 +269,8 @@ class TrackingMonitor:
         if not self._airborne:
             self._rest_at(pose.position)
             return
-        if self._flow.is_wrong:
+        self.lean.see(at, pose.orientation)
+        if self._is_flow_wrong:
             self._windows, self._latency = windows_cleared(self._windows), NO_LATENCY
             return
         if not self._is_covered(since, at):
@@ -306,7 +318,7 @@ class TrackingMonitor:
             latency_error=self._latency.error,
             refused_for=refused,
             flow_untold=self._airborne and not flow_is_told(self._odometry, self._reported_at),
-            flow_wrong=self._flow.is_wrong,
+            flow_wrong=self._is_flow_wrong,
         )
 
     def _moved_at_rest(self) -> float:

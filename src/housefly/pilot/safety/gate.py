@@ -15,6 +15,7 @@ from housefly.geometry import Vec2, stopping_distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
+from housefly.numeric import clipped
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
@@ -107,6 +108,7 @@ class GateAssessment:
         to_floor: our setpoint has to sink to the floor: the drone's own last bit is in doubt.
         knows_place: tracking is believed.
         knows_speed: the drone's own hover is.
+        missing_lean: as in ``GateInputs``, within ``tilt_max``, the largest tilt [rad].
     """
 
     mode: SafetyMode
@@ -119,6 +121,8 @@ class GateAssessment:
     to_floor: bool = False
     knows_place: bool = False
     knows_speed: bool = True
+    missing_lean: Vec2 | None = None
+    tilt_max: float = 0.0
 
     @property
     def airborne(self) -> bool:
@@ -271,6 +275,8 @@ class Gate:
             to_floor=lands_on_floor(context),
             knows_place=knows_place(context),
             knows_speed=inputs.consistency.flow_believed,
+            missing_lean=inputs.missing_lean,
+            tilt_max=self._limits.tilt_max,
         )
 
     def _means(self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool) -> Means:
@@ -367,7 +373,7 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
     is_finite = gated.mode == assessment.severity
     is_ours = assessment.steered or assessment.kept or assessment.waits
     if is_ours and action is Action.FLY and is_finite and gated.flown:
-        return GateVerdict(_flown(gated), mode, code, reason, assessment.broken)
+        return GateVerdict(_flown(gated, assessment), mode, code, reason, assessment.broken)
     if not (is_finite or is_ours):
         mode = motion = SafetyMode.HOLD
         code = "not_finite"
@@ -376,12 +382,16 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
     broken = assessment.broken
     if allowed is not Action.FLY:
         return GateVerdict(Command(allowed), mode, code, reason, broken)
-    return GateVerdict(_flown(gated), mode, code, reason, broken)
+    return GateVerdict(_flown(gated, assessment), mode, code, reason, broken)
 
 
-def _flown(gated: GatedCommand) -> Command:
-    setpoint = Setpoint(gated.theta, gated.phi, gated.vz, gated.yaw_rate)
-    return Command(Action.FLY, setpoint)
+def _flown(gated: GatedCommand, assessment: GateAssessment) -> Command:
+    theta, phi, tilt_max = gated.theta, gated.phi, assessment.tilt_max
+    if assessment.missing_lean is not None:
+        more_theta, more_phi = assessment.missing_lean
+        theta = clipped(theta + more_theta, tilt_max)
+        phi = clipped(phi + more_phi, tilt_max)
+    return Command(Action.FLY, Setpoint(theta, phi, gated.vz, gated.yaw_rate))
 
 
 def _allowed(action: Action, mode: SafetyMode, assessment: GateAssessment) -> Action:

@@ -43,6 +43,8 @@ class GateInputs:
         silence: of the sensors that look for people.
         below: why a drone that can hold its place without tracking is not to land there, in words;
             "" to land.
+        missing_lean: by how much more a drone whose attitude stands still has to be asked to lean,
+            theta and phi [rad]; None where it tells how it leans.
         steers: our setpoint may hold the drone and land it; mode paper leaves that to the drone.
     """
 
@@ -67,6 +69,7 @@ class GateInputs:
     has_way_home: bool = True
     silence: PeopleSilence = NO_SILENCE
     below: str = ""
+    missing_lean: Vec2 | None = None
     steers: bool = True
 
     @property

@@ -19,11 +19,8 @@ def _variant(
     kind: FaultKind,
     size: float | None = None,
     aspect: str = "",
-    *,
-    cannot_hover: bool = False,
 ) -> FaultVariant:
-    fault = Fault(component, kind, aspect, magnitude=size)
-    return FaultVariant(name, (fault,), cannot_hover=cannot_hover)
+    return FaultVariant(name, (Fault(component, kind, aspect, magnitude=size),))
 
 
 ONBOARD_ROWS: tuple[FaultRow, ...] = (
@@ -55,13 +52,14 @@ ONBOARD_ROWS: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F48", "the drone's gyros or accelerometers fail",
-        "flown on or landed by tracking; attitude that is stuck cannot be flown with", _TWIN,
+        "flown on or landed by tracking, which sees how a drone leans whose attitude is stuck",
+        _TWIN,
         (
             _variant("nose_up", _C.IMU, _K.WRONG, 0.05),
             _variant("nose_down", _C.IMU, _K.WRONG, -0.05),
             _variant("gyro_noise", _C.IMU, _K.GARBAGE, 0.2, "gyro"),
             _variant("acceleration_noise", _C.IMU, _K.GARBAGE, 2.0, "acceleration"),
-            _variant("stuck", _C.IMU, _K.STUCK, cannot_hover=True),
+            _variant("stuck", _C.IMU, _K.STUCK),
         ), crossed=True,
     ),
     FaultRow(
