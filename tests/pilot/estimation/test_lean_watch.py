@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from math import nan
+from math import isfinite, nan
 
 import pytest
 
@@ -51,6 +51,11 @@ def test_an_attitude_that_moves_again_is_believed_again() -> None:
     watch = hung(1.0)
     watch.feel(report(1.01, 0.051, -0.02, 0.3, True))
     assert not watch.is_stuck and watch.missing(1.01) is None
+
+
+def test_a_drone_that_is_seen_before_it_tells_how_it_leans_is_asked_for_numbers() -> None:
+    missing = hung(1.0).missing(1.0)
+    assert missing is not None and all(map(isfinite, missing))
 
 
 @pytest.mark.parametrize("crooked", [0.0, 0.03])

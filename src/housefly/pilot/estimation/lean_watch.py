@@ -6,7 +6,7 @@ tells. Asked for so much more as it leans less than it tells, it leans as it sho
 
 from __future__ import annotations
 
-from math import inf, nan
+from math import inf, isfinite, nan
 
 from housefly.geometry import Quaternion, Vec2, euler_from_quaternion
 from housefly.pilot.estimation.onboard_odometry import OnboardReport
@@ -53,7 +53,7 @@ class LeanWatch:
     def see(self, at: float, orientation: Quaternion) -> None:
         """Take in how tracking saw it lean at a time [s]."""
         phi, theta, _ = euler_from_quaternion(orientation)
-        if not self.is_stuck and self._told == self._told:
+        if not self.is_stuck and isfinite(self._told[0]):
             share = min(max(at - self._seen_at, 0.0), _STEP_MAX) / LEARNED_TIME
             off = self._told[0] - theta - self._usual[0], self._told[1] - phi - self._usual[1]
             self._usual = self._usual[0] + share * off[0], self._usual[1] + share * off[1]
