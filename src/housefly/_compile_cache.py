@@ -65,30 +65,21 @@ class CompileCache(_Cache):
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return the compiled code for these types of arguments; None when there is none."""
         target_context.refresh()
-        if not self._enabled:
-            return None
-        payload = _read(self._path(sig, target_context.codegen()))
+        payload = self._read(self._path(sig, target_context.codegen()))
         if payload is None:
             return None
         return CompileResult._rebuild(target_context, *payload)  # type: ignore[no-untyped-call]
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep what was compiled for these types; where nothing can be written it is not kept."""
-        if not self._enabled or data.lifted or data.library.has_dynamic_globals:
+        if data.lifted or data.library.has_dynamic_globals:
             return
         self._write(self._path(sig, data.codegen), data._reduce())
-
-    def _write(self, path: Path, payload: Any) -> None:
-        part = path.with_name(f"{path.name}.{os.getpid()}.part")
-        with suppress(OSError):
-            _prepared(self._folder)
-            part.write_bytes(dumps(payload))  # type: ignore[no-untyped-call]
-            part.replace(path)
 
     def load_inner(self, args: tuple[Any, ...], target_context: Any) -> Any:
         """Return what ``save_inner`` kept for these types of arguments; None when there is none."""
         target_context.refresh()
-        return _read(self._path(args, target_context.codegen(), _INNER))
+        return self._read(self._path(args, target_context.codegen(), _INNER))
 
     def save_inner(self, args: tuple[Any, ...], codegen: Any, data: Any) -> None:
         """Keep the form for callers; where nothing can be written it is not kept."""
@@ -107,6 +98,26 @@ class CompileCache(_Cache):
         for path in self._folder.glob(f"{self._name()}-*.nbc"):
             path.unlink(missing_ok=True)
 
+    def _read(self, path: Path) -> Any:
+        if not self._enabled:
+            return None
+        try:
+            payload = pickle.loads(path.read_bytes())
+            if time.time() - path.stat().st_mtime > _TOUCHED_AFTER:
+                os.utime(path)
+        except (OSError, EOFError, pickle.UnpicklingError):
+            return None
+        return payload
+
+    def _write(self, path: Path, payload: Any) -> None:
+        if not self._enabled:
+            return
+        part = path.with_name(f"{path.name}.{os.getpid()}.part")
+        with suppress(OSError):
+            _prepared(self._folder)
+            part.write_bytes(dumps(payload))  # type: ignore[no-untyped-call]
+            part.replace(path)
+
     def _name(self) -> str:
         function = self._dispatcher.py_func
         return f"{function.__module__}.{function.__qualname__}".replace("<", "").replace(">", "")
@@ -116,16 +127,6 @@ class CompileCache(_Cache):
         made_from = (made_by(), codegen.magic_tuple(), code_digest(self._dispatcher), form)
         text = repr((made_from, [_type_text(kind) for kind in arguments]))
         return self._folder / f"{self._name()}-{sha256(text.encode()).hexdigest()[:32]}.nbc"
-
-
-def _read(path: Path) -> Any:
-    try:
-        payload = pickle.loads(path.read_bytes())
-        if time.time() - path.stat().st_mtime > _TOUCHED_AFTER:
-            os.utime(path)
-    except (OSError, EOFError, pickle.UnpicklingError):
-        return None
-    return payload
 
 
 @cache

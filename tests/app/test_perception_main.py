@@ -223,10 +223,11 @@ def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: P
     # Half the steps of the pilot, a quarter of the tracking: half the time, the same flight.
     quick = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
     here = loaded(twin__visitor_present=False, **quick)
+    half_step = 0.5 / quick["control__rate_hz"]
     recorder = FlightRecorder(tmp_path, here.site, here.room, here.grid)
 
     def put(world: SimulatedWorld) -> None:
-        if abs(world.now - 8.0) < 0.011:
+        if abs(world.now - 8.0) <= half_step + 1e-6:
             world.put("chair", (6.8, 2.8))
 
     fly_lockstep(

@@ -21,11 +21,13 @@ from housefly.numeric import CACHE, made_by
 
 _Say = Callable[[str], object]
 _PACKAGE = Path(housefly.__file__).parent
-_PLANNERS = (
-    sys.executable, "-c", "from housefly.app.compiling import compile_planners as c; c()"
-)  # fmt: skip
-
-
+_KINDS: tuple[dict[str, str], ...] = (
+    {"mode": "default"},
+    {"mode": "paper"},
+    {"map__planner": "grid"},
+)
+"""Pilots that call all compiled functions of a flight between them."""
+_COMPILE_PLANNERS = "from housefly.app.compiling import compile_planners; compile_planners()"
 _SAID_EVERY = 3.0
 """A long compilation says where it is about so often [s]."""
 
@@ -95,20 +97,14 @@ def _content_digest(file: Path) -> str:
     return sha256(file.read_bytes()).hexdigest()
 
 
-_KINDS: tuple[dict[str, str], ...] = (
-    {"mode": "default"},
-    {"mode": "paper"},
-    {"map__planner": "grid"},
-)
-
-
 def _chain() -> None:
     """Compile the steps here and the planners on another core: what is made there is found here
     when the steps come to it.
     """
     from housefly.pilot.assembly import warm_up
 
-    beside = subprocess.Popen(_PLANNERS, stderr=subprocess.DEVNULL) if _cores() > 1 else None
+    command = (sys.executable, "-c", _COMPILE_PLANNERS)
+    beside = subprocess.Popen(command, stderr=subprocess.DEVNULL) if _cores() > 1 else None
     try:
         for changes in _KINDS:
             loaded = open_site(read_site("bsen", **changes))

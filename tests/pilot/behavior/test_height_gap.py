@@ -10,11 +10,14 @@ import pytest
 from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.pilot.behavior.height_gap import (
     AGREEMENT_TIME,
+    EVERYWHERE_STEPS,
     GAP_TIME,
     HEIGHT_GAP_MAX,
+    LOW_MAX,
     RANGE_MIN,
-    STUCK_STEP,
     STUCK_WAY,
+    WAY_STEP,
+    ShownEverywhere,
     SonarMonitor,
 )
 from housefly.pilot.behavior.mission import VehicleStatus
@@ -74,7 +77,7 @@ def test_it_seems_so_at_once_and_is_sure_a_little_later(feel: Feel, monitor: Son
     assert feel(*[0.15] * LONG) > 0.0
 
 
-WAY = round((STUCK_WAY + 2 * STUCK_STEP) / (0.5 * PERIOD))
+WAY = round((STUCK_WAY + 2 * WAY_STEP) / (0.5 * PERIOD))
 """Reports on a way that is long enough, at 0.5 m/s."""
 
 
@@ -144,3 +147,45 @@ def test_an_old_report_says_nothing(feel: Feel, monitor: SonarMonitor) -> None:
     feel(1.1)
     feel(*[0.15] * LONG, age=1.0)
     assert monitor.found == 0.0
+
+
+EVERYWHERE = EVERYWHERE_STEPS * WAY_STEP
+BETWEEN = 0.02
+"""So far the drone flies between two reports [m]."""
+
+
+def flown(way: float, *heights: float, begun: ShownEverywhere | None = None) -> ShownEverywhere:
+    """Return what a straight way [m] showed, with these heights again and again [m]."""
+    everywhere = begun or ShownEverywhere()
+    for number in range(round(way / BETWEEN) + 1):
+        everywhere.step((BETWEEN * number, 0.0), heights[number % len(heights)])
+    return everywhere
+
+
+@pytest.mark.parametrize("heights", [(0.4,), (0.0, 0.5), (0.0, 0.9, 0.3, 0.0, 0.3)])
+def test_a_sonar_that_is_low_or_noisy_on_a_long_way_is_wrong(heights: tuple[float, ...]) -> None:
+    assert flown(EVERYWHERE + 2 * WAY_STEP, *heights).is_wrong
+    assert not flown(EVERYWHERE - 2 * WAY_STEP, *heights).is_wrong
+
+
+def test_who_may_follow_the_drone_is_never_taken_for_a_wrong_sonar() -> None:
+    assert not flown(3 * EVERYWHERE, 0.9).is_wrong
+    assert not flown(3 * EVERYWHERE, LOW_MAX + 0.01).is_wrong
+
+
+def test_floor_that_shows_on_two_steps_makes_it_believed_again() -> None:
+    everywhere = flown(EVERYWHERE + 2 * WAY_STEP, 0.4)
+    assert not flown(4 * WAY_STEP, 0.0, begun=everywhere).is_wrong
+
+
+def test_something_below_a_drone_that_hovers_says_nothing_of_the_sonar() -> None:
+    everywhere = ShownEverywhere()
+    for number in range(10_000):
+        everywhere.step((0.1 * (number % 2), 0.0), 0.4)
+    assert not everywhere.is_wrong
+
+
+def test_a_new_flight_begins_anew() -> None:
+    everywhere = flown(EVERYWHERE + 2 * WAY_STEP, 0.4)
+    everywhere.forget()
+    assert not everywhere.is_wrong

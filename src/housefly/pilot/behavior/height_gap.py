@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections import deque
 from math import dist, inf, isfinite, nan
 
-from housefly.geometry import Vec3
+from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.pad_floor import PadFloor
-from housefly.pilot.behavior.shown_everywhere import ShownEverywhere
 
 HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
@@ -22,10 +22,16 @@ AGREEMENT_TIME = 0.2
 """... and nothing any more when they agree for so long: echoes from near come and go [s]."""
 FLOOR_READING = 0.05
 """A sonar that never told more than this in the air tells what it did on the floor [m]."""
-STUCK_WAY, STUCK_STEP = 2.0, 0.25
-"""A sonar that tells the same to the last bit while the drone flies this far, in steps as long as
-this, is stuck and shows nothing [m]: what stands below begins, ends, or is not that flat.
+WAY_STEP = 0.25
+"""The way of the drone is looked at in steps of this length [m]."""
+STUCK_WAY = 2.0
+"""A sonar that tells the same to the last bit while the drone flies this far is stuck and shows
+nothing [m]: what stands below begins, ends, or is not that flat.
 """
+EVERYWHERE_STEPS, SHOWN_STEPS = 12, 11
+"""Of so many steps something showed in so many: no piece of furniture is as long."""
+LOW_MAX = 0.55
+"""Who may follow the drone is taller than this [m]: what is lower on average does not walk."""
 
 
 class SonarMonitor:
@@ -96,6 +102,43 @@ class SonarMonitor:
         """Return whether the sonar has told the same [m] for the whole of a long way."""
         if told != self._told:
             self._told, self._way, self._passed = told, 0.0, position
-        elif (step := dist(position, self._passed)) >= STUCK_STEP:
+        elif (step := dist(position, self._passed)) >= WAY_STEP:
             self._way, self._passed = self._way + step, position
         return self._way >= STUCK_WAY
+
+
+class ShownEverywhere:
+    """Remembers on which steps of the last way something showed below.
+
+    What stands below begins and ends. A sonar that is off by a constant, or noisy, shows something
+    on the whole of a long way; tracking that is too high looks the same, and is as harmless to land
+    by.
+    """
+
+    def __init__(self) -> None:
+        self._steps: deque[bool] = deque(maxlen=EVERYWHERE_STEPS)
+        self._begun: Vec2 | None = None
+        self._shown = 0
+        self._height = 0.0
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether something low has shown nearly everywhere on the last three metres."""
+        return len(self._steps) == EVERYWHERE_STEPS and sum(self._steps) >= SHOWN_STEPS
+
+    def forget(self) -> None:
+        """Begin anew: the drone does not fly."""
+        self._steps.clear()
+        self._begun, self._shown, self._height = None, 0, 0.0
+
+    def step(self, place: Vec2, height: float) -> None:
+        """Take in how high what shows below a place [m] is [m]; 0 where nothing does."""
+        if self._begun is None:
+            self._begun = place
+        if height > 0.0:
+            self._shown += 1
+            self._height += height
+        if distance(place, self._begun) < WAY_STEP:
+            return
+        self._steps.append(0.0 < self._height < LOW_MAX * self._shown)
+        self._begun, self._shown, self._height = place, 0, 0.0
