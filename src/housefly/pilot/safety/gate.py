@@ -2,13 +2,13 @@
 
 What holds the drone or lands it is flown by our setpoint or by the drone's own hover
 (``means``). A landing, once begun here, is kept until the drone says that it stands; then nothing
-moves without a fresh order.
+moves without a fresh order. One thing is added: what a drone lacks in lean whose attitude hangs.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import dist, hypot, inf
+from math import dist, hypot, inf, isfinite
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, stopping_distance
@@ -387,8 +387,9 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
 
 def _flown(gated: GatedCommand, assessment: GateAssessment) -> Command:
     theta, phi, tilt_max = gated.theta, gated.phi, assessment.tilt_max
-    if assessment.missing_lean is not None:
-        more_theta, more_phi = assessment.missing_lean
+    missing = assessment.missing_lean
+    if missing is not None and all(map(isfinite, missing)):
+        more_theta, more_phi = missing
         theta = clipped(theta + more_theta, tilt_max)
         phi = clipped(phi + more_phi, tilt_max)
     return Command(Action.FLY, Setpoint(theta, phi, gated.vz, gated.yaw_rate))
