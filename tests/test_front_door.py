@@ -15,6 +15,7 @@ from itertools import islice, pairwise
 from pathlib import Path
 
 import pytest
+from quick_flights import QUICK
 
 import housefly
 
@@ -201,8 +202,7 @@ def test_a_plan_begins_where_it_is_told_to_and_ends_at_a_point() -> None:
 
 @pytest.mark.slow
 def test_the_folder_of_a_flight_is_the_given_one_or_goes_with_the_flight(tmp_path: Path) -> None:
-    quick = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-    site, near = housefly.load_site("bsen", **quick), (10.0, 1.5)
+    site, near = housefly.load_site("bsen", **QUICK), (10.0, 1.5)
     heard: list[int] = []
     kept = housefly.fly(
         near, site, look_s=0.0, out=tmp_path, on_step=lambda s: heard.append(s.sequence)

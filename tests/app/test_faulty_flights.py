@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from quick_flights import QUICK
 
 from housefly.app.flight import fly_service
 from housefly.app.loaded_site import load_site
@@ -21,8 +22,6 @@ from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
 
-QUICK = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 CHAIR = Movable("chair", 0.25, 1.5)
 SERVICE = Order(OrderKind.SERVICE, place="table", look_s=0.5)
 

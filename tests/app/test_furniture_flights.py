@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import hypot
-from typing import Any
 
 import pytest
+from quick_flights import QUICK
 
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.lockstep import fly_lockstep
@@ -33,8 +33,6 @@ HULL = half_diagonal(0.517, 0.451)
 GO = Order(OrderKind.GO, "entrance")
 RADIUS = 0.25
 ASIDE = (13.5, 4.2)
-QUICK: dict[str, Any] = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 LEFT, ARRIVED = 9.0, 26.0
 """The drone is on its way by then, and has been at its goal for a while [s]."""
 

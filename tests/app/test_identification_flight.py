@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from gate_bench import blind
+from quick_flights import QUICK
 
 from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
@@ -33,8 +34,6 @@ from housefly.pilot.step import PilotParameters
 from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)
-QUICK: dict[str, Any] = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 IDENTIFY = [sys.executable, "-m", "housefly.cli", "identify"]
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from math import hypot
 
 import pytest
+from quick_flights import QUICK
 
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep_loop import SETTLING_TIME, LockstepLoop
@@ -24,8 +25,6 @@ LASERS = (
     {"name": "laser-2", "address": "127.0.0.2", "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6},
 )
 ZONE = {"kind": "keep_out", "polygon": [[6.0, -3.0], [7.5, -3.0], [7.5, 8.0], [6.0, 8.0]]}
-QUICK = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 HALF_VOXEL = 0.05
 WEST, EAST = (-0.5, 0.0, 0.0), (0.5, 0.0, 0.0)
 

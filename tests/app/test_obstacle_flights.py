@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from math import dist, hypot
-from typing import Any
 
 import pytest
+from quick_flights import QUICK
 
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep import fly_lockstep
@@ -27,8 +27,6 @@ DEPTH_CAMERA = {"name": "depth-1", "x": 10.5, "y": 1.25, "z": 1.6, "yaw": 2.75}
 """Looks along the way to the entrance, from above the pad."""
 HULL = half_diagonal(0.517, 0.451)
 SERVICE = Order(OrderKind.SERVICE, "entrance", look_s=1.0)
-QUICK: dict[str, Any] = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 
 
 @dataclass

@@ -8,6 +8,7 @@ from math import inf, nan
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from quick_flights import QUICK
 
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep_loop import SETTLING_TIME, LockstepLoop
@@ -24,8 +25,6 @@ LASERS = (
 CAMERA = {"name": "depth-1", "x": 10.5, "y": 1.25, "z": 1.6, "yaw": 2.75, "rate_hz": 5.0}
 SEEING = {"lasers": list(LASERS), "depth_cameras": [CAMERA]}
 OFF_AT, BACK_AFTER = 12.0, 5.0
-QUICK = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 
 
 def site_with(*faults: str, **sensors: object) -> Site:

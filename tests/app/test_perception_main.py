@@ -9,6 +9,7 @@ from math import hypot, inf
 from pathlib import Path
 
 import pytest
+from quick_flights import QUICK
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
@@ -220,10 +221,8 @@ def test_two_scanners_with_one_name_or_one_address_are_refused() -> None:
 
 @pytest.mark.slow
 def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: Path) -> None:
-    # Half the steps of the pilot, a quarter of the tracking: half the time, the same flight.
-    quick = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-    here = loaded(twin__visitor_present=False, **quick)
-    half_step = 0.5 / quick["control__rate_hz"]
+    here = loaded(twin__visitor_present=False, **QUICK)
+    half_step = 0.5 / QUICK["control__rate_hz"]
     recorder = FlightRecorder(tmp_path, here.site, here.room, here.grid)
 
     def put(world: SimulatedWorld) -> None:

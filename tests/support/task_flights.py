@@ -8,6 +8,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from quick_flights import QUICK
+
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.played_memory import PlayedMemory
 from housefly.app.task_flight import NO_SCRIPT, TaskFlight, TaskScript
@@ -18,8 +20,6 @@ from housefly.tasks.document.library import BoundTask, bind, load_library
 from housefly.tasks.document.task_document import TaskDocument
 from housefly.twin.people.scene import Scene, scene_from_tree
 
-QUICK = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 FLOOR = {
     "kind": "floor",
     "id": "floor-1",

@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from quick_flights import QUICK
 from remembered_room import RememberedRoom
 
 from housefly.app.live_obstacles import LiveObstacles
@@ -83,9 +84,7 @@ class TaskStage:
         memory: RememberedRoom | None = None,
         **changes: Any,
     ) -> None:
-        # Half the steps of the pilot, a quarter of the tracking: half the time, the same flight.
-        quick = {"drone__has_video": False, "control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-        changes = quick | changes
+        changes = QUICK | {"drone__has_video": False} | changes
         self.loaded: LoadedSite = load_site("bsen", hub__store=str(folder / "room.db"), **changes)
         self.clock = SteppedClock(begin)
         self._unix = (memory.now if memory else time.time()) - begin

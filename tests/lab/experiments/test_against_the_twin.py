@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from quick_flights import QUICK
 
 from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.lockstep import fly_lockstep
@@ -21,9 +22,6 @@ from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan
 from housefly.lab.experiments.planned_flight import planned_flight
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.pilot.navigator import RoomNavigator
-
-QUICK = {"control__rate_hz": 50, "twin__mocap_rate_hz": 25}
-"""Half the steps of the pilot and a quarter of the tracking: half the time, the same flight."""
 
 
 def flown_on_the_twin(premises: LoadedSite) -> tuple[tuple[Vec2, ...], float, float]:
