@@ -35,6 +35,7 @@ from housefly.errors import LinkError
 from housefly.messages import (
     Action,
     Inputs,
+    KnownMotion,
     LinkStatus,
     Order,
     OrderKind,
@@ -115,6 +116,13 @@ class FailingPilot:
         if self.fails:
             raise ZeroDivisionError("float division by zero")
         return bool(self._pilot.origin_confirmed)
+
+    @property
+    def known_motion(self) -> KnownMotion | None:
+        if self.fails:
+            raise ZeroDivisionError("float division by zero")
+        found: KnownMotion | None = self._pilot.known_motion
+        return found
 
     def preflight(self) -> tuple[PreflightCheck, ...]:
         if self.fails:
@@ -215,7 +223,7 @@ async def test_a_step_that_fails_lands_the_drone_before_it_says_so(
     failing.fails = True
     shell.pilot = failing  # type: ignore[assignment]
     done: list[str] = []
-    monkeypatch.setattr(drone, "send", lambda command: done.append(command.action.name))
+    monkeypatch.setattr(drone, "send", lambda command, *_: done.append(command.action.name))
 
     class Watched(io.StringIO):
         def write(self, text: str) -> int:
