@@ -25,7 +25,8 @@ from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin import contracts as twin
 from housefly.wires.ardrone import at, navdata_options, pave
-from housefly.wires.ardrone.command_sequencer import SEND_INTERVAL
+from housefly.wires.ardrone.brake import BRAKE_TIME_MAX
+from housefly.wires.ardrone.command_sequencer import HOVER_AFTER, LAND_AFTER, SEND_INTERVAL
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, encode_navdata
 from housefly.wires.ardrone.pave import (
@@ -120,9 +121,9 @@ async def test_a_pilot_that_falls_silent_lets_it_hover_and_then_land(flight) -> 
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=0.3)
     assert not flight.world.asked.hover
-    await flight.silence(0.5)
+    await flight.silence(HOVER_AFTER + BRAKE_TIME_MAX + 0.1)
     assert flight.world.asked.hover and status(flight) is DroneStatus.FLYING
-    await flight.silence(2.0)
+    await flight.silence(LAND_AFTER)
     assert status(flight) in (DroneStatus.LANDING, DroneStatus.LANDED)
 
 
