@@ -100,6 +100,14 @@ def test_importing_is_light() -> None:
     assert {name for name in loaded if name.startswith("housefly")} == {"housefly"}
 
 
+def test_the_command_line_loads_what_a_command_needs_when_it_runs() -> None:
+    code = "import sys, housefly.cli as cli; cli.build_parser(); print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert not set(done.stdout.split()) & HEAVY
+
+
 def test_every_name_stands_once_in_the_tables_of_the_page_and_no_other() -> None:
     rows = Counter(re.findall(r"^\| `(\w+)` \| \S", PAGE, flags=re.MULTILINE))
     assert rows == Counter(housefly.__all__)

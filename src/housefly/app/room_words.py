@@ -5,8 +5,6 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from housefly.app.event_words import fact_words
-
 if TYPE_CHECKING:
     from housefly.app.event_words import EventWords
     from housefly.hub.api.answers import EventAnswer, PlacedThing, SensorAnswer, SourceAnswer
@@ -14,6 +12,8 @@ if TYPE_CHECKING:
 
 def said_line(said: SourceAnswer) -> str:
     """Return what one source said of a thing."""
+    from housefly.app.event_words import fact_words
+
     place = "({:.2f}, {:.2f}, {:.2f}) m".format(*said.position) if said.position else ""
     inside = f"in {said.inside}" if said.inside else ""
     facts = ", ".join(fact_words(key, value) for key, value in said.facts.items())
@@ -38,6 +38,8 @@ def event_line(event: EventAnswer, now: float, words: EventWords) -> str:
 
 def detailed_event_line(event: EventAnswer, now: float) -> str:
     """Return an event as it is kept: every fact by its key."""
+    from housefly.app.event_words import fact_words
+
     cause = f" by {event.cause}" if event.cause else ""
     facts = ", ".join(fact_words(key, value) for key, value in event.facts.items())
     sure = "" if event.confidence >= 0.995 else f" ({100 * event.confidence:.0f} % sure)"

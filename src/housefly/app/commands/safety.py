@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from housefly.app.commands.subcommand import Subcommand
-from housefly.app.disk_space import why_unwritable
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
@@ -85,6 +84,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Fly; 0 when no flight was unsafe, and each harmful row did harm without guards."""
     from housefly.app.compiling import CompiledPart, compile_once
+    from housefly.app.disk_space import why_unwritable
     from housefly.app.safety_case.plan import flown_rows
     from housefly.app.safety_case.wired_flight import wired_rows
 
