@@ -444,7 +444,7 @@ def test_a_drone_that_stands_on_something_has_not_just_landed(fly: Fly) -> None:
     assert any("on something" in words for words in flight.run(0.5).warnings)
 
 
-@pytest.mark.parametrize("push", [(0.0, 2.6), (-0.5, 2.6)])
+@pytest.mark.parametrize("push", [(0.0, 3.0), (-0.5, 3.0)])
 def test_a_drone_that_was_pushed_off_its_course_rests_and_goes_on_from_where_it_is(
     fly: Fly, push: tuple[float, float]
 ) -> None:

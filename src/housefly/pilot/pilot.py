@@ -514,6 +514,7 @@ class Pilot:
             cutting=mission.cutting,
             phase=mission.phase,
             velocity=estimate.velocity if estimate else None,
+            yaw=estimate.yaw if estimate else nan,
             reference=self._reference() if is_tracking and not self._params.is_paper else None,
             flight_height=self._height,
             height_follows=self._in_space,

@@ -25,11 +25,13 @@ SEED = 12
 STUCK = "F46/stuck"
 
 
-def test_flow_that_fails_before_a_corner_harms_nobody_whatever_a_person_orders() -> None:
+def test_a_sensor_that_fails_before_a_corner_harms_nobody_whatever_a_person_orders() -> None:
     keys = (
         TrialKey(STUCK, SEED, order=PersonOrder.LAND),
         TrialKey(STUCK, SEED, order=PersonOrder.DEAD_PILOT),
         TrialKey("F46/bias_0.6", SEED),
+        TrialKey("F48/stuck", SEED, order=PersonOrder.LAND),
+        TrialKey("F50/stuck", SEED, order=PersonOrder.DEAD_PILOT),
         TrialKey("F51/1.0", SEED, order=PersonOrder.STOP),
     )
     assert len({course_of(key) for key in keys}) == 1

@@ -1,11 +1,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import exp, isnan
+from math import cos, exp, inf, isnan, nan, sin
 
 import pytest
 
 from housefly.config.limits import LimitsConfig
+from housefly.geometry import GRAVITY
 from housefly.messages import DroneStatus, Phase, Reference, Setpoint, Telemetry
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.observer import LATE_STEP, TILT_TIME, FlightObserver
@@ -82,6 +83,33 @@ def test_a_velocity_that_is_put_right_after_blindness_is_no_blow(
         if n == 120:
             assert seen.velocity_change == pytest.approx(change)
     assert seen.velocity_change == 0.0
+
+
+@pytest.mark.parametrize("yaw", [0.0, 1.0, -2.5])
+@pytest.mark.parametrize(("leans", "blow"), [(-0.21, 0.0), (-0.21, 0.6), (0.0, 0.6)])
+def test_a_blow_is_what_the_lean_of_a_drone_that_brakes_does_not_explain(
+    yaw: float, leans: float, blow: float
+) -> None:
+    observer, x, brake = FlightObserver(LimitsConfig()), 1.0, GRAVITY * sin(0.21)
+    report = Telemetry(0.0, DroneStatus.FLYING, 0.9, theta=leans)
+    unexplained = []
+    for n in range(100):
+        x -= brake * TICK * (leans < 0.0) + blow * (n == 50)
+        velocity = (x * cos(yaw), x * sin(yaw), 0.0)
+        inputs = replace(FINE, now=TICK * n, velocity=velocity, yaw=yaw, telemetry=report)
+        seen = observer.observe(replace(inputs, phase=Phase.OUTBOUND), held=False, landing=False)
+        unexplained.append(seen.unexplained_change)
+    assert max(unexplained) == pytest.approx(blow, abs=0.03)
+
+
+@pytest.mark.parametrize("unknown", [{"yaw": nan}, {"telemetry": None}, {"velocity": None}])
+def test_where_the_lean_is_not_known_it_explains_nothing(unknown: dict[str, object]) -> None:
+    report = Telemetry(0.0, DroneStatus.FLYING, 0.9, theta=0.1)
+    known = replace(FINE, velocity=(0.5, 0.0, 0.0), yaw=0.0, telemetry=report)
+    observer = FlightObserver(LimitsConfig())
+    assert observer.observe(known, held=False, landing=False).unexplained_change == 0.0
+    seen = observer.observe(replace(known, **unknown), held=False, landing=False)
+    assert seen.unexplained_change == inf
 
 
 @pytest.mark.parametrize(

@@ -31,6 +31,7 @@ class GateInputs:
         cutting: the motors are to be cut.
         phase: of the mission.
         velocity: estimated, world [m/s].
+        yaw: heading [rad]; nan before the first sighting.
         reference: of the last step, None where no trajectory is followed or a maneuver flies.
         flight_height: z_ref [m]; nan while none is wanted.
         height_follows: it moves with a trajectory in space, which the drone can follow.
@@ -58,6 +59,7 @@ class GateInputs:
     cutting: bool
     phase: Phase = Phase.HOLDING
     velocity: Vec3 | None = None
+    yaw: float = nan
     reference: Reference | None = None
     flight_height: float = nan
     height_follows: bool = False

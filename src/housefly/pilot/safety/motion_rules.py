@@ -40,7 +40,9 @@ TILT_WRONG_MAX = 0.8
 BLOW_ACCELERATION = 6.0
 """A specific force that differs from gravity by more than this is a blow [m/s^2] ..."""
 BLOW_SPEED = 0.55
-"""... and so is a change of velocity within 0.2 s by more than this [m/s]."""
+"""... and so is a change of velocity within 0.2 s by more than this [m/s] ..."""
+UNEXPLAINED_SPEED = 0.25
+"""... of which the lean of the drone, that brakes after a gust, leaves more than this [m/s]."""
 STUCK_TILT, STUCK_SPEED = 0.1, 0.08
 """Stuck is who is tilted by more than this [rad] and slower than this [m/s]."""
 CONTROL_ERROR_HOLD, CONTROL_ERROR_LAND = 0.5, 1.0
@@ -67,6 +69,12 @@ def blow(c: RuleContext) -> float:
     if c.now.telemetry is None or c.now.telemetry.acceleration is None:
         return 0.0
     return abs(hypot(*c.now.telemetry.acceleration) - GRAVITY)
+
+
+def _is_thrown(c: RuleContext) -> bool:
+    """Return whether its velocity is suddenly another, and not because it leans."""
+    seen = c.seen
+    return seen.velocity_change > BLOW_SPEED and seen.unexplained_change > UNEXPLAINED_SPEED
 
 
 def vertical_speed(c: RuleContext) -> float:
@@ -227,7 +235,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         mode=M.LAND,
         counts=N.CRUISE,
         condition="a blow: acceleration, or a velocity that is suddenly another",
-        broken=lambda c: blow(c) > BLOW_ACCELERATION or c.seen.velocity_change > BLOW_SPEED,
+        broken=lambda c: blow(c) > BLOW_ACCELERATION or _is_thrown(c),
         words=_contact_words,
         clears=Clearing.GROUND,
         steered=True,

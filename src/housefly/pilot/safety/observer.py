@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import dist, exp, hypot, inf, isfinite, nan, sqrt
+from math import cos, dist, exp, hypot, inf, isfinite, nan, sin, sqrt
 
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import Vec2
+from housefly.geometry import GRAVITY, Vec2
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import DroneStatus
 from housefly.numeric import running_sum
@@ -73,6 +73,8 @@ class FlightObservations:
             either is unknown.
         tilt_wrong_for: how long that was above ``TILT_ERROR_MAX`` in the last ``HOLD_SPAN`` [s].
         velocity_change: within ``VELOCITY_SPAN``, in the plane [m/s].
+        unexplained_change: the same, less what the reported lean did [m/s]; infinite where that is
+            unknown.
         velocity_error: rms off the wanted velocity, over ``VELOCITY_ERROR_SPAN`` [m/s].
         held_for: how long it was held in the last ``HOLD_SPAN`` [s].
         late_steps: how many steps of the last ``LATE_SPAN`` were late.
@@ -89,6 +91,7 @@ class FlightObservations:
     tilt_error: float = nan
     tilt_wrong_for: float = 0.0
     velocity_change: float = 0.0
+    unexplained_change: float = inf
     velocity_error: float = 0.0
     held_for: float = 0.0
     late_steps: int = 0
@@ -113,6 +116,8 @@ class FlightObserver:
         self._drift: Vec2 | None = None
         self._asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
+        self._unexplained: Window[Vec2] = Window(VELOCITY_SPAN)
+        self._leant: Vec2 = (0.0, 0.0)
         self._error_squared = 0.0
         self._steady = Stopwatch()
         self._held: Window[float] = Window(HOLD_SPAN)
@@ -151,6 +156,7 @@ class FlightObserver:
             tilt_error=tilt_error,
             tilt_wrong_for=_added_up(self._tilted, now, dt if is_tilted else 0.0),
             velocity_change=self._velocity_change(inputs, steady),
+            unexplained_change=self._unexplained_change(inputs, dt),
             velocity_error=self._velocity_error(inputs, steady, dt),
             # Not cut off: a pilot whose every step is late would be held for ever.
             held_for=_added_up(
@@ -219,6 +225,24 @@ class FlightObserver:
         self._velocities.add(inputs.now, (vx, vy))
         before_x, before_y = self._velocities.oldest(inputs.now)
         return hypot(vx - before_x, vy - before_y)
+
+    def _unexplained_change(self, inputs: GateInputs, dt: float) -> float:
+        """Return how much the velocity changed beyond what the lean did: a brake is no blow."""
+        told, (x, y) = inputs.telemetry, self._leant
+        if inputs.velocity is None or told is None or not isfinite(inputs.yaw):
+            self._unexplained.clear()
+            return inf
+        c, s = cos(inputs.yaw), sin(inputs.yaw)
+        ahead, left = GRAVITY * dt * sin(told.theta), -GRAVITY * dt * sin(told.phi)
+        x, y = self._leant = x + c * ahead - s * left, y + s * ahead + c * left
+        if not (isfinite(x) and isfinite(y)):
+            self._leant = (0.0, 0.0)
+            self._unexplained.clear()
+            return inf
+        vx, vy, _ = inputs.velocity
+        self._unexplained.add(inputs.now, (vx - x, vy - y))
+        before_x, before_y = self._unexplained.oldest(inputs.now)
+        return hypot(vx - x - before_x, vy - y - before_y)
 
     def _velocity_error(self, inputs: GateInputs, steady: float, dt: float) -> float:
         """Return the rms velocity error of this flight.
