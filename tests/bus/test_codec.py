@@ -10,6 +10,7 @@ from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -17,12 +18,13 @@ from mcap_ros2._dynamic import generate_dynamic
 
 from housefly import messages
 from housefly.bus.codec import from_cdr, to_cdr
-from housefly.bus.interfaces import definition, ros_name, type_store
+from housefly.bus.interfaces import definition, recorded_store, ros_name, type_store
 from housefly.bus.topics import TOPICS
 from housefly.errors import WireError
 from housefly.messages import (
     Action,
     Command,
+    DroneFault,
     Estimate,
     Inputs,
     LinkStatus,
@@ -176,11 +178,11 @@ def test_the_texts_name_every_field_and_every_enum_member_in_order() -> None:
         constants, wire_fields = type_store().fielddefs[ros_name(name)]
         assert [field for field, _ in wire_fields] == [field.name for field in fields(kind)]
         hints = typing.get_type_hints(kind)
-        enums = [
-            (field.name, hints[field.name])
+        told = [
+            (field.name, next(iter(typing.get_args(hints[field.name])), hints[field.name]))
             for field in fields(kind)
-            if isinstance(hints[field.name], type(Enum))
         ]
+        enums = [(field, enum) for field, enum in told if isinstance(enum, type(Enum))]
         expected = [f"{field.upper()}_{member.name}" for field, enum in enums for member in enum]
         assert [constant for constant, _, _ in constants] == expected
         seen += 1
@@ -206,3 +208,13 @@ def test_an_independent_reader_finds_the_same_end_of_every_step(step: PilotStep)
     assert [event.text for event in read.outputs.events] == [
         event.text for event in step.outputs.events
     ]
+
+
+def test_faults_that_an_older_version_recorded_in_words_are_read_as_what_they_are() -> None:
+    name = ros_name("Telemetry")
+    older = recorded_store(name, definition(name).replace("uint8[] faults", "string[] faults"))
+    velocity = older.types["geometry_msgs/msg/Vector3"](1.0, 2.0, 3.0)
+    numbers, words = [0.0, 3, 0.9, 0.1, 0.2, 0.3, 1.0], ["battery low", "too much wind"]
+    told = older.types[name](*numbers, velocity, words, [], True, [], np.array([]), True)
+    read = from_cdr(Telemetry, bytes(older.serialize_cdr(told, name)), older)
+    assert read.faults == (DroneFault.BATTERY_LOW, DroneFault.WIND)

@@ -20,6 +20,7 @@ from housefly.errors import WireError
 from housefly.messages import (
     Action,
     Command,
+    DroneFault,
     DroneStatus,
     KnownMotion,
     Setpoint,
@@ -51,7 +52,7 @@ reports = st.builds(
     psi=numbers,
     height=numbers,
     velocity=vectors,
-    faults=words,
+    faults=st.lists(st.sampled_from(DroneFault)).map(tuple),
     acceleration=st.none() | vectors,
     configured=st.booleans(),
     hears_us=st.booleans(),

@@ -21,6 +21,7 @@ from housefly.messages import (
     Action,
     Behavior,
     Command,
+    DroneFault,
     DroneStatus,
     Event,
     Inputs,
@@ -141,7 +142,7 @@ class Flight:
         self.status, self.since = DroneStatus.LANDED, 0.0
         self.battery = 0.9
         self.talks = True
-        self.faults: tuple[str, ...] = ()
+        self.faults: tuple[DroneFault, ...] = ()
         self.notes: tuple[str, ...] = ()
         self.configured = True
         self.late = 0.0

@@ -9,7 +9,15 @@ import pytest
 from gate_bench import blind
 
 from housefly.geometry import distance
-from housefly.messages import Action, DroneStatus, OrderKind, Phase, SafetyMode, Telemetry
+from housefly.messages import (
+    Action,
+    DroneFault,
+    DroneStatus,
+    OrderKind,
+    Phase,
+    SafetyMode,
+    Telemetry,
+)
 from housefly.pilot.safety.energy import GAUGE_STILL_TIME
 
 Fly = Callable[..., Any]
@@ -228,7 +236,7 @@ def test_a_complaint_of_the_drone_lands_it_or_is_shown(fly: Fly) -> None:
     assert outputs.safety is SafetyMode.WARN and outputs.phase is Phase.OUTBOUND
     assert outputs.command.action is Action.FLY and len(outputs.warnings) == 2
     assert outputs.reason == outputs.warnings[0]
-    flight.faults = ("motors problem",)
+    flight.faults = (DroneFault.MOTORS_PROBLEM,)
     outputs = flight.run(0.5)
     assert outputs.safety is SafetyMode.LAND and "motors problem" in outputs.reason
     landed(flight)

@@ -26,6 +26,7 @@ from hypothesis.stateful import (
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import (
     Action,
+    DroneFault,
     DroneStatus,
     Obstacle,
     Order,
@@ -52,7 +53,7 @@ ODD_REPORTS: tuple[dict[str, Any], ...] = (
     {"phi": nan, "theta": inf},
     {"phi": pi},
     {"acceleration": (1e308, 0.0, nan)},
-    {"faults": ("motors problem",)},
+    {"faults": (DroneFault.MOTORS_PROBLEM,)},
     {"notes": ("ultrasound deaf",)},
     {"configured": False},
     {"received_at": inf},

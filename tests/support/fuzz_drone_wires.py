@@ -17,7 +17,15 @@ from housefly.drones.driver_messages import (
     encode_driver_message,
 )
 from housefly.errors import WireError
-from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry, VideoFrame
+from housefly.messages import (
+    Action,
+    Command,
+    DroneFault,
+    DroneStatus,
+    Setpoint,
+    Telemetry,
+    VideoFrame,
+)
 from housefly.wires.ardrone.at import (
     Animation,
     Config,
@@ -98,7 +106,9 @@ def _driver(data: bytes) -> None:
 
 
 def _driver_seeds() -> Iterable[bytes]:
-    report = Telemetry(1.0, DroneStatus.FLYING, 0.5, faults=("weak",), acceleration=(0.0, 0.0, 9.8))
+    report = Telemetry(
+        1.0, DroneStatus.FLYING, 0.5, faults=(DroneFault.BATTERY_LOW,), acceleration=(0.0, 0.0, 9.8)
+    )
     for message in (
         TimedCommand(Command(Action.FLY, Setpoint(0.1, 0.2, 0.3, 0.4)), 5.0),
         report,

@@ -8,7 +8,7 @@ from math import inf, nan
 
 from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT
 
-from housefly.messages import DroneStatus, Phase, Reference, SafetyMode, Setpoint
+from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode, Setpoint
 from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, PeopleSilence
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.gate import Gate, GateAssessment
@@ -118,7 +118,11 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "motors_running": (lying(), lying(speed=0.12), 0.0),
     "landing_refused": (now(phase=Phase.LANDING), lying(), LIMITS.landing_timeout),
     "telemetry_lost": (now(telemetry_age=1.01), now(telemetry_age=1.0), 0.0),
-    "drone_fault": (told(faults=("motors problem",)), told(faults=("ultrasound deaf",)), 0.0),
+    "drone_fault": (
+        told(faults=(DroneFault.MOTORS_PROBLEM,)),
+        told(faults=(DroneFault.ULTRASOUND_DEAF,)),
+        0.0,
+    ),
     "not_configured": (CONFIGURED_LATE, pulsed(5.0, 4.9, CONFIGURED_LATE), 0.0),
     "battery_low": (now(battery=0.149), now(battery=0.151), 0.0),
     "battery_cliff": (now(battery=0.72), now(battery=0.75), 0.0),
@@ -141,7 +145,11 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
         now(silence=PeopleSilence(PEOPLE_SILENCE_MAX)),
         0.0,
     ),
-    "drone_complains": (told(faults=("ultrasound deaf",)), told(faults=("motors problem",)), 0.0),
+    "drone_complains": (
+        told(faults=(DroneFault.ULTRASOUND_DEAF,)),
+        told(faults=(DroneFault.MOTORS_PROBLEM,)),
+        0.0,
+    ),
     "drone_settings": (told(notes=("tilt limit refused",)), now(), 0.0),
     "battery_weak": (now(battery=0.27), now(battery=0.29), 0.0),
     "battery_gauge": (now(battery=0.8), now(), 60.0),

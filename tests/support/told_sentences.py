@@ -19,6 +19,7 @@ from housefly.hub.api.pilot_queries import PreflightView
 from housefly.messages import (
     Action,
     Command,
+    DroneFault,
     DroneStatus,
     Estimate,
     Inputs,
@@ -96,7 +97,7 @@ def _broken(height: float, pose_age: float, blow: tuple[float, float, float]) ->
         0.12,
         height=1.05,
         acceleration=blow,
-        faults=("motors problem", "low voltage"),
+        faults=(DroneFault.MOTORS_PROBLEM, DroneFault.BATTERY_LOW),
     )
     now = GateInputs(
         now=NOW,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from housefly.config.site import Site, changed
-from housefly.messages import Action, Command, DroneStatus, Setpoint
+from housefly.messages import Action, Command, DroneFault, DroneStatus, Setpoint
 from housefly.room.model import Room
 from housefly.twin.contracts import FlightState
 from housefly.twin.lockstep import FLIGHT_STATUS, LockstepRoom
@@ -122,7 +122,7 @@ def test_a_low_battery_is_told_in_words(site: Site, make_room: Callable[..., Roo
     low = changed(site, twin__battery=0.05)
     room = LockstepRoom(SimulatedWorld(low, make_room()), low)
     room.advance(0.1)
-    assert room.telemetry().faults == ("battery low",)
+    assert room.telemetry().faults == (DroneFault.BATTERY_LOW,)
     assert room.telemetry().battery == pytest.approx(0.05)
 
 

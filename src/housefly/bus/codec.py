@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import MISSING, fields
 from enum import Enum
 from functools import cache, lru_cache
-from typing import Any, TypeVar, get_type_hints
+from typing import Any, TypeVar, get_args, get_type_hints
 
 import numpy as np
 from rosbags.interfaces import Nodetype
@@ -163,7 +163,12 @@ def _field(
             if limit == 1
             else _tuple(*_nested(element_content, store))
         )
-    return _OPTIONAL_NUMBER if limit == 1 else _PLAIN_SEQUENCES[element_content[0]]
+    if limit == 1:
+        return _OPTIONAL_NUMBER
+    member = next(iter(get_args(hint)), None)
+    if isinstance(member, type) and issubclass(member, Enum):
+        return _enumerated_sequence(name, member, numbers, element_content[0])
+    return _PLAIN_SEQUENCES[element_content[0]]
 
 
 def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> _Conversion:
@@ -171,6 +176,21 @@ def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> _Conver
     code = {member: numbers[text] for member, text in names.items() if text in numbers}
     member_of = {number: member for member, number in code.items()}
     return code.__getitem__, member_of.__getitem__
+
+
+def _enumerated_sequence(
+    name: str, kind: type[Enum], numbers: dict[str, int], element: str
+) -> _Conversion:
+    """Convert a tuple of enum members; older recordings hold their values as text."""
+    if element == "string":
+        return lambda members: [member.value for member in members], lambda found: tuple(
+            map(kind, found)
+        )
+    code, member_of = _enumerated(name, kind, numbers)
+    return (
+        lambda members: np.array([code(member) for member in members], dtype=np.uint8),
+        lambda found: tuple(member_of(number) for number in found.tolist()),
+    )
 
 
 def _optional(to_wire: _Convert, from_wire: _Convert) -> _Conversion:

@@ -16,6 +16,7 @@ from housefly.errors import WireError
 from housefly.messages import (
     Action,
     Command,
+    DroneFault,
     DroneStatus,
     KnownMotion,
     Setpoint,
@@ -155,7 +156,7 @@ def _telemetry_bytes(report: Telemetry) -> bytes:
         *acceleration,
         *(report.drone_time is not None, report.drone_time or 0.0),
     )
-    return numbers + json.dumps([report.faults, report.notes]).encode()
+    return numbers + json.dumps([[fault.value for fault in report.faults], report.notes]).encode()
 
 
 def _telemetry(body: bytes) -> Telemetry:
@@ -171,7 +172,7 @@ def _telemetry(body: bytes) -> Telemetry:
         psi=psi,
         height=height,
         velocity=(forward, left, up),
-        faults=tuple(map(str, faults)),
+        faults=tuple(map(DroneFault, faults)),
         acceleration=(x, y, z) if accelerates else None,
         configured=configured,
         notes=tuple(map(str, notes)),

@@ -23,6 +23,7 @@ from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.messages.preflight import PreflightCheck
 from housefly.messages.scan import Scan
 from housefly.messages.sensing import (
+    DroneFault,
     DroneStatus,
     Estimate,
     Pose,
@@ -68,6 +69,7 @@ __all__ = [
     "Command",
     "Covariance",
     "DepthImage",
+    "DroneFault",
     "DroneStatus",
     "Estimate",
     "Event",

@@ -89,6 +89,22 @@ class DroneStatus(Enum):
     EMERGENCY = "emergency"
 
 
+class DroneFault(Enum):
+    """What a drone may complain of: no driver can tell a fault that nobody knows."""
+
+    MOTORS_PROBLEM = "motors problem"
+    SOFTWARE_FAULT = "software fault"
+    MOTORS_CUT_OUT = "motors cut out"
+    BATTERY_LOW = "battery low"
+    TILTED_TOO_FAR = "tilted too far"
+    ULTRASOUND_DEAF = "ultrasound deaf"
+    USER_EMERGENCY = "emergency landing by the user"
+    FLIGHT_TIMER_ELAPSED = "flight timer elapsed"
+    WIND = "too much wind"
+    SENSOR_BOARD_SILENT = "sensor board silent"
+    COMMANDS_LOST = "drone lost our commands"
+
+
 AIRBORNE_STATUSES = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
 """States in which the propellers carry the drone."""
 REPORT_AGE_MAX = 0.5
@@ -107,7 +123,7 @@ class Telemetry:
             not to the world.
         height: height above the floor by the drone's own sensor [m].
         velocity: body velocity forward, left, up by the drone's own estimate [m/s].
-        faults: the drone's complaints, in words.
+        faults: the drone's complaints.
         acceleration: specific force in the body [m/s^2]; None where the drone does not tell it.
         configured: its limits were written, acknowledged and read back; no take-off before.
         notes: what is not as it should be with its settings or sensors, in words.
@@ -123,7 +139,7 @@ class Telemetry:
     psi: float = 0.0
     height: float = 0.0
     velocity: Vec3 = (0.0, 0.0, 0.0)
-    faults: tuple[str, ...] = ()
+    faults: tuple[DroneFault, ...] = ()
     acceleration: Vec3 | None = None
     configured: bool = True
     notes: tuple[str, ...] = ()

@@ -13,7 +13,15 @@ from math import inf, isfinite, nan
 
 from housefly.config.site import Site
 from housefly.errors import ConfigError
-from housefly.messages import Command, DroneStatus, KnownMotion, Setpoint, Sighting, Telemetry
+from housefly.messages import (
+    Command,
+    DroneFault,
+    DroneStatus,
+    KnownMotion,
+    Setpoint,
+    Sighting,
+    Telemetry,
+)
 from housefly.twin.contracts import (
     FlightState,
     MocapFrame,
@@ -46,12 +54,12 @@ FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
 }
 
 _ROUNDING = 1e-9
-_FAULTS: tuple[tuple[str, Callable[[OnboardState], bool]], ...] = (
-    ("motors problem", lambda onboard: onboard.motors_problem),
-    ("battery low", lambda onboard: onboard.low_battery),
-    ("tilted too far", lambda onboard: onboard.angles_out_of_range),
-    ("drone lost our commands", lambda onboard: onboard.com_lost),
-    ("ultrasound deaf", lambda onboard: onboard.ultrasound_deaf),
+_FAULTS: tuple[tuple[DroneFault, Callable[[OnboardState], bool]], ...] = (
+    (DroneFault.MOTORS_PROBLEM, lambda onboard: onboard.motors_problem),
+    (DroneFault.BATTERY_LOW, lambda onboard: onboard.low_battery),
+    (DroneFault.TILTED_TOO_FAR, lambda onboard: onboard.angles_out_of_range),
+    (DroneFault.COMMANDS_LOST, lambda onboard: onboard.com_lost),
+    (DroneFault.ULTRASOUND_DEAF, lambda onboard: onboard.ultrasound_deaf),
 )
 
 
@@ -258,7 +266,7 @@ def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Tel
         psi=onboard.psi,
         height=onboard.height,
         velocity=(forward, left, 0.0),
-        faults=tuple(words for words, applies in _FAULTS if applies(onboard)),
+        faults=tuple(fault for fault, applies in _FAULTS if applies(onboard)),
         acceleration=onboard.acceleration,
         drone_time=onboard.at,
         hears_us=not (onboard.com_watchdog or onboard.com_lost),

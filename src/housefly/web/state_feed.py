@@ -277,7 +277,7 @@ def _state(
         battery_return=home_s / _RATED_ENDURANCE,
         flight_s=telemetry.battery * _RATED_ENDURANCE if telemetry else None,
         telemetry_age=step.now - telemetry.received_at if telemetry else None,
-        faults=telemetry.faults if telemetry else (),
+        faults=tuple(fault.value for fault in telemetry.faults) if telemetry else (),
         notes=telemetry.notes if telemetry else (),
         height=telemetry.height if telemetry else None,
         position=estimate.position if estimate else None,

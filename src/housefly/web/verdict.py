@@ -72,9 +72,9 @@ def _what_else(known: ConsoleKnowledge) -> tuple[str, ...]:
     checks = () if known.airborne else known.preflight.checks
     failing = [one for one in checks if not one.passed]
     told = [check_in_words(one) for one in failing if not one.required]
-    drone = known.telemetry
-    notes = [*(known.link.notes if known.link else ()), *(drone.notes if drone else ())]
-    for note in [*notes, *(drone.faults if drone else ())]:
+    drone, link = known.telemetry, known.link
+    faults = (fault.value for fault in drone.faults) if drone else ()
+    for note in [*(link.notes if link else ()), *(drone.notes if drone else ()), *faults]:
         is_check = bool(checks) and note.startswith(SAID_BY_A_CHECK)
         if not is_check and not any(note in one for one in (*told, *(c.value for c in failing))):
             told.append(note)

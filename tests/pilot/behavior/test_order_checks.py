@@ -7,7 +7,7 @@ from math import inf, nan
 import pytest
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Order, OrderKind, Phase, Telemetry
+from housefly.messages import DroneFault, DroneStatus, Order, OrderKind, Phase, Telemetry
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.mission_tables import ORDERS, REFUSALS, Response
 from housefly.pilot.behavior.order_checks import EXPIRING_ORDERS, OrderContext, refusal
@@ -96,8 +96,8 @@ REPORT = Telemetry(0.0, DroneStatus.LANDED, 0.9)
     ("change", "word"),
     [
         ({"telemetry": replace(REPORT, configured=False)}, "not confirmed its limits"),
-        ({"telemetry": replace(REPORT, faults=("motors problem",))}, "motors problem"),
-        ({"telemetry": replace(REPORT, faults=("ultrasound deaf",))}, "ultrasound deaf"),
+        ({"telemetry": replace(REPORT, faults=(DroneFault.MOTORS_PROBLEM,))}, "motors problem"),
+        ({"telemetry": replace(REPORT, faults=(DroneFault.ULTRASOUND_DEAF,))}, "ultrasound deaf"),
         ({"consistency": TrackingConsistency(height_error=0.31)}, "+0.31 m"),
         ({"consistency": TrackingConsistency(height_error=-0.31)}, "-0.31 m"),
         ({"return_wanted": True}, "coming home"),
@@ -112,7 +112,7 @@ def test_a_drone_that_is_not_fit_stays_down_and_says_why(
 @pytest.mark.parametrize(
     "change",
     [
-        {"telemetry": replace(REPORT, faults=("emergency landing by the user",))},
+        {"telemetry": replace(REPORT, faults=(DroneFault.USER_EMERGENCY,))},
         {"telemetry": REPORT, "consistency": TrackingConsistency(height_error=0.29)},
     ],
 )

@@ -8,7 +8,7 @@ from math import inf, nan
 import pytest
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Estimate, Telemetry
+from housefly.messages import DroneFault, DroneStatus, Estimate, Telemetry
 from housefly.messages.preflight import FrameCheckState, FramesKnown
 from housefly.pilot.behavior.mission import PeopleSilence, VehicleStatus
 from housefly.pilot.behavior.preflight import (
@@ -49,7 +49,7 @@ BROKEN = {
     "drone_upright": told(phi=3.1),
     "drone_still": told(velocity=(0.3, 0.0, 0.0)),
     "drone_configured": told(configured=False),
-    "drone_healthy": told(faults=("motors problem",)),
+    "drone_healthy": told(faults=(DroneFault.MOTORS_PROBLEM,)),
     "charge": known(battery=nan),
     "gauge": known(gauge_stuck=True),
     "tracking": known(estimate=None),

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, SafetyMode, Telemetry
+from housefly.messages import DroneFault, DroneStatus, SafetyMode, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.drone_rules import DESCENT_MARGIN
 from housefly.pilot.safety.fallbacks import possible_mode
@@ -25,7 +25,7 @@ FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.4)
 FINE = GateInputs(
     10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False, telemetry=None
 )
-DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=("ultrasound deaf",))
+DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=(DroneFault.ULTRASOUND_DEAF,))
 LONGEST = FENCE.ceiling / DESCENT_RATE + DESCENT_MARGIN
 
 

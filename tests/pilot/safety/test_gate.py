@@ -15,6 +15,7 @@ from housefly.messages import (
     Action,
     Clearing,
     Command,
+    DroneFault,
     DroneStatus,
     Phase,
     Reference,
@@ -49,7 +50,7 @@ FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
 FINE = GateInputs(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
 REPORT = Telemetry(10.0, DroneStatus.FLYING, 0.9)
-DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=("ultrasound deaf",))
+DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=(DroneFault.ULTRASOUND_DEAF,))
 CLEAR = GateVerdict(Command(Action.HOVER), SafetyMode.NOMINAL)
 OLD = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old")
 LOST = GateVerdict(Command(Action.HOVER), SafetyMode.LAND, "tracking_lost", "lost")

@@ -9,7 +9,7 @@ import pytest
 from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
 from housefly.geometry import GRAVITY, stopping_distance
-from housefly.messages import DroneStatus, Phase, Reference, SafetyMode
+from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED, REACTION_TIME
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
@@ -263,7 +263,7 @@ def test_a_landing_is_steered_up_to_its_bounds() -> None:
 
 
 def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None:
-    deaf = replace(REPORT, faults=("ultrasound deaf",))
+    deaf = replace(REPORT, faults=(DroneFault.ULTRASOUND_DEAF,))
     enough = descent_time(context())
     modes = [
         possible_mode(SafetyMode.LAND, context(telemetry=deaf, landing_for=t, pose_age=0.3))

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from housefly.messages.sensing import DroneFault
+
 LANDING_FAULTS = frozenset(
     {
-        "motors problem",
-        "software fault",
-        "motors cut out",
-        "battery low",
-        "tilted too far",
-        "sensor board silent",
-        "flight timer elapsed",
-        "too much wind",
+        DroneFault.MOTORS_PROBLEM,
+        DroneFault.SOFTWARE_FAULT,
+        DroneFault.MOTORS_CUT_OUT,
+        DroneFault.BATTERY_LOW,
+        DroneFault.TILTED_TOO_FAR,
+        DroneFault.SENSOR_BOARD_SILENT,
+        DroneFault.FLIGHT_TIMER_ELAPSED,
+        DroneFault.WIND,
     }
 )
 """The drone is landed at once."""
-DEAF_SONAR = "ultrasound deaf"
-"""The complaint of a drone that does not know its height."""
-GROUNDING_FAULTS = LANDING_FAULTS | {DEAF_SONAR}
-"""No take-off with one of these."""
+GROUNDING_FAULTS = LANDING_FAULTS | {DroneFault.ULTRASOUND_DEAF}
+"""No take-off with one of these: who is deaf does not know its height."""
+
+
+def fault_list(faults: Iterable[DroneFault]) -> str:
+    """Return complaints of the drone in words, "" for none."""
+    return ", ".join(fault.value for fault in faults)

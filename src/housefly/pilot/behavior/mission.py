@@ -9,7 +9,7 @@ from housefly.geometry import Vec2, Vec3, heading_to
 from housefly.messages.flight import OrderKind, Phase
 from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.messages.steering import Path
-from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
+from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS, fault_list
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -267,7 +267,7 @@ class VehicleStatus:
     def grounding_faults(self) -> str:
         """The drone's complaints that forbid a take-off, in words, or ""."""
         told = self.telemetry.faults if self.telemetry else ()
-        return ", ".join(word for word in told if word in GROUNDING_FAULTS)
+        return fault_list(fault for fault in told if fault in GROUNDING_FAULTS)
 
     @property
     def configured(self) -> bool | None:

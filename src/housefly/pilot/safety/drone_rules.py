@@ -6,7 +6,7 @@ from math import hypot, inf
 
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
-from housefly.pilot.behavior.drone_faults import LANDING_FAULTS
+from housefly.pilot.behavior.drone_faults import LANDING_FAULTS, fault_list
 from housefly.pilot.safety.energy import CLIFF_SPAN, GAUGE_STILL_TIME
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
 from housefly.pilot.safety.observer import HOLD_SPAN, LATE_SPAN
@@ -78,7 +78,7 @@ def _is_still_up(c: RuleContext) -> bool:
 
 
 def _complaints(c: RuleContext, *, ends_flight: bool) -> str:
-    return ", ".join(word for word in c.now.faults if (word in LANDING_FAULTS) is ends_flight)
+    return fault_list(one for one in c.now.faults if (one in LANDING_FAULTS) is ends_flight)
 
 
 DRONE_RULES: tuple[SafetyRule, ...] = (

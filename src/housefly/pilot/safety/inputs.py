@@ -7,7 +7,7 @@ from math import isfinite, nan
 
 from housefly.geometry import Vec2, Vec3, stopping_distance
 from housefly.messages.flight import Phase
-from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Telemetry
+from housefly.messages.sensing import AIRBORNE_STATUSES, DroneFault, DroneStatus, Telemetry
 from housefly.messages.steering import Reference, Setpoint
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.behavior.mission import NO_SILENCE, PeopleSilence
@@ -85,8 +85,8 @@ class GateInputs:
         return self.status is DroneStatus.FLYING and self.phase in CRUISE_PHASES
 
     @property
-    def faults(self) -> tuple[str, ...]:
-        """The drone's complaints, in words."""
+    def faults(self) -> tuple[DroneFault, ...]:
+        """The drone's complaints."""
         return self.telemetry.faults if self.telemetry else ()
 
 

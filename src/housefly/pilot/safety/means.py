@@ -10,8 +10,7 @@ from __future__ import annotations
 from enum import Enum
 from math import isfinite
 
-from housefly.messages.sensing import DroneStatus
-from housefly.pilot.behavior.drone_faults import DEAF_SONAR
+from housefly.messages.sensing import DroneFault, DroneStatus
 from housefly.pilot.safety.drone_rules import LOW_HEIGHT, descent_time, rise
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import control_error
@@ -59,7 +58,7 @@ def is_believed(c: RuleContext) -> bool:
 
 def knows_height(c: RuleContext) -> bool:
     """Return whether the drone can be trusted to find the floor by itself."""
-    return DEAF_SONAR not in c.now.faults and not seems_low(c)
+    return DroneFault.ULTRASOUND_DEAF not in c.now.faults and not seems_low(c)
 
 
 def means_to_hold(c: RuleContext, steered: bool) -> Means:

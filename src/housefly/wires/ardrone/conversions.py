@@ -12,7 +12,7 @@ from math import degrees, isfinite, radians
 
 from housefly.errors import WireError
 from housefly.geometry import GRAVITY, Vec3, wrap_angle
-from housefly.messages import DroneStatus, Setpoint, Telemetry
+from housefly.messages import DroneFault, DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone.at import Pcmd, PcmdFlag
 from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
 from housefly.wires.ardrone.navdata_options import Altitude, Demo, MajorState, PhysMeasures, Time
@@ -30,20 +30,20 @@ _STATUS = {
     MajorState.LOOPING: DroneStatus.FLYING,
 }
 
-_FAULTS: tuple[tuple[StateBits, str], ...] = (
-    (StateBits.MOTORS_PROBLEM, "motors problem"),
-    (StateBits.SOFTWARE_FAULT, "software fault"),
-    (StateBits.CUTOUT, "motors cut out"),
-    (StateBits.BATTERY_LOW, "battery low"),
-    (StateBits.ANGLES_OUT_OF_RANGE, "tilted too far"),
-    (StateBits.ULTRASOUND_DEAF, "ultrasound deaf"),
-    (StateBits.USER_EMERGENCY, "emergency landing by the user"),
-    (StateBits.TIMER_ELAPSED, "flight timer elapsed"),
-    (StateBits.WIND, "too much wind"),
-    (StateBits.ADC_WATCHDOG, "sensor board silent"),
-    (StateBits.COM_LOST, "drone lost our commands"),
+_FAULTS: tuple[tuple[StateBits, DroneFault], ...] = (
+    (StateBits.MOTORS_PROBLEM, DroneFault.MOTORS_PROBLEM),
+    (StateBits.SOFTWARE_FAULT, DroneFault.SOFTWARE_FAULT),
+    (StateBits.CUTOUT, DroneFault.MOTORS_CUT_OUT),
+    (StateBits.BATTERY_LOW, DroneFault.BATTERY_LOW),
+    (StateBits.ANGLES_OUT_OF_RANGE, DroneFault.TILTED_TOO_FAR),
+    (StateBits.ULTRASOUND_DEAF, DroneFault.ULTRASOUND_DEAF),
+    (StateBits.USER_EMERGENCY, DroneFault.USER_EMERGENCY),
+    (StateBits.TIMER_ELAPSED, DroneFault.FLIGHT_TIMER_ELAPSED),
+    (StateBits.WIND, DroneFault.WIND),
+    (StateBits.ADC_WATCHDOG, DroneFault.SENSOR_BOARD_SILENT),
+    (StateBits.COM_LOST, DroneFault.COMMANDS_LOST),
 )
-"""State bits that a person should know of, in words."""
+"""State bits that a person should know of."""
 ULTRASOUND_MIN = 0.25
 """Raw ultrasound up to this may be anything nearer [m]: on the floor it tells 0.24."""
 
@@ -94,7 +94,7 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
         psi=_angle(-demo.psi),
         height=_height(packet, demo),
         velocity=(demo.vx / 1000.0, -demo.vy / 1000.0, -demo.vz / 1000.0),
-        faults=tuple(text for bit, text in _FAULTS if packet.has(bit)),
+        faults=tuple(fault for bit, fault in _FAULTS if packet.has(bit)),
         acceleration=_acceleration(packet),
         drone_time=time.seconds if (time := packet.option(Time)) else None,
         hears_us=hears_us(packet),
