@@ -56,6 +56,19 @@ def test_who_gives_too_many_is_named_and_a_person_is_heard_all_the_same() -> Non
     assert len(drained(inbox)) == 1
 
 
+def test_who_waits_for_an_answer_hears_that_an_order_was_left_out() -> None:
+    inbox = OrderInbox(SteppedClock(10.0))
+    for number in range(1000):
+        inbox.add(Order(OrderKind.GO, sender="loop", id=str(number)))
+    given, answers = inbox.waiting, inbox.answers()
+    assert [one.order_id for one in answers[:2]] == ["20", "21"] and len(answers) <= ORDERS_MAX
+    inbox.add(order(OrderKind.STOP))
+    taken = inbox.drain()
+    left_out = [one.id for one in given if one not in taken]
+    assert left_out and [one.order_id for one in inbox.answers()] == left_out
+    assert inbox.answers() == ()
+
+
 def test_a_thousand_names_are_no_way_around_it() -> None:
     clock = SteppedClock(10.0)
     inbox = OrderInbox(clock)

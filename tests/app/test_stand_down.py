@@ -37,7 +37,7 @@ def test_while_it_stands_down_it_takes_every_order_but_those_that_fly() -> None:
     assert {one.kind for one in every} - {one.kind for one in passed} == RISING_ORDERS
     assert OrderKind.STOP in {one.kind for one in passed}
     assert len(told) == len(RISING_ORDERS)
-    assert all("refused: the pilot starts again" in event.text for event in told)
+    assert all("refused: the pilot starts again" in one.event(NOW).text for one in told)
 
 
 def test_after_a_while_that_nobody_ended_it_flies_again() -> None:

@@ -252,8 +252,11 @@ def test_every_order_in_every_phase_leaves_the_pilot_sane(
         return flight.until(lambda o: o.phase is phase)
 
     flight.begin(f"until {phase}", begun)
-    flight.step(flight.order(kind, goal=(3.5, 3.0)))
-    flight.step(flight.order(OrderKind.RESUME))
+    answered = flight.step(flight.order(kind, goal=(3.5, 3.0), id="mine"))
+    (answer,) = answered.answers
+    assert answer.order_id == "mine"
+    assert bool(answer.refusal) is any(e.code == "order_refused" for e in answered.events)
+    assert flight.step(flight.order(OrderKind.RESUME)).answers == (), "nobody waits for one"
     flight.run(1.0)
     flight.step(flight.order(OrderKind.LAND))
     outputs = flight.until(lambda o: o.phase is Phase.IDLE, 15.0)

@@ -15,7 +15,16 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from housefly.bus.codec import to_cdr
 from housefly.bus.interfaces import definition, type_store
 from housefly.errors import RecordingError
-from housefly.messages import Command, Inputs, Outputs, PilotStep, Setpoint
+from housefly.messages import (
+    Command,
+    Inputs,
+    Order,
+    OrderKind,
+    OrderSource,
+    Outputs,
+    PilotStep,
+    Setpoint,
+)
 from housefly.record.mcap_log import McapLog
 from housefly.record.replay import STEP_CHANNEL, read_steps, verify
 
@@ -141,25 +150,40 @@ def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
         list(read_steps(tmp_path))
 
 
-def test_a_recording_whose_reports_lack_a_newer_field_is_read_with_its_default(
-    recording: Path, flight: tuple[PilotStep, ...], tmp_path: Path
-) -> None:
+def write_older(folder: Path, step: PilotStep, lacking: str) -> None:
+    """Write a recording of one step by a version that had not this line of the definitions yet."""
     kind = "housefly_msgs/msg/PilotStep"
-    schema = definition(kind).replace("float64[<=1] drone_time\n", "")
+    schema = definition(kind).replace(lacking, "")
     older = get_typestore(Stores.EMPTY)
     older.register(get_types_from_msg(schema, kind))
-    step = next(step for step in flight if step.inputs.telemetry)
     report = type_store().deserialize_cdr(to_cdr(step), kind)
-    with (tmp_path / "flight.mcap").open("wb") as file:
+    with (folder / "flight.mcap").open("wb") as file:
         writer = Writer(file)
         writer.start(profile="ros2")
         number = writer.register_schema(kind, "ros2msg", schema.encode())
         channel = writer.register_channel(STEP_CHANNEL, "cdr", number)
         writer.add_message(channel, 0, bytes(older.serialize_cdr(report, kind)), 0)
         writer.finish()
+
+
+def test_a_recording_whose_reports_lack_a_newer_field_is_read_with_its_default(
+    recording: Path, flight: tuple[PilotStep, ...], tmp_path: Path
+) -> None:
+    step = next(step for step in flight if step.inputs.telemetry)
+    write_older(tmp_path, step, "float64[<=1] drone_time\n")
     (found,) = read_steps(tmp_path)
     assert found.inputs.telemetry is not None and found.inputs.telemetry.drone_time is None
     assert found.outputs == step.outputs
+
+
+def test_an_older_recording_knows_a_tasks_orders_by_the_name_of_their_sender(
+    recording: Path, flight: tuple[PilotStep, ...], tmp_path: Path
+) -> None:
+    orders = (Order(OrderKind.HOME, sender="task 1: look"), Order(OrderKind.LAND, sender="kim"))
+    step = replace(flight[0], inputs=replace(flight[0].inputs, orders=orders))
+    write_older(tmp_path, step, "uint8 source\n")
+    (found,) = read_steps(tmp_path)
+    assert [one.source for one in found.inputs.orders] == [OrderSource.TASK, OrderSource.PERSON]
 
 
 def test_a_pilot_that_decides_the_same_is_verified(

@@ -9,7 +9,16 @@ from typing import Any
 from housefly.errors import TaskError, ThingError
 from housefly.geometry import Vec2, Vec3, heading_to
 from housefly.hub.api.questions import Question, StateQuestion
-from housefly.messages import DroneStatus, Event, Order, OrderKind, Phase, SafetyMode, Severity
+from housefly.messages import (
+    DroneStatus,
+    Event,
+    Order,
+    OrderAnswer,
+    OrderKind,
+    Phase,
+    SafetyMode,
+    Severity,
+)
 from housefly.pilot.behavior.mission_tables import ORDERS, REFUSALS, Response
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.execution.task_run import TaskRun
@@ -39,6 +48,7 @@ class ScriptedPilot:
         self.after: Order | None = None
         self.since = 0.0
         self.events: list[Event] = []
+        self.answers: list[OrderAnswer] = []
         self.by_people: list[Order] = []
         self.refuses = ""
         self.was_up = False
@@ -47,7 +57,7 @@ class ScriptedPilot:
     def advance(self, orders: list[Order], people: tuple[Order, ...] = ()) -> None:
         """Go on by one period."""
         self.now += PERIOD
-        self.events, self.by_people = [], list(people)
+        self.events, self.answers, self.by_people = [], [], list(people)
         for order in (*people, *orders):
             self._obey(order)
         self._move()
@@ -61,10 +71,10 @@ class ScriptedPilot:
         if not (expired and self.now - order.issued_at > 0.5):
             why = response.value if response in REFUSALS else ""
             why = why or (self.refuses if response in (Response.START, Response.DEPART) else "")
+        self.answers.append(OrderAnswer(order.id, why))
         if why:
             self._tell("order_refused", f"{words} refused: {why}", Severity.WARNING)
             return
-        self._tell("order_accepted", f"{words} by {order.sender}: {response.value}")
         if response in (Response.START, Response.LATER):
             self.after = order
             if response is Response.START:
@@ -146,6 +156,7 @@ class ScriptedPilot:
             0.9,
             tuple(self.by_people),
             self.pose_age,
+            tuple(self.answers),
         )
 
 

@@ -12,11 +12,10 @@ from task_stage import TaskStage
 
 from housefly.bus.topics import HUB_QUERY
 from housefly.errors import TaskError
-from housefly.messages import DroneStatus, OrderKind
+from housefly.messages import DroneStatus, OrderKind, OrderSource
 from housefly.tasks.api.questions import BoardQuestion, RequestTask, Sentence, SetMode
 from housefly.tasks.api.values import HouseMode, ReasonCode, RequestSurface
 from housefly.tasks.api.values import TaskStage as Stage
-from housefly.tasks.execution.step_inbox import is_of_task
 from housefly.tasks.intents.intent import LANGUAGES, Language
 from housefly.tasks.intents.phrases import phrases
 
@@ -76,7 +75,7 @@ def test_no_name_makes_the_order_of_a_sentence_one_of_a_task(stage: TaskStage) -
     stage.stand()
     stage.ask(Sentence("come home", by="task 1: look"))
     (order,) = stage.orders
-    assert order.kind is OrderKind.HOME and not is_of_task(order)
+    assert order.kind is OrderKind.HOME and order.source is OrderSource.PERSON
 
 
 ORDERED = {

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from task_stage import GOOD, TaskStage
 
 from housefly.errors import TaskError
-from housefly.messages import DroneStatus, Order, OrderKind, Phase, RoomEvent
+from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase, RoomEvent
 from housefly.tasks.api.answers import TASK_ANSWER_TYPES
 from housefly.tasks.api.questions import (
     BoardQuestion,
@@ -487,7 +487,7 @@ def test_what_flew_while_the_tasks_died_is_not_said_to_have_stayed_on_the_ground
     crashed.stand()
     crashed.ask(LOOK)
     crashed.stand()
-    flown = Order(OrderKind.GO, sender="task 1: look")
+    flown = Order(OrderKind.GO, sender="task 1: look", source=OrderSource.TASK)
     crashed.stand(2.0, DroneStatus.FLYING, Phase.OUTBOUND, (flown,))
     assert crashed.task().took_off_at is not None
     crashed.close()
@@ -501,7 +501,7 @@ def test_after_a_person_landed_the_next_flight_asks_before_it_takes_off(stage: T
     stage.ask(LOOK)
     stage.stand()
     stage.ask(RequestTask("look", {"subject": "sofa"}, by="ann"))
-    flown = Order(OrderKind.GO, sender="task 1: look")
+    flown = Order(OrderKind.GO, sender="task 1: look", source=OrderSource.TASK)
     stage.stand(2.0, DroneStatus.FLYING, Phase.OUTBOUND, (flown,))
     stage.stand(1.0, DroneStatus.FLYING, Phase.LANDING, (Order(OrderKind.LAND, sender="kim"),))
     assert stage.task(1).code is ReasonCode.PERSON_TOOK_OVER
@@ -537,7 +537,7 @@ def test_a_drone_that_a_called_off_task_left_in_the_air_is_sent_home(stage: Task
     stage.stand()
     stage.ask(LOOK)
     stage.stand()
-    flown = Order(OrderKind.GO, sender="task 1: look")
+    flown = Order(OrderKind.GO, sender="task 1: look", source=OrderSource.TASK)
     stage.stand(1.0, DroneStatus.FLYING, Phase.OUTBOUND, (flown,))
     stage.rehearsals.is_slow = True
     stage.ask(RequestTask("look", {"subject": "tv"}, by="rule", priority=Priority.ALARM))

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER_TOPIC
 from housefly.clock import RealClock
-from housefly.messages import Order, OrderKind
-from housefly.tasks.execution.step_inbox import is_of_task
+from housefly.messages import Order, OrderKind, OrderSource
 from housefly.web.client_messages import OrderRequest
 from housefly.web.fake_room import example_room
 from housefly.web.orders import ORDER_WORDS, order_in_words, order_objection, to_order
@@ -69,8 +68,8 @@ def test_the_order_carries_who_asked_and_when() -> None:
 @given(st.text(max_size=24))
 def test_no_name_makes_a_persons_order_one_of_a_task(name: str) -> None:
     request = OrderRequest("order", 1, OrderKind.HOVER)
-    assert not is_of_task(to_order(request, name, 0.0))
-    assert not is_of_task(to_order(request, f"task {name}", 0.0))
+    assert to_order(request, name, 0.0).source is OrderSource.PERSON
+    assert to_order(request, f"task {name}", 0.0).source is OrderSource.PERSON
 
 
 def test_no_name_makes_a_persons_stop_one_of_a_task() -> None:
@@ -78,5 +77,5 @@ def test_no_name_makes_a_persons_stop_one_of_a_task() -> None:
     bus.join().subscribe(ORDER_TOPIC, heard.put)
     link = PilotLink(bus.join(), lambda: None, RealClock())
     link.stop("task 12: look")
-    assert not is_of_task(heard.get(timeout=20.0))
+    assert heard.get(timeout=20.0).source is OrderSource.PERSON
     link.close()

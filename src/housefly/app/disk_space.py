@@ -15,12 +15,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from housefly.app.stand_down import RISING_ORDERS
+from housefly.app.refused_orders import RefusedOrder, refuse_rising
 from housefly.config.environment import RECORDING_VARIABLE
 from housefly.config.site import Site
 from housefly.config.state import database_file, tasks_folder
 from housefly.errors import HouseflyError
-from housefly.messages import Event, Order, Severity
+from housefly.messages import Order
 from housefly.messages.preflight import PreflightCheck
 
 FREE_SHARE_MIN = 0.07
@@ -112,21 +112,10 @@ class DiskSpace:
         return f"{_UNWRITABLE}: {self.refusal}; {_WRITABLE_MEND}" if self.refusal else ""
 
     def allowed(
-        self, orders: tuple[Order, ...], now: float
-    ) -> tuple[tuple[Order, ...], tuple[Event, ...]]:
-        """Return the orders without those that take off where there is no room, and the words."""
-        fault = self._fault()
-        refused = [order for order in orders if fault and order.kind in RISING_ORDERS]
-        told = (
-            Event(
-                now,
-                Severity.WARNING,
-                "order_refused",
-                f"{order.kind.value.replace('_', ' ')} refused: {fault}",
-            )
-            for order in refused
-        )
-        return tuple(order for order in orders if order not in refused), tuple(told)
+        self, orders: tuple[Order, ...]
+    ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
+        """Return the orders without those that take off where there is no room, and those."""
+        return refuse_rising(orders, self._fault())
 
 
 def disks_of(site: Site) -> DiskSpace:

@@ -10,7 +10,7 @@ from collections import Counter, deque
 from threading import Lock
 
 from housefly.clock import Clock
-from housefly.messages import Event, Order, OrderKind, Severity
+from housefly.messages import Event, Order, OrderAnswer, OrderKind, Severity
 
 SENDER_ORDERS_MAX, ORDERS_MAX = 20, 40
 """Orders in a second of one sender, and of all of them."""
@@ -19,6 +19,8 @@ ORDERS_PER_STEP = 1
 STOPPING_ORDERS = frozenset({OrderKind.STOP, OrderKind.LAND, OrderKind.CUT})
 """These always pass: one of each kind and sender in a step."""
 _PERIOD = 1.0
+_TOO_MANY = "too many orders in a second"
+_OUTDATED = "an order to stop or land came before it was taken"
 _NAME_MAX = 40
 
 
@@ -37,6 +39,7 @@ class OrderInbox:
         self._since = clock.now()
         self._taken: dict[str, int] = {}
         self._refused = Counter[str]()
+        self._answers: list[OrderAnswer] = []
 
     @property
     def waiting(self) -> tuple[Order, ...]:
@@ -53,6 +56,8 @@ class OrderInbox:
                 self._nudges[order.sender] = order
             elif self._is_allowed(order.sender):
                 self._waiting.append(order)
+            else:
+                self._refuse(order, _TOO_MANY)
 
     def _may_nudge(self, sender: str) -> bool:
         return sender in self._nudges or len(self._nudges) < ORDERS_MAX
@@ -78,11 +83,23 @@ class OrderInbox:
             taken = tuple(self._waiting.popleft() for _ in range(count))
             nudges, stopping = tuple(self._nudges.values()), tuple(self._stopping.values())
             if stopping:
-                self._refused.update(Counter(order.sender for order in self._waiting))
+                for order in self._waiting:
+                    self._refused[order.sender] += 1
+                    self._refuse(order, _OUTDATED)
                 self._waiting.clear()
             self._nudges.clear()
             self._stopping.clear()
             return (*taken, *nudges, *stopping)
+
+    def _refuse(self, order: Order, why: str) -> None:
+        if order.id and len(self._answers) < ORDERS_MAX:
+            self._answers.append(OrderAnswer(order.id, why))
+
+    def answers(self) -> tuple[OrderAnswer, ...]:
+        """Return the answers to what was refused since the last call."""
+        with self._lock:
+            answers, self._answers = tuple(self._answers), []
+            return answers
 
     def told(self) -> tuple[Event, ...]:
         """Return whose orders were too many, once a second."""

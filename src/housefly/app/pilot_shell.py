@@ -30,6 +30,7 @@ from housefly.app.people_sight import PeopleSight
 from housefly.app.pilot_publisher import PilotPublisher
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
+from housefly.app.refused_orders import answers_to
 from housefly.app.stand_down import StandDown
 from housefly.bus.bus import Bus
 from housefly.bus.rate import Rate
@@ -211,11 +212,12 @@ class PilotShell:
 
     def _step(self) -> None:
         now = self._clock.now()
-        orders, refusals = self._orders.drain(), self._orders.told()
+        orders, events, answers = self._orders.drain(), self._orders.told(), self._orders.answers()
         if not self._airborne():
-            orders, full = self._disks.allowed(orders, now)
+            orders, full = self._disks.allowed(orders)
             orders, standing = self._stand_down.allowed(orders, now)
-            refusals += full + standing
+            events += tuple(one.event(now) for one in full + standing)
+            answers += answers_to(full + standing)
         inputs = Inputs(
             tuple(self._sightings),
             self._drone.telemetry,
@@ -229,7 +231,9 @@ class PilotShell:
         outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
         self._drone.send(outputs.command, None if self._failure else self.pilot.known_motion)
         self._outputs = outputs
-        outputs = replace(outputs, events=outputs.events + refusals) if refusals else outputs
+        if events or answers:
+            told, answered = outputs.events + events, outputs.answers + answers
+            outputs = replace(outputs, events=told, answers=answered)
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1
         self._queries.update(step)

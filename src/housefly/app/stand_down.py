@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-from housefly.messages import (
-    DroneStatus,
-    Event,
-    Order,
-    OrderKind,
-    Outputs,
-    Phase,
-    Severity,
-    Telemetry,
-)
+from housefly.app.refused_orders import RISING_ORDERS, RefusedOrder, refuse_rising
+from housefly.messages import DroneStatus, Order, Outputs, Phase, Telemetry
 from housefly.messages.sensing import REPORT_AGE_MAX
 
 STAND_DOWN_TIME = 5.0
 """So long it takes no order that flies [s]; then it goes on, if nobody has ended it."""
-RISING_ORDERS = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
-"""Orders that take off."""
-_REFUSAL = "refused: the pilot starts again with the new map; order it anew in a moment"
+_REFUSAL = "the pilot starts again with the new map; order it anew in a moment"
 
 
 class StandDown:
@@ -49,19 +39,9 @@ class StandDown:
 
     def allowed(
         self, orders: tuple[Order, ...], now: float
-    ) -> tuple[tuple[Order, ...], tuple[Event, ...]]:
-        """Return the orders without those that would take off now, and the words for those."""
-        refused = tuple(one for one in orders if now < self._until and one.kind in RISING_ORDERS)
-        told = tuple(
-            Event(
-                now,
-                Severity.WARNING,
-                "order_refused",
-                f"{one.kind.value.replace('_', ' ')} {_REFUSAL}",
-            )
-            for one in refused
-        )
-        return tuple(one for one in orders if one not in refused), told
+    ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
+        """Return the orders without those that would take off now, and those."""
+        return refuse_rising(orders, _REFUSAL if now < self._until else "")
 
 
 def _objection(

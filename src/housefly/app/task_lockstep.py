@@ -19,6 +19,7 @@ from housefly.messages import (
     Obstacle,
     Order,
     OrderKind,
+    OrderSource,
     Phase,
     PilotStep,
 )
@@ -268,7 +269,8 @@ class _FlownTask:
             self._answer(action)
         if isinstance(action, GiveOrder):
             sender = task_sender(1, self._task.service)
-            return (replace(action.order, issued_at=self._loop.now, sender=sender),)
+            order = replace(action.order, issued_at=self._loop.now, sender=sender)
+            return (replace(order, source=OrderSource.TASK),)
         return ()
 
     def _answer(self, asked: AskPerson) -> None:

@@ -11,9 +11,6 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Estimate, Sighting, Telemetry
 from housefly.messages.steering import Behavior, Clearing, Command, Path, Reference, SafetyMode
 
-TASK_SENDER = "task "
-"""How the sender of a task's order begins; no person's does."""
-
 
 class OrderKind(Enum):
     """What people and tasks may ask of the pilot."""
@@ -29,6 +26,16 @@ class OrderKind(Enum):
     CUT = "cut"
     RESET = "reset"
     NUDGE = "nudge"
+
+
+class OrderSource(Enum):
+    """What gave an order: only a person sees the room, and may insist."""
+
+    PERSON = "person"
+    TASK = "task"
+    RULE = "rule"
+    ASSISTANT = "assistant"
+    PROGRAM = "program"
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +55,10 @@ class Order:
             heading.
         look_s: how long to look before coming home [s].
         issued_at: when it was given [s]; orders older than 0.5 s that move the drone are refused.
-        sender: who asked.
+        sender: the name of who asked, for people to read.
         velocity: wanted by NUDGE, along the axes of the world [m/s].
+        id: by which its answer is found; "" where nobody waits for one.
+        source: what gave it.
     """
 
     kind: OrderKind
@@ -60,6 +69,21 @@ class Order:
     issued_at: float = 0.0
     sender: str = ""
     velocity: Vec3 | None = None
+    id: str = ""
+    source: OrderSource = OrderSource.PERSON
+
+
+@dataclass(frozen=True, slots=True)
+class OrderAnswer:
+    """What the pilot made of an order.
+
+    Attributes:
+        order_id: of the order.
+        refusal: why it was not taken, in words; "" when it was.
+    """
+
+    order_id: str
+    refusal: str = ""
 
 
 class Severity(Enum):
@@ -133,6 +157,7 @@ class Outputs:
         events: what happened in this step.
         warnings: everything that is wrong now, in words, worst first.
         clears: what ends what the safety gate does; while safety is nominal it does nothing.
+        answers: to the orders of this step that have an id.
     """
 
     command: Command
@@ -148,6 +173,7 @@ class Outputs:
     events: tuple[Event, ...] = ()
     warnings: tuple[str, ...] = ()
     clears: Clearing = Clearing.ITSELF
+    answers: tuple[OrderAnswer, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

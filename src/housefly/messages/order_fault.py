@@ -15,7 +15,7 @@ LOOK_TIME_MAX = 3600.0
 SPEED_MAX = 10.0
 """No drone is moved faster by hand on any axis [m/s]."""
 NAME_LENGTH_MAX = 100
-"""Longest name of a place or a sender."""
+"""Longest name of a place, a sender or an order."""
 
 
 def order_fault(order: Order) -> str:
@@ -31,6 +31,7 @@ def order_fault(order: Order) -> str:
         (_is_velocity(order), "velocity is wrong", f"at most {SPEED_MAX:g} m/s, and only by nudge"),
         (_is_name(order.place), "place is not a name", name),
         (_is_name(order.sender), "sender is not a name", name),
+        (_is_name(order.id), "id is not a name", name),
     )
     faults = (
         f"the order's {what}; allowed: {allowed}" for well, what, allowed in checks if not well

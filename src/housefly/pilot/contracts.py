@@ -8,7 +8,7 @@ from typing import Protocol
 
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2
-from housefly.messages.flight import Event, Order
+from housefly.messages.flight import Event, Order, OrderAnswer
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
@@ -94,6 +94,11 @@ class Missions(Protocol):
     @property
     def task(self) -> TrackingTask:
         """What the drone tracks."""
+        ...
+
+    @property
+    def answers(self) -> tuple[OrderAnswer, ...]:
+        """What became of the orders of the last step that have an id."""
         ...
 
     @property

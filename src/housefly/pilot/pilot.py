@@ -553,6 +553,7 @@ class Pilot:
             events=events,
             warnings=self._warnings(verdict, task.waiting),
             clears=verdict.clears,
+            answers=self._missions.answers,
         )
 
     @staticmethod

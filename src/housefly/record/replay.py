@@ -6,7 +6,7 @@ import json
 import os
 import struct
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Protocol
@@ -22,7 +22,7 @@ from zstandard import ZstdError
 from housefly.bus.codec import check_types, from_cdr
 from housefly.bus.interfaces import recorded_store, ros_name, type_store
 from housefly.errors import RecordingError, WireError
-from housefly.messages import Command, Inputs, Outputs, PilotStep
+from housefly.messages import Command, Inputs, OrderSource, Outputs, PilotStep
 
 STEP_CHANNEL = "/housefly/step"
 _STEP_TYPE = ros_name("PilotStep")
@@ -63,9 +63,10 @@ def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
             step_channel = record.id
         elif isinstance(record, Message) and record.channel_id == step_channel:
             try:
-                yield from_cdr(PilotStep, record.data, types)
+                step = from_cdr(PilotStep, record.data, types)
             except WireError as error:
                 raise RecordingError(f"{path} is damaged: {error}") from error
+            yield step if _tells_sources(types) else _with_sources(step)
 
 
 def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
@@ -105,6 +106,22 @@ def _is_torn_end(file: BinaryIO) -> bool:
     Some file systems know how long a file is before they have what is in it: that reads as zeros.
     """
     return not any(piece.strip(b"\0") for piece in iter(lambda: file.read(_PIECE), b""))
+
+
+def _tells_sources(types: Typestore) -> bool:
+    """Return whether the recorded orders tell what gave them."""
+    return "source" in dict(types.fielddefs[ros_name("Order")][1])
+
+
+def _with_sources(step: PilotStep) -> PilotStep:
+    """Return a step of an older version, whose tasks showed only in the names of their senders."""
+    if not any(order.sender.startswith("task ") for order in step.inputs.orders):
+        return step
+    orders = tuple(
+        replace(order, source=OrderSource.TASK) if order.sender.startswith("task ") else order
+        for order in step.inputs.orders
+    )
+    return replace(step, inputs=replace(step.inputs, orders=orders))
 
 
 def _types_of(schema: Schema | None, path: Path) -> Typestore:

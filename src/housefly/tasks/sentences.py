@@ -24,7 +24,6 @@ from housefly.tasks.intents.names import Names, names_of
 from housefly.tasks.intents.not_understood import NotUnderstood
 from housefly.tasks.intents.phrases import Phrases, phrases
 from housefly.tasks.intents.recognizer import recognize, recognizer
-from housefly.tasks.person_sender import person_sender
 
 _log = logging.getLogger(__name__)
 
@@ -128,7 +127,7 @@ class Sentences:
             code = ReasonCode.NOT_ALLOWED
             return replace(answer, words=say(objection), code=code)
         if reply.order is not None:
-            place = self._do.order(reply.order, person_sender(_by(sentence)))
+            place = self._do.order(reply.order, _by(sentence))
             return replace(answer, words=say.joined(reply.words, say(_PLACES[place])))
         if reply.request is not None:
             return _asked(answer, self._do.request(_of(reply.request, sentence)), say)

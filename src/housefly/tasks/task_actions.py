@@ -8,7 +8,7 @@ from typing import Any
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import ToldEventKind
-from housefly.messages import Order, OrderKind
+from housefly.messages import Order, OrderKind, OrderSource
 from housefly.tasks.api.values import ParameterValue, PersonQuestion
 from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
@@ -106,7 +106,8 @@ class TaskActions:
 
     def send_home(self, now: float) -> None:
         """Send home a drone that no task flies any more; ``now`` stamps the order [s]."""
-        self._outlet.order(Order(OrderKind.HOME, issued_at=now, sender=task_sender(0, "home")))
+        sender, source = task_sender(0, "home"), OrderSource.TASK
+        self._outlet.order(Order(OrderKind.HOME, issued_at=now, sender=sender, source=source))
 
     def end_clip(self, number: int) -> None:
         """End the clip of a task that ends, however it ended."""
@@ -120,7 +121,8 @@ class TaskActions:
 
     def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
         sender = task_sender(doing.task.id, doing.task.request.service)
-        self._outlet.order(replace(wanted.order, issued_at=doing.now, sender=sender))
+        order = replace(wanted.order, issued_at=doing.now, sender=sender, source=OrderSource.TASK)
+        self._outlet.order(order)
 
     def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
         self._films = doing.task.id

@@ -9,10 +9,12 @@ import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from secrets import token_hex
 from typing import Any
 
 from housefly.errors import HouseflyError, TaskError
 from housefly.messages import Order, OrderKind, Phase
+from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.tasks.api.answers import (
     ClipsAnswer,
     FiringsAnswer,
@@ -359,7 +361,8 @@ class TaskService:
         """
         self._refuse_without_drone()
         now = self._clock()
-        self._parts.outlet.order(Order(kind, issued_at=now, sender=by[:100]))
+        sender, order_id = by[:NAME_LENGTH_MAX], token_hex(6)
+        self._parts.outlet.order(Order(kind, issued_at=now, sender=sender, id=order_id))
         return drone_place(self._parts.inbox, now)
 
     def _act(self, act: TaskAct, by: str, only_of: str = "") -> TaskStatus | None:

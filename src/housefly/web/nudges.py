@@ -10,7 +10,7 @@ from collections import deque
 from dataclasses import dataclass, field
 
 from housefly.messages import Order, OrderKind
-from housefly.tasks.person_sender import person_sender
+from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.web.client_messages import NudgeRequest
 
 LATE_MAX = 0.3
@@ -37,5 +37,5 @@ class LineDelay:
 
 def nudge_order(request: NudgeRequest, sender: str, given_at: float) -> Order:
     """Return the order that goes on the bus, given at a time of ours [s]."""
-    by = person_sender(sender)
+    by = sender[:NAME_LENGTH_MAX]
     return Order(OrderKind.NUDGE, issued_at=given_at, sender=by, velocity=request.velocity)

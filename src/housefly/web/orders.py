@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from secrets import token_hex
+
 from housefly.config.text import did_you_mean
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.messages import Order, OrderKind
-from housefly.tasks.person_sender import person_sender
+from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.web.client_messages import OrderRequest
 
 ORDERS_WITHOUT_CONTROL = frozenset({OrderKind.STOP, OrderKind.LAND})
@@ -52,8 +54,8 @@ def order_objection(request: OrderRequest, room: RoomView | None) -> str:
 def to_order(request: OrderRequest, sender: str, now: float) -> Order:
     """Return the order that goes on the bus."""
     place, goal, look_s = request.place, request.goal, request.look_s
-    by = person_sender(sender)
-    return Order(request.order, place, goal, look_s=look_s, issued_at=now, sender=by)
+    by, order_id = sender[:NAME_LENGTH_MAX], token_hex(6)
+    return Order(request.order, place, goal, look_s=look_s, issued_at=now, sender=by, id=order_id)
 
 
 def order_in_words(request: OrderRequest) -> str:

@@ -14,7 +14,7 @@ from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import Order, OrderKind, PlanAnswer
-from housefly.tasks.person_sender import person_sender
+from housefly.messages.order_fault import NAME_LENGTH_MAX
 
 _LOG = logging.getLogger(__name__)
 
@@ -46,7 +46,7 @@ class PilotLink:
         except (OSError, HouseflyError):
             _LOG.exception("the STOP path failed; STOP goes over the bus alone")
         if self._stopping is None or self._stopping.done():  # a key held down fills no queue
-            by = person_sender(sender)
+            by = sender[:NAME_LENGTH_MAX]
             order = Order(OrderKind.STOP, issued_at=self._clock.now(), sender=by)
             self._stopping = self._orders.submit(self._publish, order)
         return sent

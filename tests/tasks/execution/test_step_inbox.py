@@ -13,15 +13,16 @@ from housefly.messages import (
     Inputs,
     Order,
     OrderKind,
+    OrderSource,
     Outputs,
     PilotStep,
     Severity,
 )
-from housefly.tasks.execution.step_inbox import StepInbox, is_of_task, task_sender
+from housefly.tasks.execution.step_inbox import StepInbox, task_sender
 
 
-def step(sequence: int, sender: str | None = None) -> PilotStep:
-    orders = () if sender is None else (Order(OrderKind.HOVER, sender=sender),)
+def step(sequence: int, order: Order | None = None) -> PilotStep:
+    orders = () if order is None else (order,)
     event = Event(float(sequence), Severity.INFO, "x", str(sequence))
     return PilotStep(
         sequence,
@@ -44,14 +45,15 @@ def test_each_event_is_told_once_whenever_the_ticks_come(ticks: list[bool]) -> N
 
 @given(st.integers(1, 10**6), st.text(max_size=200))
 def test_an_order_of_a_task_is_known_as_such_and_a_persons_is_told(task: int, service: str) -> None:
-    ours = Order(OrderKind.GO, sender=task_sender(task, service))
-    assert is_of_task(ours) and len(ours.sender) <= 100
+    ours = Order(OrderKind.GO, sender=task_sender(task, service), source=OrderSource.TASK)
+    assert len(ours.sender) <= 100
     inbox = StepInbox()
-    inbox.add(step(1, ours.sender))
+    inbox.add(step(1, ours))
     assert inbox.is_flown_by_task
-    inbox.add(step(2, "kim"))
-    assert not inbox.is_flown_by_task
-    assert [order.sender for order in inbox.drain(2.0, 0.0).orders] == ["kim"]
+    theirs = Order(OrderKind.HOVER, sender="task 12: look")
+    inbox.add(step(2, theirs))
+    assert not inbox.is_flown_by_task, "what gave an order decides, and no name"
+    assert inbox.drain(2.0, 0.0).orders == (theirs,)
 
 
 def test_a_tick_knows_how_old_the_place_of_the_drone_is() -> None:

@@ -11,12 +11,23 @@ from hypothesis import strategies as st
 from scripted_pilot import PERIOD, Flight, ScriptedPilot, ScriptedRoom, view
 
 from housefly.geometry import distance
-from housefly.messages import DroneStatus, Event, Order, OrderKind, Phase, SafetyMode, Severity
+from housefly.messages import (
+    DroneStatus,
+    Event,
+    Order,
+    OrderAnswer,
+    OrderKind,
+    OrderSource,
+    Phase,
+    SafetyMode,
+    Severity,
+)
 from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task
 from housefly.tasks.document.library import load_library
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.execution.order_tracker import OrderTracker
 from housefly.tasks.execution.task_run import CANCEL_TIME_MAX, HOLD_PERIOD, TaskRun
 from housefly.tasks.execution.values import (
     AskPerson,
@@ -25,6 +36,7 @@ from housefly.tasks.execution.values import (
     StartClip,
     StopClip,
     TakeSnapshot,
+    TaskInputs,
 )
 
 LIBRARY = load_library()
@@ -106,7 +118,7 @@ def test_a_cancelled_task_says_that_the_drone_stands_on_something() -> None:
 def test_every_order_is_stamped_with_the_pilots_clock() -> None:
     done = flight(task(FULL)).fly()
     assert done.run.stage is TaskStage.DONE
-    assert all(order.issued_at > 0.0 and order.sender == "task t" for order in done.orders)
+    assert all(order.issued_at > 0.0 and order.source is OrderSource.TASK for order in done.orders)
 
 
 @settings(max_examples=50, deadline=None)
@@ -208,16 +220,30 @@ def test_a_persons_own_order_ends_it_and_it_orders_nothing_more(at: int, kind: O
     assert len(flying.of(StartClip)) == len(flying.of(StopClip))
 
 
-def test_an_order_heard_only_in_the_events_counts_as_a_persons() -> None:
+@pytest.mark.parametrize("name", ["by me: go", "task 1: look", "task", ""])
+def test_what_somebody_is_called_makes_their_order_no_tasks(name: str) -> None:
     flying = flight(task(LOOK))
     for _ in range(25):
         flying.tick()
-    text = "go by console: do it from here"
     pilot = flying.pilot
-    pilot.advance([])
-    pilot.events = [Event(pilot.now, Severity.INFO, "order_accepted", text)]
+    pilot.advance([], (Order(OrderKind.GO, goal=(1.0, 1.0), issued_at=pilot.now, sender=name),))
     flying.run.step(pilot.inputs())
     assert flying.run.code is ReasonCode.PERSON_TOOK_OVER
+    assert flying.run.words.startswith(name or "a person")
+
+
+def test_an_answer_to_the_same_order_of_somebody_else_is_not_taken_for_ours() -> None:
+    tracker, inputs = OrderTracker(), TaskInputs(10.0, 0.0, phase=Phase.TAKING_OFF)
+    ours = Order(OrderKind.TAKE_OFF, id="ours", source=OrderSource.TASK)
+    theirs = Order(OrderKind.TAKE_OFF, id="theirs", sender="kim")
+    tracker.gave(ours, 10.0)
+    refused = OrderAnswer("theirs", "the battery is too low")
+    assert tracker.update(replace(inputs, orders=(theirs,), answers=(refused,))) is None
+    assert tracker.is_open(10.0) and not tracker.refused
+    assert tracker.update(replace(inputs, answers=(OrderAnswer("ours"),))) is None
+    assert tracker.accepted
+    taken = tracker.update(replace(inputs, orders=(theirs,), answers=(OrderAnswer("theirs"),)))
+    assert taken is not None and taken.words == "kim took over: take off"
 
 
 def test_a_phase_that_nobody_explains_ends_it() -> None:

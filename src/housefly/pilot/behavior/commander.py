@@ -7,7 +7,15 @@ from dataclasses import replace
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
-from housefly.messages.flight import TASK_SENDER, Event, Order, OrderKind, Phase, Severity
+from housefly.messages.flight import (
+    Event,
+    Order,
+    OrderAnswer,
+    OrderKind,
+    OrderSource,
+    Phase,
+    Severity,
+)
 from housefly.messages.order_fault import shown_name
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
@@ -45,6 +53,7 @@ class Commander:
         sonar: whether something stands below that only the drone's own sensor shows.
         found: where that was so when a landing was tried.
         insists: somebody has ordered a landing that waits to go on.
+        answers: to the orders of this step that have an id.
     """
 
     def __init__(
@@ -58,6 +67,7 @@ class Commander:
         self.sonar = SonarMonitor()
         self.found = FoundBelow()
         self.insists = False
+        self.answers: tuple[OrderAnswer, ...] = ()
         self._state = MissionState()
         self._task = TrackingTask()
         self._handlers: dict[Response, Callable[[Order, VehicleStatus], Refused | None]] = {
@@ -99,6 +109,8 @@ class Commander:
         )
         refused = refusal(order, context, self._limits)
         refused = refused or self._handlers[response](order, vehicle)
+        if order.id:
+            self.answers += (OrderAnswer(order.id, refused.reason if refused else ""),)
         asked = " ".join(
             filter(None, (order.kind.value.replace("_", " "), shown_name(order.place)))
         )
@@ -336,7 +348,7 @@ class Commander:
             self._state = self._state.entering(Phase.RETURNING, vehicle.now, here)
         elif self._state.phase is not Phase.LANDING:
             self.land_here(vehicle)
-        elif vehicle.landing_waits and not order.sender.startswith(TASK_SENDER):
+        elif vehicle.landing_waits and order.source is OrderSource.PERSON:
             self.insists = True
 
     def look_below(self, vehicle: VehicleStatus) -> None:
@@ -364,10 +376,9 @@ class Commander:
     def _must_wait_to_land(self, order: Order, vehicle: VehicleStatus) -> bool:
         """Return whether somebody or something is below; a second order lands all the same.
 
-        A task cannot see who is below: it never insists.
+        Only a person can see who is below: no task insists.
         """
-        is_insisted = not order.sender.startswith(TASK_SENDER)
-        is_second = is_insisted and self._state.mission.name == LANDING_PLACE
+        is_second = order.source is OrderSource.PERSON and self._state.mission.name == LANDING_PLACE
         if self._state.phase not in AIRBORNE_PHASES or self._state.stopped or is_second:
             return False
         if vehicle.place is None:

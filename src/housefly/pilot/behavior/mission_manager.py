@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
-from housefly.messages.flight import Event, Order
+from housefly.messages.flight import Event, Order, OrderAnswer
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.pilot.behavior.blind_landing import BlindLanding
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
@@ -88,6 +88,11 @@ class MissionManager:
         """Why not to land without tracking where the drone is, and what to fly instead."""
         return self._blind.plan
 
+    @property
+    def answers(self) -> tuple[OrderAnswer, ...]:
+        """What became of the orders of the last step that have an id."""
+        return self._commander.answers
+
     def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
         """Return what the pre-flight checks find now."""
         return self._commander.preflight(vehicle)
@@ -108,6 +113,7 @@ class MissionManager:
             facing: whether the heading is the wanted one.
         """
         events: list[Event] = []
+        self._commander.answers = ()
         self._commander.origin.step(vehicle)
         self._commander.look_below(vehicle)
         for order in orders:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from housefly.messages import Event, Order, OrderKind, Phase, SafetyMode
-from housefly.messages.flight import TASK_SENDER
+from housefly.messages import Event, Order, OrderAnswer, OrderKind, Phase, SafetyMode
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.values import TaskInputs
 
@@ -86,6 +85,7 @@ class OrderTracker:
 
     def update(self, inputs: TaskInputs) -> Interference | None:
         """Bring it up to now; return why the task flies no longer, None while it does."""
+        self._hear_answer(inputs.answers)
         found = self._by_person(inputs)
         for event in inputs.events:
             found = found or self._told(event, inputs)
@@ -99,49 +99,32 @@ class OrderTracker:
         """Whether the last order was to come down."""
         return self.order is not None and self.order.kind in (OrderKind.HOME, OrderKind.LAND)
 
+    def _hear_answer(self, answers: tuple[OrderAnswer, ...]) -> None:
+        order = self.order
+        if order is None or self.accepted or self.refused:
+            return
+        for answer in answers:
+            if answer.order_id == order.id:
+                self.accepted, self.refused = not answer.refusal, answer.refusal
+
     def _by_person(self, inputs: TaskInputs) -> Interference | None:
-        refused = {_asked(event) for event in inputs.events if event.code == "order_refused"}
+        refused = {answer.order_id for answer in inputs.answers if answer.refusal}
         for order in inputs.orders:
-            words = order.kind.value.replace("_", " ")
-            if order.kind not in _NOT_TAKING_OVER and words not in refused:
-                return _taken_over(words, order.sender)
+            if order.kind not in _NOT_TAKING_OVER and not (order.id and order.id in refused):
+                return _taken_over(order.kind, order.sender)
         if inputs.safety is SafetyMode.STOPPED:
-            return _taken_over("stop", "")
+            return _taken_over(OrderKind.STOP, "")
         return None
 
     def _told(self, event: Event, inputs: TaskInputs) -> Interference | None:
-        if event.code == "order_accepted":
-            return self._heard_accepted(event)
-        if event.code == "order_refused":
-            self._heard_refused(event, inputs)
-        elif event.code in ("no_way", "way_blocked") or (
-            event.code in DECISIONS and self.is_homing and event.code not in _ENDS_HOMING
-        ):
+        is_homing = self.is_homing and event.code not in _ENDS_HOMING
+        if event.code in ("no_way", "way_blocked") or (event.code in DECISIONS and is_homing):
             self.trouble = event.text
         elif event.code in DECISIONS:
             is_gates = event.code == "forced_down"
             why = _why(inputs) if is_gates else ""
             return Interference(DECISIONS[event.code], f"{event.text}{why}")
         return None
-
-    def _heard_accepted(self, event: Event) -> Interference | None:
-        words, sender = _asked(event), _sender(event)
-        is_ours = sender.startswith(TASK_SENDER) or not sender
-        order = self.order
-        if is_ours and order is not None and words == order.kind.value.replace("_", " "):
-            self.accepted = True
-        elif not is_ours and words not in {kind.value for kind in _NOT_TAKING_OVER}:
-            return _taken_over(words, sender)
-        return None
-
-    def _heard_refused(self, event: Event, inputs: TaskInputs) -> None:
-        words = _asked(event)
-        is_theirs = any(o.kind.value.replace("_", " ") == words for o in inputs.orders)
-        order = self.order
-        if order is None or is_theirs or self.accepted or self.refused:
-            return
-        if words == order.kind.value.replace("_", " "):
-            self.refused = event.text.partition(" refused: ")[2] or event.text
 
     def _notice_phase(self, inputs: TaskInputs) -> None:
         """An answer that was not heard shows in the phase."""
@@ -188,18 +171,6 @@ def _why(inputs: TaskInputs) -> str:
     return f": {inputs.warnings[0]}" if inputs.warnings else ""
 
 
-def _asked(event: Event) -> str:
-    """Return the kind of order that an event is about, in words."""
-    kinds = sorted((kind.value.replace("_", " ") for kind in OrderKind), key=len, reverse=True)
-    return next((words for words in kinds if event.text.startswith(words)), "")
-
-
-def _sender(event: Event) -> str:
-    """Return who gave the order that was accepted, or ""."""
-    head, _, _ = event.text[len(_asked(event)) :].partition(": ")
-    return head.partition(" by ")[2]
-
-
-def _taken_over(words: str, sender: str) -> Interference:
-    who = sender or "a person"
+def _taken_over(kind: OrderKind, sender: str) -> Interference:
+    who, words = sender or "a person", kind.value.replace("_", " ")
     return Interference(ReasonCode.PERSON_TOOK_OVER, f"{who} took over: {words}")

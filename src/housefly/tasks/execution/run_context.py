@@ -8,8 +8,7 @@ from math import inf
 from housefly.errors import HouseflyError
 from housefly.geometry import Vec2
 from housefly.hub.api.questions import WhereQuestion
-from housefly.messages import DroneStatus, Order, OrderKind, Phase
-from housefly.messages.flight import TASK_SENDER
+from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.behavior.standing import NEVER_STOOD, Footing
 from housefly.tasks.api.values import ReasonCode, TaskStepState
@@ -79,6 +78,7 @@ class RunContext:
     is_ending: bool = False
     home_refused_at: float = -inf
     flights: int = 0
+    given: int = 0
     clips: int = 0
     picture_poses: list[tuple[Vec2, float]] = field(default_factory=list)
     footing: Footing = NEVER_STOOD
@@ -142,8 +142,12 @@ class RunContext:
 
     def give(self, order: Order) -> None:
         """Give the pilot an order, stamped with the present."""
+        self.given += 1
         stamped = replace(
-            order, issued_at=self.inputs.now, sender=f"{TASK_SENDER}{self.service}"[:100]
+            order,
+            id=f"{self.service[:40]} {self.given} at {self.inputs.now:.6f}",
+            issued_at=self.inputs.now,
+            source=OrderSource.TASK,
         )
         self.has_flown = True
         self.orders.gave(stamped, self.inputs.now)

@@ -5,26 +5,27 @@ from __future__ import annotations
 import threading
 from collections import deque
 
-from housefly.messages import DroneStatus, Event, Order, PilotStep
-from housefly.messages.flight import TASK_SENDER
+from housefly.messages import (
+    DroneStatus,
+    Event,
+    Order,
+    OrderAnswer,
+    OrderSource,
+    PilotStep,
+)
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.tasks.execution.values import PersonReply, TaskInputs
 
 _MAX_KEPT = 200
-"""At most this many events and orders between two ticks are told, the newest."""
+"""At most this many events, orders and answers between two ticks are told, the newest."""
 SILENT_TIME = 1.0
 """A pilot silent for longer [s] gets no orders: what is known of the flight is old."""
 
 
 def task_sender(task: int, service: str) -> str:
     """Return who a task's orders are from: "task 12: look"."""
-    return f"{TASK_SENDER}{task}: {service}"[:NAME_LENGTH_MAX]
-
-
-def is_of_task(order: Order) -> bool:
-    """Return whether a task gave an order, and not a person."""
-    return order.sender.startswith(TASK_SENDER)
+    return f"task {task}: {service}"[:NAME_LENGTH_MAX]
 
 
 class StepInbox:
@@ -43,6 +44,7 @@ class StepInbox:
         self._step: PilotStep | None = None
         self._events: deque[Event] = deque(maxlen=_MAX_KEPT)
         self._orders: deque[Order] = deque(maxlen=_MAX_KEPT)
+        self._answers: deque[OrderAnswer] = deque(maxlen=_MAX_KEPT)
 
     def add(self, step: PilotStep) -> None:
         """Add a step, from any thread."""
@@ -53,9 +55,11 @@ class StepInbox:
             self.steps += 1
             self._step = step
             self._events.extend(step.outputs.events)
+            self._answers.extend(step.outputs.answers)
             for order in step.inputs.orders:
-                self.is_flown_by_task = is_of_task(order)
-            self._orders.extend(order for order in step.inputs.orders if not is_of_task(order))
+                self.is_flown_by_task = order.source is OrderSource.TASK
+                if not self.is_flown_by_task:
+                    self._orders.append(order)
 
     @property
     def newest(self) -> PilotStep | None:
@@ -98,19 +102,21 @@ class StepInbox:
         *,
         keep: bool = False,
     ) -> TaskInputs:
-        """Return the inputs of a tick; each event and order is told once.
+        """Return the inputs of a tick; each event, order and answer is told once.
 
         Args:
             now: the pilot's clock [s].
             unix: the same moment as Unix time [s].
             replies: of people, since the last tick.
-            keep: whether events and orders are told again at the next tick.
+            keep: whether those are told again at the next tick.
         """
         with self._lock:
             step, events, orders = self._step, tuple(self._events), tuple(self._orders)
+            answers = tuple(self._answers)
             if not keep:
                 self._events.clear()
                 self._orders.clear()
+                self._answers.clear()
         if step is None:
             return TaskInputs(now, unix, replies=replies)
         outputs, telemetry = step.outputs, step.inputs.telemetry
@@ -130,4 +136,5 @@ class StepInbox:
             None if telemetry is None else telemetry.battery,
             orders,
             0.0 if estimate is None else estimate.pose_age,
+            answers,
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.geometry import Vec3
-from housefly.messages import DroneStatus, Event, Order, Phase, SafetyMode
+from housefly.messages import DroneStatus, Event, Order, OrderAnswer, Phase, SafetyMode
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +34,7 @@ class TaskInputs:
         battery: charge, 0 to 1; None when unknown.
         orders: what people, and not tasks, ordered the pilot since the last tick.
         pose_age: how old the position is [s].
+        answers: of the pilot to orders, since the last tick.
     """
 
     now: float
@@ -50,6 +51,7 @@ class TaskInputs:
     battery: float | None = None
     orders: tuple[Order, ...] = ()
     pose_age: float = 0.0
+    answers: tuple[OrderAnswer, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
