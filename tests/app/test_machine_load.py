@@ -9,6 +9,7 @@ import pytest
 from housefly.app.machine_load import MachineLoad, machine_load, measured_lateness
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus
+from housefly.messages.preflight import PreflightCheck
 from housefly.pilot.behavior.mission import PeopleSilence, VehicleStatus
 from housefly.pilot.behavior.preflight import PREFLIGHT_RULES, PreflightInputs, preflight_refusal
 
@@ -39,6 +40,12 @@ def test_this_machine_has_a_load() -> None:
     assert 0.0 <= measured_lateness() < 5.0
 
 
+def words(checks: tuple[PreflightCheck, ...]) -> str:
+    refused = preflight_refusal(checks)
+    assert refused is not None
+    return refused.reason
+
+
 def test_the_likely_cause_is_named_where_something_is_late_and_only_there() -> None:
     silence = PeopleSilence(age=57.04)
     vehicle = VehicleStatus(0.0, DroneStatus.LANDED, 1.0, 0.0, None, False, silence=silence)
@@ -46,11 +53,11 @@ def test_the_likely_cause_is_named_where_something_is_late_and_only_there() -> N
     late = rules["sees_people"].check(PreflightInputs(vehicle, LimitsConfig()))
     low = replace(late, code="charge", mend="charge it")
     busy, idle = (MachineLoad(2, running).check() for running in (15.4, 0.3))
-    assert preflight_refusal((late, idle)).endswith(
+    assert words((late, idle)).endswith(
         "see `housefly sensors`: is each one on, in this network and uncovered?"
     )
-    named = preflight_refusal((late, busy))
+    named = words((late, busy))
     assert "nothing usable for 57 s" in named
     assert "likely cause: this machine is overloaded (load 15 on 2 cores)" in named
-    assert preflight_refusal((low, busy)).endswith("charge it")
-    assert preflight_refusal((busy,)) == "", "load alone forbids nothing"
+    assert words((low, busy)).endswith("charge it")
+    assert preflight_refusal((busy,)) is None, "load alone forbids nothing"

@@ -15,6 +15,7 @@ from housefly.messages import (
     Obstacle,
     ObstacleKind,
     OrderKind,
+    OrderOutcome,
     Phase,
     Pose,
     SafetyMode,
@@ -414,7 +415,11 @@ def test_where_no_way_leads_to_the_nearest_places_to_land_the_next_one_is_tried(
 
     def first_ones_refused(self: Commander, spot: Any, vehicle: Any) -> Any:
         asked.append(spot)
-        return Refused("no way") if len(asked) <= 2 else land_at(self, spot, vehicle)
+        return (
+            Refused(OrderOutcome.NO_WAY, "no way")
+            if len(asked) <= 2
+            else land_at(self, spot, vehicle)
+        )
 
     monkeypatch.setattr(Commander, "land_at", first_ones_refused)
     flight = homeward(fly)

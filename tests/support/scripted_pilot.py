@@ -15,10 +15,12 @@ from housefly.messages import (
     Order,
     OrderAnswer,
     OrderKind,
+    OrderOutcome,
     Phase,
     SafetyMode,
     Severity,
 )
+from housefly.pilot.behavior.mission import Refused
 from housefly.pilot.behavior.mission_tables import ORDERS, REFUSALS, Response
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.execution.task_run import TaskRun
@@ -50,7 +52,7 @@ class ScriptedPilot:
         self.events: list[Event] = []
         self.answers: list[OrderAnswer] = []
         self.by_people: list[Order] = []
-        self.refuses = ""
+        self.refuses: Refused | None = None
         self.was_up = False
         self.floor, self.pose_age = 0.0, 0.01
 
@@ -67,14 +69,18 @@ class ScriptedPilot:
         response = ORDERS[order.kind][self.phase]
         words = order.kind.value.replace("_", " ")
         expired = order.kind not in (OrderKind.HOVER, OrderKind.LAND, OrderKind.STOP)
-        why = "the order is old; orders expire after 0.5 s"
-        if not (expired and self.now - order.issued_at > 0.5):
-            why = response.value if response in REFUSALS else ""
-            why = why or (self.refuses if response in (Response.START, Response.DEPART) else "")
-        self.answers.append(OrderAnswer(order.id, why))
-        if why:
-            self._tell("order_refused", f"{words} refused: {why}", Severity.WARNING)
+        refused: Refused | None = None
+        if expired and self.now - order.issued_at > 0.5:
+            refused = Refused(OrderOutcome.EXPIRED, "the order is old")
+        elif response in REFUSALS:
+            refused = Refused(OrderOutcome.WRONG_PHASE, response.value)
+        elif response in (Response.START, Response.DEPART):
+            refused = self.refuses
+        if refused is not None:
+            self.answers.append(OrderAnswer(order.id, refused.outcome, refused.reason))
+            self._tell("order_refused", f"{words} refused: {refused.reason}", Severity.WARNING)
             return
+        self.answers.append(OrderAnswer(order.id))
         if response in (Response.START, Response.LATER):
             self.after = order
             if response is Response.START:

@@ -20,7 +20,7 @@ from housefly.config.environment import RECORDING_VARIABLE
 from housefly.config.site import Site
 from housefly.config.state import database_file, tasks_folder
 from housefly.errors import HouseflyError
-from housefly.messages import Order
+from housefly.messages import Order, OrderOutcome
 from housefly.messages.preflight import PreflightCheck
 
 FREE_SHARE_MIN = 0.07
@@ -115,7 +115,7 @@ class DiskSpace:
         self, orders: tuple[Order, ...]
     ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
         """Return the orders without those that take off where there is no room, and those."""
-        return refuse_rising(orders, self._fault())
+        return refuse_rising(orders, OrderOutcome.DISK, self._fault())
 
 
 def disks_of(site: Site) -> DiskSpace:

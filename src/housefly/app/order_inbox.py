@@ -10,7 +10,7 @@ from collections import Counter, deque
 from threading import Lock
 
 from housefly.clock import Clock
-from housefly.messages import Event, Order, OrderAnswer, OrderKind, Severity
+from housefly.messages import Event, Order, OrderAnswer, OrderKind, OrderOutcome, Severity
 
 SENDER_ORDERS_MAX, ORDERS_MAX = 20, 40
 """Orders in a second of one sender, and of all of them."""
@@ -19,8 +19,10 @@ ORDERS_PER_STEP = 1
 STOPPING_ORDERS = frozenset({OrderKind.STOP, OrderKind.LAND, OrderKind.CUT})
 """These always pass: one of each kind and sender in a step."""
 _PERIOD = 1.0
-_TOO_MANY = "too many orders in a second"
-_OUTDATED = "an order to stop or land came before it was taken"
+_REASONS = {
+    OrderOutcome.TOO_MANY: "too many orders in a second",
+    OrderOutcome.SUPERSEDED: "an order to stop or land came before it was taken",
+}
 _NAME_MAX = 40
 
 
@@ -57,7 +59,7 @@ class OrderInbox:
             elif self._is_allowed(order.sender):
                 self._waiting.append(order)
             else:
-                self._refuse(order, _TOO_MANY)
+                self._refuse(order, OrderOutcome.TOO_MANY)
 
     def _may_nudge(self, sender: str) -> bool:
         return sender in self._nudges or len(self._nudges) < ORDERS_MAX
@@ -85,15 +87,15 @@ class OrderInbox:
             if stopping:
                 for order in self._waiting:
                     self._refused[order.sender] += 1
-                    self._refuse(order, _OUTDATED)
+                    self._refuse(order, OrderOutcome.SUPERSEDED)
                 self._waiting.clear()
             self._nudges.clear()
             self._stopping.clear()
             return (*taken, *nudges, *stopping)
 
-    def _refuse(self, order: Order, why: str) -> None:
+    def _refuse(self, order: Order, outcome: OrderOutcome) -> None:
         if order.id and len(self._answers) < ORDERS_MAX:
-            self._answers.append(OrderAnswer(order.id, why))
+            self._answers.append(OrderAnswer(order.id, outcome, _REASONS[outcome]))
 
     def answers(self) -> tuple[OrderAnswer, ...]:
         """Return the answers to what was refused since the last call."""

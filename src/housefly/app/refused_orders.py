@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from housefly.messages import Event, Order, OrderAnswer, OrderKind, Severity
+from housefly.messages import Event, Order, OrderAnswer, OrderKind, OrderOutcome, Severity
 
 RISING_ORDERS = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
 """Orders that take off."""
@@ -12,10 +12,16 @@ RISING_ORDERS = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
 
 @dataclass(frozen=True, slots=True)
 class RefusedOrder:
-    """An order, and why it was not taken, in words."""
+    """An order, and why it was not taken: which kind of reason, and in words."""
 
     order: Order
+    outcome: OrderOutcome
     why: str
+
+    @property
+    def answer(self) -> OrderAnswer:
+        """What whoever waits for it is told."""
+        return OrderAnswer(self.order.id, self.outcome, self.why)
 
     def event(self, now: float) -> Event:
         """Return what people are told; ``now`` is the pilot's clock [s]."""
@@ -24,14 +30,14 @@ class RefusedOrder:
 
 
 def refuse_rising(
-    orders: tuple[Order, ...], why: str
+    orders: tuple[Order, ...], outcome: OrderOutcome, why: str
 ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
     """Return the orders without those that take off, and those; all pass where ``why`` is ""."""
     refused = [order for order in orders if why and order.kind in RISING_ORDERS]
     passed = tuple(order for order in orders if order not in refused)
-    return passed, tuple(RefusedOrder(order, why) for order in refused)
+    return passed, tuple(RefusedOrder(order, outcome, why) for order in refused)
 
 
 def answers_to(refused: tuple[RefusedOrder, ...]) -> tuple[OrderAnswer, ...]:
     """Return the answers to those that have an id."""
-    return tuple(OrderAnswer(one.order.id, one.why) for one in refused if one.order.id)
+    return tuple(one.answer for one in refused if one.order.id)

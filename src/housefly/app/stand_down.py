@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from housefly.app.refused_orders import RISING_ORDERS, RefusedOrder, refuse_rising
-from housefly.messages import DroneStatus, Order, Outputs, Phase, Telemetry
+from housefly.messages import DroneStatus, Order, OrderOutcome, Outputs, Phase, Telemetry
 from housefly.messages.sensing import REPORT_AGE_MAX
 
 STAND_DOWN_TIME = 5.0
@@ -41,7 +41,8 @@ class StandDown:
         self, orders: tuple[Order, ...], now: float
     ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
         """Return the orders without those that would take off now, and those."""
-        return refuse_rising(orders, _REFUSAL if now < self._until else "")
+        why = _REFUSAL if now < self._until else ""
+        return refuse_rising(orders, OrderOutcome.RESTARTING, why)
 
 
 def _objection(

@@ -191,7 +191,8 @@ class TasksProcess:
         except HouseflyError:
             self.service.readiness = TakeOffReadiness()
             return
-        words = "" if view.ready else preflight_refusal(view.checks) or "not looked at yet"
+        refused = None if view.ready else preflight_refusal(view.checks)
+        words = "" if view.ready else refused.reason if refused else "not looked at yet"
         self.service.readiness = TakeOffReadiness(view.ready, str(words))
 
     def _publish_board(self) -> None:

@@ -73,17 +73,50 @@ class Order:
     source: OrderSource = OrderSource.PERSON
 
 
+class OrderOutcome(Enum):
+    """What became of an order."""
+
+    TAKEN = "taken"
+    WRONG_VALUE = "wrong value"
+    EXPIRED = "expired"
+    WRONG_PHASE = "wrong phase"
+    NO_EMERGENCY = "no emergency"
+    STOPPED = "stopped"
+    SAFETY = "safety"
+    DRONE_SILENT = "drone silent"
+    DRONE_NOT_READY = "drone not ready"
+    DRONE_FAULT = "drone fault"
+    UNTRACKED = "untracked"
+    BATTERY = "battery"
+    PREFLIGHT = "preflight"
+    UNKNOWN_PLACE = "unknown place"
+    NO_WAY = "no way"
+    UNAVAILABLE = "unavailable"
+    WAITING = "waiting"
+    DISK = "disk"
+    RESTARTING = "restarting"
+    TOO_MANY = "too many"
+    SUPERSEDED = "superseded"
+
+
 @dataclass(frozen=True, slots=True)
 class OrderAnswer:
     """What the pilot made of an order.
 
     Attributes:
         order_id: of the order.
-        refusal: why it was not taken, in words; "" when it was.
+        outcome: whether it was taken, or why not.
+        reason: why not, in words with the values; "" when it was taken.
     """
 
     order_id: str
-    refusal: str = ""
+    outcome: OrderOutcome = OrderOutcome.TAKEN
+    reason: str = ""
+
+    @property
+    def is_taken(self) -> bool:
+        """Whether the pilot does it."""
+        return self.outcome is OrderOutcome.TAKEN
 
 
 class Severity(Enum):

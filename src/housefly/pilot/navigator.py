@@ -10,7 +10,7 @@ import numpy as np
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
-from housefly.messages.flight import Order, OrderKind
+from housefly.messages.flight import Order, OrderKind, OrderOutcome
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
@@ -258,7 +258,7 @@ class RoomNavigator:
         if order.place:
             return self._at_place(order)
         if order.goal is None:
-            return Refused("it names neither a place nor a goal")
+            return Refused(OrderOutcome.WRONG_VALUE, "it names neither a place nor a goal")
         name = f"({order.goal[0]:.1f}, {order.goal[1]:.1f})"
         return Mission(order.kind, name, order.goal, order.look_at, order.look_s)
 
@@ -360,7 +360,7 @@ class RoomNavigator:
         try:
             place = self._room.place(order.place)
         except KeyError as error:
-            return Refused(str(error.args[0]))
+            return Refused(OrderOutcome.UNKNOWN_PLACE, str(error.args[0]))
         return Mission(
             order.kind, place.name, place.viewpoint, order.look_at or place.look_at, order.look_s
         )

@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import pytest
 
-from housefly.messages import DroneStatus, Estimate, Event, Path, Phase
+from housefly.messages import DroneStatus, Estimate, Event, OrderOutcome, Path, Phase
 from housefly.messages.flight import OrderKind
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor, braking_distance
 from housefly.pilot.behavior.mission import (
@@ -36,7 +36,7 @@ class ScriptedWays:
     def __init__(self) -> None:
         self.state, self.task = MissionState(phase=Phase.OUTBOUND), FOLLOWING
         self.blocked_at: float | None = None
-        self.refusal: Refused | None = Refused("none")
+        self.refusal: Refused | None = Refused(OrderOutcome.NO_WAY, "none")
         self.asked: list[float] = []
         self.looked_from: list[int] = []
 

@@ -8,7 +8,7 @@ from math import inf, nan
 import pytest
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneFault, DroneStatus, Estimate, Telemetry
+from housefly.messages import DroneFault, DroneStatus, Estimate, OrderOutcome, Telemetry
 from housefly.messages.preflight import FrameCheckState, FramesKnown
 from housefly.pilot.behavior.mission import PeopleSilence, VehicleStatus
 from housefly.pilot.behavior.preflight import (
@@ -69,7 +69,7 @@ BROKEN = {
 def test_a_drone_that_stands_well_is_ready() -> None:
     checks = preflight(READY)
     assert all(check.passed for check in checks)
-    assert preflight_refusal(checks) == ""
+    assert preflight_refusal(checks) is None
 
 
 def test_every_check_is_broken_here_once() -> None:
@@ -81,7 +81,7 @@ def test_what_is_wrong_fails_its_own_check_and_refuses_only_where_it_must(rule) 
     checks = preflight(BROKEN[rule.code])
     assert [check.code for check in checks if not check.passed] == [rule.code]
     refused = preflight_refusal(checks)
-    assert bool(refused) == rule.required
+    assert (refused is not None) == rule.required
     if refused:
-        assert rule.fault in refused
-        assert rule.mend in refused
+        assert rule.fault in refused.reason and rule.mend in refused.reason
+        assert (refused.outcome is OrderOutcome.BATTERY) == (rule.code == "charge")

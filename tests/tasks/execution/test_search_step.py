@@ -10,7 +10,8 @@ from scripted_pilot import UNIX_BEGIN, Flight, ScriptedPilot, ScriptedRoom, Scri
 from housefly.errors import TaskError
 from housefly.geometry import Vec3
 from housefly.hub.api.answers import AlternativePlace, WhereAnswer
-from housefly.messages import OrderKind
+from housefly.messages import OrderKind, OrderOutcome
+from housefly.pilot.behavior.mission import Refused
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.library import load_library
@@ -133,10 +134,10 @@ def test_what_the_memory_does_not_know_is_looked_for_all_the_same() -> None:
 
 def test_a_place_without_a_way_is_left_out_and_told() -> None:
     flight, known = searched()
-    flight.pilot.refuses = "there is no way to it"
-    while not flight.run._context.orders.refused:
+    flight.pilot.refuses = Refused(OrderOutcome.NO_WAY, "there is no way to it")
+    while flight.run._context.orders.answer is None:
         flight.tick()
-    flight.pilot.refuses = ""
+    flight.pilot.refuses = None
     told = flown(flight, "no", "no")
     assert known.begun.skipped == ["the sofa table"]
     assert told[-1] == "Not looked at: the sofa table (20 %)"

@@ -17,11 +17,13 @@ from housefly.messages import (
     Order,
     OrderAnswer,
     OrderKind,
+    OrderOutcome,
     OrderSource,
     Phase,
     SafetyMode,
     Severity,
 )
+from housefly.pilot.behavior.mission import Refused
 from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task
@@ -237,11 +239,11 @@ def test_an_answer_to_the_same_order_of_somebody_else_is_not_taken_for_ours() ->
     ours = Order(OrderKind.TAKE_OFF, id="ours", source=OrderSource.TASK)
     theirs = Order(OrderKind.TAKE_OFF, id="theirs", sender="kim")
     tracker.gave(ours, 10.0)
-    refused = OrderAnswer("theirs", "the battery is too low")
+    refused = OrderAnswer("theirs", OrderOutcome.BATTERY, "the battery is too low")
     assert tracker.update(replace(inputs, orders=(theirs,), answers=(refused,))) is None
-    assert tracker.is_open(10.0) and not tracker.refused
+    assert tracker.is_open(10.0) and tracker.answer is None
     assert tracker.update(replace(inputs, answers=(OrderAnswer("ours"),))) is None
-    assert tracker.accepted
+    assert tracker.is_taken
     taken = tracker.update(replace(inputs, orders=(theirs,), answers=(OrderAnswer("theirs"),)))
     assert taken is not None and taken.words == "kim took over: take off"
 
@@ -331,12 +333,22 @@ def test_a_gate_that_brings_home_a_task_on_its_way_home_lets_it_end_well() -> No
     assert flying.fly().run.stage is TaskStage.DONE
 
 
-def test_a_refusal_ends_it_on_the_ground_in_the_pilots_words() -> None:
+@pytest.mark.parametrize(
+    ("outcome", "reason", "code"),
+    [
+        (OrderOutcome.BATTERY, "it needs charging", ReasonCode.BATTERY),
+        (OrderOutcome.NO_WAY, "a chair", ReasonCode.NO_WAY),
+        (OrderOutcome.PREFLIGHT, "a motor: look at it and its battery", ReasonCode.PREFLIGHT),
+    ],
+)
+def test_a_refusal_ends_it_on_the_ground_as_the_pilot_says_and_not_by_its_words(
+    outcome: OrderOutcome, reason: str, code: ReasonCode
+) -> None:
     flying = flight(task(LOOK))
-    flying.pilot.refuses = "the battery is too low: 17 %, take-off needs 20 %"
+    flying.pilot.refuses = Refused(outcome, reason)
     flying.fly()
-    assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, ReasonCode.BATTERY)
-    assert flying.run.words == flying.pilot.refuses
+    assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, code)
+    assert flying.run.words == reason
     assert flying.kinds == ["go"]
 
 
@@ -344,10 +356,10 @@ def test_a_refusal_in_the_air_brings_it_home() -> None:
     flying = flight(task("  - take_off\n  - look_at: fridge"))
     while flying.pilot.phase is not Phase.HOLDING:
         flying.tick()
-    flying.pilot.refuses = "no way to (2.0, 1.0)"
+    flying.pilot.refuses = Refused(OrderOutcome.NO_WAY, "no way to (2.0, 1.0)")
     flying.tick()
     flying.tick()
-    flying.pilot.refuses = ""
+    flying.pilot.refuses = None
     flying.fly()
     assert flying.run.code is ReasonCode.NO_WAY
     assert flying.stands_on_pad()
@@ -457,12 +469,12 @@ def refused_at_home(refused_for: float, **extra: str) -> Flight:
     while "home" not in flying.kinds:
         flying.tick()
         if flying.pilot.phase is Phase.HOLDING:
-            flying.pilot.refuses = "there is no way"
+            flying.pilot.refuses = Refused(OrderOutcome.NO_WAY, "there is no way")
     until = flying.pilot.now + refused_for
     while not flying.run.is_over:
         flying.tick()
         if flying.pilot.now > until:
-            flying.pilot.refuses = ""
+            flying.pilot.refuses = None
     return flying
 
 
@@ -488,12 +500,12 @@ def test_a_pause_is_no_time_in_which_the_way_home_was_tried() -> None:
     flying = flight(task("  - look_at: fridge\n  - return_home"))
     while flying.pilot.phase is not Phase.HOLDING:
         flying.tick()
-    flying.pilot.refuses = "there is no way"
+    flying.pilot.refuses = Refused(OrderOutcome.NO_WAY, "there is no way")
     for ticks, act in ((20, flying.run.pause), (300, flying.run.resume), (20, lambda: None)):
         for _ in range(ticks):
             flying.tick()
         act()
-    flying.pilot.refuses = ""
+    flying.pilot.refuses = None
     flying.fly()
     assert "land" not in flying.kinds and flying.stands_on_pad()
 
@@ -505,7 +517,7 @@ def test_a_way_home_that_is_refused_is_not_tried_twice_over() -> None:
         flying = flight(task(steps))
         while flying.pilot.phase is not Phase.HOLDING:
             flying.tick()
-        flying.pilot.refuses = "there is no way"
+        flying.pilot.refuses = Refused(OrderOutcome.NO_WAY, "there is no way")
         began = flying.pilot.now
         if cancel:
             flying.run.cancel("enough")

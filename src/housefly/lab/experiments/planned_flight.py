@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from housefly.geometry import Vec2, Vec3
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
-from housefly.messages.flight import OrderKind
+from housefly.messages.flight import OrderKind, OrderOutcome
 from housefly.messages.sensing import Estimate
 from housefly.pilot.behavior.mission import UNHEARD, Mission, Refused, TrackingTask
 from housefly.pilot.behavior.navigator import Navigator
@@ -37,7 +37,7 @@ def planned_flight(
     vehicle = replace(UNHEARD, estimate=standing)
     planned = planned_task(navigator, Mission(OrderKind.GO, goal=goal), TrackingTask(), vehicle)
     if planned is None or isinstance(planned, Refused):
-        return planned or Refused("there is nowhere to go")
+        return planned or Refused(OrderOutcome.NO_WAY, "there is nowhere to go")
     assert planned.path is not None
     return FlightPlan(
         task=task,

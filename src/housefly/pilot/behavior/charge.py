@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
-from housefly.messages.flight import OrderKind
+from housefly.messages.flight import OrderKind, OrderOutcome
 from housefly.pilot.behavior.mission import Mission, Refused, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.way_home import charge_for
@@ -24,8 +24,9 @@ def charge_refusal(
     if vehicle.battery >= needed:
         return None
     return Refused(
+        OrderOutcome.BATTERY,
         f"the battery is too low: {vehicle.battery:.0%}, there and back ({seconds:.0f} s) needs"
-        f" {needed:.0%}; charge it"
+        f" {needed:.0%}; charge it",
     )
 
 

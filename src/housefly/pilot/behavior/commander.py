@@ -12,6 +12,7 @@ from housefly.messages.flight import (
     Order,
     OrderAnswer,
     OrderKind,
+    OrderOutcome,
     OrderSource,
     Phase,
     Severity,
@@ -110,7 +111,7 @@ class Commander:
         refused = refusal(order, context, self._limits)
         refused = refused or self._handlers[response](order, vehicle)
         if order.id:
-            self.answers += (OrderAnswer(order.id, refused.reason if refused else ""),)
+            self.answers += (_answer(order, refused),)
         asked = " ".join(
             filter(None, (order.kind.value.replace("_", " "), shown_name(order.place)))
         )
@@ -202,7 +203,7 @@ class Commander:
     def other_way(self, vehicle: VehicleStatus) -> TrackingTask | Refused:
         """Return a new task for the same mission, from where the drone is."""
         task = planned_task(self._navigator, self._state.mission, self._task, vehicle)
-        return Refused("there is nowhere to go") if task is None else task
+        return Refused(OrderOutcome.NO_WAY, "there is nowhere to go") if task is None else task
 
     def take(self, task: TrackingTask) -> None:
         """Track another task of the same mission."""
@@ -278,7 +279,7 @@ class Commander:
         if mission.goal is None:
             return None
         if vehicle.place is None:
-            return Refused("tracking has not seen the drone yet")
+            return Refused(OrderOutcome.UNTRACKED, "tracking has not seen the drone yet")
         answer = self._navigator.route(vehicle.place, mission.goal)
         return answer if answer.path is not None else refusal_of(answer)
 
@@ -311,10 +312,10 @@ class Commander:
         mission = self._navigator.mission(order)
         if isinstance(mission, Refused):
             return mission
-        if self._state.phase is Phase.IDLE and (
-            fault := preflight_refusal(self.preflight(vehicle))
-        ):
-            return Refused(fault)
+        if self._state.phase is Phase.IDLE:
+            refused = preflight_refusal(self.preflight(vehicle))
+            if refused:
+                return refused
         answer = self._route(mission, vehicle)
         if isinstance(answer, Refused):
             return answer
@@ -406,12 +407,16 @@ class Commander:
     def _nudge(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
         """Say whether the drone may be moved by hand; ``nudging`` moves it."""
         if self._limits.nudge_speed <= 0.0:
-            return Refused("moving by hand is switched off here (limits.nudge_speed)")
+            return Refused(
+                OrderOutcome.UNAVAILABLE, "moving by hand is switched off here (limits.nudge_speed)"
+            )
         if not self._navigator.in_space:
-            return Refused('moving by hand needs map.planner = "space", and mode default')
+            words = 'moving by hand needs map.planner = "space", and mode default'
+            return Refused(OrderOutcome.UNAVAILABLE, words)
         if vehicle.maneuvering:
-            return Refused("a maneuver flies the drone")
-        return Refused(self._task.waiting) if self._task.waiting else None
+            return Refused(OrderOutcome.WAITING, "a maneuver flies the drone")
+        waiting = self._task.waiting
+        return Refused(OrderOutcome.WAITING, waiting) if waiting else None
 
     def _cut(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.pressing(vehicle.now, cut=True)
@@ -424,3 +429,9 @@ class Commander:
 
 def _flying_phase(mission: Mission) -> Phase:
     return Phase.RETURNING if mission.kind is OrderKind.HOME else Phase.OUTBOUND
+
+
+def _answer(order: Order, refused: Refused | None) -> OrderAnswer:
+    if refused is None:
+        return OrderAnswer(order.id)
+    return OrderAnswer(order.id, refused.outcome, refused.reason)

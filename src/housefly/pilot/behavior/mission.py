@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from math import inf, isfinite, nan
 
 from housefly.geometry import Vec2, Vec3, heading_to
-from housefly.messages.flight import OrderKind, Phase
+from housefly.messages.flight import OrderKind, OrderOutcome, Phase
 from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.messages.steering import Path
 from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS, fault_list
@@ -24,8 +24,9 @@ _PERIODS_MAX = 2.5
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """The answer when something cannot be done, with the reason in words."""
+    """The answer when something cannot be done: which kind of reason, and the reason in words."""
 
+    outcome: OrderOutcome
     reason: str
 
 

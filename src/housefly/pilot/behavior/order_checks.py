@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import isfinite
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages.flight import Order, OrderKind
+from housefly.messages.flight import Order, OrderKind, OrderOutcome
 from housefly.messages.order_fault import order_fault
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.mission import UNHEARD, Refused, VehicleStatus
@@ -64,32 +64,39 @@ class OrderContext:
 
 
 OrderCheck = tuple[
+    OrderOutcome,
     Callable[[Order, OrderContext, LimitsConfig], bool],
     Callable[[OrderContext, LimitsConfig], str],
 ]
 
 ORDER_CHECKS: tuple[OrderCheck, ...] = (
     (
+        OrderOutcome.EXPIRED,
         lambda o, c, _: o.kind in EXPIRING_ORDERS and not abs(c.age) <= ORDER_LIFETIME,
         lambda c, _: f"the order is {c.age:.1f} s old; orders expire after {ORDER_LIFETIME} s",
     ),
     (
+        OrderOutcome.WRONG_PHASE,
         lambda _, c, __: c.response in REFUSALS,
         lambda c, _: c.response.value.removeprefix("refused: "),
     ),
     (
+        OrderOutcome.NO_EMERGENCY,
         lambda o, c, _: c.response is Response.RESET and c.status is not DroneStatus.EMERGENCY,
         lambda c, _: f"there is no emergency to leave: the drone is {c.status.value}",
     ),
     (
+        OrderOutcome.STOPPED,
         lambda _, c, __: c.response in MOVING_RESPONSES and c.stopped,
         lambda _, __: "STOP is latched: resume first",
     ),
     (
+        OrderOutcome.SAFETY,
         lambda _, c, __: c.response in MOVING_RESPONSES and c.landing_forced,
         lambda _, __: "the drone is being landed for safety",
     ),
     (
+        OrderOutcome.SAFETY,
         lambda o, c, _: (
             c.response in MOVING_RESPONSES
             and c.vehicle.return_wanted
@@ -98,24 +105,29 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
         lambda _, __: "the drone is coming home for safety",
     ),
     (
+        OrderOutcome.DRONE_SILENT,
         lambda _, c, limits: (
             c.response in MOVING_RESPONSES and c.telemetry_age > limits.telemetry_age
         ),
         lambda _, __: "the drone does not answer",
     ),
     (
+        OrderOutcome.DRONE_NOT_READY,
         lambda _, c, __: c.response is Response.START and c.status is not DroneStatus.LANDED,
         lambda c, _: f"the drone is not ready: {c.status.value}",
     ),
     (
+        OrderOutcome.DRONE_NOT_READY,
         lambda _, c, __: c.response is Response.START and c.vehicle.configured is False,
         lambda _, __: "the drone has not confirmed its limits yet: wait, or switch it off and on",
     ),
     (
+        OrderOutcome.DRONE_FAULT,
         lambda _, c, __: c.response is Response.START and c.vehicle.grounding_faults != "",
         lambda c, _: f"the drone says: {c.vehicle.grounding_faults}",
     ),
     (
+        OrderOutcome.UNTRACKED,
         lambda _, c, __: (
             c.response is Response.START and abs(c.vehicle.height_error) > HEIGHT_ERROR_MAX
         ),
@@ -125,6 +137,7 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
         ),
     ),
     (
+        OrderOutcome.BATTERY,
         lambda _, c, limits: (
             c.response is Response.START
             and not c.battery >= limits.battery_floor + TAKE_OFF_RESERVE
@@ -135,11 +148,12 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
         ),
     ),
     (
+        OrderOutcome.UNTRACKED,
         lambda _, c, limits: c.response in MOVING_RESPONSES and c.pose_age > limits.pose_age_level,
         lambda c, limits: _unseen(c.pose_age, limits.pose_age_level),
     ),
 )
-"""Rules in order of what to say first: (is it forbidden, why)."""
+"""Rules in order of what to say first: (what is told, is it forbidden, why)."""
 
 
 def _unseen(pose_age: float, limit: float) -> str:
@@ -155,8 +169,8 @@ def _unseen(pose_age: float, limit: float) -> str:
 def refusal(order: Order, context: OrderContext, limits: LimitsConfig) -> Refused | None:
     """Return why an order may not be obeyed, or None when it may."""
     if fault := order_fault(order):
-        return Refused(fault)
-    for forbidden, reason in ORDER_CHECKS:
+        return Refused(OrderOutcome.WRONG_VALUE, fault)
+    for outcome, forbidden, reason in ORDER_CHECKS:
         if forbidden(order, context, limits):
-            return Refused(reason(context, limits))
+            return Refused(outcome, reason(context, limits))
     return None

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from math import degrees, hypot, isfinite, radians
 
 from housefly.config.limits import LimitsConfig
+from housefly.messages.flight import OrderOutcome
 from housefly.messages.preflight import (
     FRAMES_NOT_NEEDED,
     FrameCheckState,
@@ -17,7 +18,7 @@ from housefly.messages.preflight import (
     PreflightCheck,
 )
 from housefly.messages.sensing import DroneStatus
-from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.mission import Refused, VehicleStatus
 from housefly.pilot.behavior.order_checks import (
     HEIGHT_ERROR_MAX,
     MOVED_ON_GROUND_MAX,
@@ -145,6 +146,9 @@ class PreflightRule:
         )
 
 
+CHARGE_CHECK = "charge"
+"""Code of the check of the battery."""
+
 PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "drone_answers",
@@ -207,7 +211,7 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         "look at propellers, motors and battery, then switch it off and on",
     ),
     PreflightRule(
-        "charge",
+        CHARGE_CHECK,
         "the battery is charged",
         "the battery is too low",
         lambda i: i.vehicle.battery >= i.charge_needed,
@@ -359,16 +363,21 @@ _LATE_WHEN_BUSY = frozenset({"drone_answers", "drone_configured", "tracking", "s
 """Codes of the checks that fail where the machine does not keep up."""
 
 
-def preflight_refusal(checks: tuple[PreflightCheck, ...]) -> str:
-    """Return why no take-off is allowed, in words, with the likely cause, or ""."""
+def preflight_refusal(checks: tuple[PreflightCheck, ...]) -> Refused | None:
+    """Return why no take-off is allowed, with the likely cause; None where it is."""
+    failing = next((one for one in checks if one.required and not one.passed), None)
+    if failing is None:
+        return None
+    outcome = OrderOutcome.BATTERY if failing.code == CHARGE_CHECK else OrderOutcome.PREFLIGHT
+    return Refused(outcome, _refusal_words(failing, checks))
+
+
+def _refusal_words(check: PreflightCheck, checks: tuple[PreflightCheck, ...]) -> str:
     busy = next((c for c in checks if c.code == MACHINE_CHECK and not c.passed), None)
-    for check in checks:
-        if check.required and not check.passed:
-            words = f"{check.fault}: {check.value}, must be {check.limit}"
-            if busy is None or check.code not in _LATE_WHEN_BUSY:
-                return f"{words}; {check.mend}"
-            return f"{words}; likely cause: {busy.fault} ({busy.value}): {busy.mend}"
-    return ""
+    words = f"{check.fault}: {check.value}, must be {check.limit}"
+    if busy is None or check.code not in _LATE_WHEN_BUSY:
+        return f"{words}; {check.mend}"
+    return f"{words}; likely cause: {busy.fault} ({busy.value}): {busy.mend}"
 
 
 def _age(seconds: float) -> str:

@@ -9,6 +9,7 @@ from math import dist, hypot, nan
 import numpy as np
 
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.flight import OrderOutcome
 from housefly.messages.steering import PlanAnswer
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, coasted
@@ -46,9 +47,10 @@ class _Departure:
 def refusal_of(answer: PlanAnswer) -> Refused:
     """Return in words why there is no way."""
     if answer.suggestion is None:
-        return Refused(answer.reason)
+        return Refused(OrderOutcome.NO_WAY, answer.reason)
     x, y = answer.suggestion
-    return Refused(f"{answer.reason}; nearest free place: ({x:.2f}, {y:.2f}) m")
+    words = f"{answer.reason}; nearest free place: ({x:.2f}, {y:.2f}) m"
+    return Refused(OrderOutcome.NO_WAY, words)
 
 
 def planned_task(
@@ -65,7 +67,7 @@ def planned_task(
     if mission.goal is None:
         return None
     if vehicle.place is None:
-        return Refused("tracking has not seen the drone yet")
+        return Refused(OrderOutcome.UNTRACKED, "tracking has not seen the drone yet")
     if navigator.in_space:
         return _task_in_space(navigator, mission, mission.goal, task, vehicle)
     answer = navigator.route(vehicle.place, mission.goal)
@@ -84,7 +86,7 @@ def _task_in_space(
     assert vehicle.estimate is not None
     arrival_yaw = mission.arrival_yaw(goal)
     yaw = vehicle.reference.yaw if vehicle.reference else vehicle.estimate.yaw
-    refused = Refused("there is nowhere to go")
+    refused = Refused(OrderOutcome.NO_WAY, "there is nowhere to go")
     for departure in _departures(task, vehicle):
         lead = TICK * len(departure.before)
         answer = navigator.way(departure.state, goal, yaw, lead)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.hub.api.questions import WhereQuestion
-from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.messages import DroneStatus, Order, OrderKind, OrderOutcome, Phase
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.last_seen import ANYBODY
 from housefly.tasks.execution.order_tracker import ANSWER_TIME
@@ -35,9 +35,8 @@ REGO_DISTANCE = 0.5
 """... when it moved more than this [m]."""
 FACE_HEIGHT = 1.5
 """Of a person whose posture nobody knows [m]."""
-_OLD = "orders expire"
-_WORDS_OF_CODE = (("battery", ReasonCode.BATTERY), ("free place", ReasonCode.NO_WAY),
-                  ("no way", ReasonCode.NO_WAY))  # fmt: skip
+_CODES = {OrderOutcome.BATTERY: ReasonCode.BATTERY, OrderOutcome.NO_WAY: ReasonCode.NO_WAY}
+"""How a task tells a refusal; the others depend on where the drone is."""
 
 
 class FlightStep(StepBehavior):
@@ -84,24 +83,24 @@ class FlightStep(StepBehavior):
     def is_accepted(self) -> bool:
         """Return whether the pilot took the order; raises StepFailed when it will not."""
         orders, now = self.context.orders, self.context.inputs.now
-        if orders.accepted:
+        answer = orders.answer
+        if answer is None and now - orders.given_at <= ANSWER_TIME:
+            return False
+        if answer is not None and answer.is_taken:
             return True
-        is_silent = not orders.refused and now - orders.given_at > ANSWER_TIME
-        may_try = (is_silent or _OLD in orders.refused) and self._tries < ORDER_TRIES
-        if may_try:
+        is_late = answer is None or answer.outcome is OrderOutcome.EXPIRED
+        if is_late and self._tries < ORDER_TRIES:
             self.send()
-        elif is_silent:
+        elif answer is None:
             raise StepFailed("the pilot does not answer", ReasonCode.NOT_READY)
-        elif orders.refused:
-            raise StepFailed(orders.refused, self._code_of(orders.refused))
+        else:
+            raise StepFailed(answer.reason, self._code_of(answer.outcome))
         return False
 
-    def _code_of(self, refused: str) -> ReasonCode:
-        for words, code in _WORDS_OF_CODE:
-            if words in refused:
-                return code
+    def _code_of(self, outcome: OrderOutcome) -> ReasonCode:
         grounded = self.context.inputs.phase is Phase.IDLE
-        return ReasonCode.PREFLIGHT if grounded else ReasonCode.STEP_FAILED
+        otherwise = ReasonCode.PREFLIGHT if grounded else ReasonCode.STEP_FAILED
+        return _CODES.get(outcome, otherwise)
 
 
 class TakeOff(FlightStep):

@@ -54,16 +54,14 @@ class OrderTracker:
     Attributes:
         order: the last one given; None before the first and after a pause.
         given_at: when [s].
-        accepted: whether the pilot took it.
-        refused: why it did not, in the pilot's words, or "".
+        answer: what the pilot made of it; None before it answers.
         trouble: the pilot's last warning about the way, in words.
     """
 
     def __init__(self) -> None:
         self.order: Order | None = None
         self.given_at = 0.0
-        self.accepted = False
-        self.refused = ""
+        self.answer: OrderAnswer | None = None
         self.trouble = ""
         self._strange_since: float | None = None
         self._goal_name = ""
@@ -71,7 +69,7 @@ class OrderTracker:
     def gave(self, order: Order, now: float) -> None:
         """Take note of an order that is given now [s]."""
         self.order, self.given_at = order, now
-        self.accepted, self.refused, self.trouble = False, "", ""
+        self.answer, self.trouble = None, ""
         self._strange_since, self._goal_name = None, ""
 
     def forget(self) -> None:
@@ -80,8 +78,8 @@ class OrderTracker:
 
     def is_open(self, now: float) -> bool:
         """Return whether the pilot may still be about to answer the last order."""
-        is_answered = self.accepted or bool(self.refused)
-        return self.order is not None and not is_answered and now - self.given_at < ANSWER_TIME
+        is_waited_for = self.order is not None and self.answer is None
+        return is_waited_for and now - self.given_at < ANSWER_TIME
 
     def update(self, inputs: TaskInputs) -> Interference | None:
         """Bring it up to now; return why the task flies no longer, None while it does."""
@@ -89,10 +87,14 @@ class OrderTracker:
         found = self._by_person(inputs)
         for event in inputs.events:
             found = found or self._told(event, inputs)
-        if not self.accepted:
-            self._notice_phase(inputs)
+        self._notice_phase(inputs)
         found = found or self._by_gate(inputs) or self._by_phase(inputs)
         return found
+
+    @property
+    def is_taken(self) -> bool:
+        """Whether the pilot took the last order."""
+        return self.answer is not None and self.answer.is_taken
 
     @property
     def is_homing(self) -> bool:
@@ -100,15 +102,12 @@ class OrderTracker:
         return self.order is not None and self.order.kind in (OrderKind.HOME, OrderKind.LAND)
 
     def _hear_answer(self, answers: tuple[OrderAnswer, ...]) -> None:
-        order = self.order
-        if order is None or self.accepted or self.refused:
-            return
         for answer in answers:
-            if answer.order_id == order.id:
-                self.accepted, self.refused = not answer.refusal, answer.refusal
+            if self.answer is None and self.order is not None and answer.order_id == self.order.id:
+                self.answer = answer
 
     def _by_person(self, inputs: TaskInputs) -> Interference | None:
-        refused = {answer.order_id for answer in inputs.answers if answer.refusal}
+        refused = {answer.order_id for answer in inputs.answers if not answer.is_taken}
         for order in inputs.orders:
             if order.kind not in _NOT_TAKING_OVER and not (order.id and order.id in refused):
                 return _taken_over(order.kind, order.sender)
@@ -129,10 +128,11 @@ class OrderTracker:
     def _notice_phase(self, inputs: TaskInputs) -> None:
         """An answer that was not heard shows in the phase."""
         order = self.order
-        if order is None or self.refused or inputs.now - self.given_at < ANSWER_TIME / 3.0:
+        is_early = inputs.now - self.given_at < ANSWER_TIME / 3.0
+        if order is None or self.answer is not None or is_early:
             return
-        moving = EXPECTED[order.kind] - {Phase.IDLE, Phase.HOLDING}
-        self.accepted = inputs.phase in moving
+        if inputs.phase in EXPECTED[order.kind] - {Phase.IDLE, Phase.HOLDING}:
+            self.answer = OrderAnswer(order.id)
 
     def _by_gate(self, inputs: TaskInputs) -> Interference | None:
         if inputs.safety in _DOWN_MODES and not self._lands_for_us(inputs):
@@ -147,7 +147,7 @@ class OrderTracker:
     def _by_phase(self, inputs: TaskInputs) -> Interference | None:
         """Return what a phase or a goal says that no order of this task explains."""
         order = self.order
-        if order is None or not self.accepted:
+        if order is None or not self.is_taken:
             return None
         is_strange = inputs.phase not in EXPECTED[order.kind]
         if inputs.phase is Phase.OUTBOUND and order.kind is OrderKind.GO:
