@@ -33,6 +33,10 @@ def event(
             ),
             "the resident took the cup from the cabinet, 0.21 kg  (95 % sure, cabinet)",
         ),
+        (
+            event("tracking lost", "ardrone", source="pilot", words="unseen for 2 s"),
+            "the ardrone: unseen for 2 s  (95 % sure, pilot)",
+        ),
         (event("object put", "cup"), "somebody put the cup down  (95 % sure)"),
         (
             event("person sitting", "person-1", on="sofa seat 0", evidence="floor-1: on seat"),

@@ -87,13 +87,10 @@ def test_a_flight_begins_and_ends_once_and_says_who_asked() -> None:
 def test_what_the_pilot_says_to_people_is_remembered() -> None:
     outputs = Outputs(
         Command(Action.IDLE),
-        events=(Event(1.5, Severity.WARNING, "tracking_lost", "tracking lost"),),
+        events=(Event(1.5, Severity.WARNING, "tracking_lost", "unseen for 2 s"),),
     )
     (event,) = told(
         FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), PilotStep(1, 2.0, Inputs(), outputs)
     )
-    assert (event.kind, event.at, dict(event.facts)["code"]) == (
-        "tracking lost",
-        ZERO + 1.5,
-        "tracking_lost",
-    )
+    assert (event.kind, event.at) == ("tracking lost", ZERO + 1.5)
+    assert dict(event.facts) == {"severity": "warning", "words": "unseen for 2 s"}

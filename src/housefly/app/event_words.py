@@ -92,7 +92,8 @@ class EventWords:
     def sentence(self, event: EventAnswer) -> str:
         """Return what happened, how surely, and by whose word."""
         form = _SENTENCES.get(event.kind)
-        said = self._filled(form, event) if form else f"{self.name(event.thing)}: {event.kind}"
+        words = _text(event.facts.get("words", event.kind))
+        said = self._filled(form, event) if form else f"{self.name(event.thing)}: {words}"
         facts = [said, *self._facts(event)]
         if form is None and event.cause:
             facts.append(f"by {self.name(event.cause)}")

@@ -43,8 +43,9 @@ class FlightFacts:
             yield self._estimated(estimate, unix)
         yield from self._phases(step, unix)
         for event in step.outputs.events:
-            facts = (("code", event.code), ("severity", event.severity.value))
-            yield RoomEvent(event.text[:200], self._drone, unix + event.at, _PILOT, facts=facts)
+            facts = (("severity", event.severity.value), ("words", event.text[:200]))
+            kind = event.code.replace("_", " ")
+            yield RoomEvent(kind, self._drone, unix + event.at, _PILOT, facts=facts)
 
     def seen(self, sighting: Sighting, unix: float) -> Observation:
         """Return a sighting as an observation; ``unix`` as above."""

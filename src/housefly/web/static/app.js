@@ -1,1 +1,1 @@
-import"./chunk-chunk-TQB6S7LY.js";
+import"./chunk-chunk-XEKIM5MM.js";

@@ -32,7 +32,8 @@ export function kindOf(thing: Seen): string {
 }
 
 export function happened(event: EventAnswer): string {
-  const kind = translated(event.kind);
+  const own = event.source === "pilot" ? event.facts.words : undefined;
+  const kind = translated(String(own ?? event.kind));
   const words = kind.charAt(0).toUpperCase() + kind.slice(1);
   const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
   const by = event.cause ? ` ${t("by {name}", { name: nameOf(event.cause) })}` : "";
