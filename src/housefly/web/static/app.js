@@ -1,1 +1,1 @@
-import"./chunk-chunk-XEKIM5MM.js";
+import"./chunk-chunk-Z2KIFKF6.js";

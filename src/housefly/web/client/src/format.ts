@@ -10,11 +10,13 @@ export function minutes(seconds: number): string {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
+export const capital = (words: string): string => words.charAt(0).toUpperCase() + words.slice(1);
+
 /** The words with a capital and a full stop, unless they end otherwise. */
 export function sentence(words: string): string {
-  const capital = words.charAt(0).toUpperCase() + words.slice(1);
-  if (/[.…?!。？！]$/.test(capital)) return capital;
-  return capital + (language.value === "ja" ? "。" : ".");
+  const begun = capital(words);
+  if (/[.…?!。？！]$/.test(begun)) return begun;
+  return begun + (language.value === "ja" ? "。" : ".");
 }
 
 export const percent = (share: number): string => `${Math.round(100 * share)} %`;

@@ -7,6 +7,7 @@ import type { EditsView, PlaceView, ZoneView } from "../wire/room-messages";
 import { showAt } from "./room-client";
 import type { Point } from "../store";
 import { t, translated } from "../messages/language";
+import { capital } from "../format";
 
 export interface Chosen {
   kind: "places" | "zones";
@@ -178,7 +179,7 @@ function accept(fresh: EditsView, words: string): void {
 
 function complain(words: string, item: Chosen | null): void {
   batch(() => {
-    trouble.value = { words: words.charAt(0).toUpperCase() + words.slice(1), item };
+    trouble.value = { words: capital(words), item };
     said.value = "";
     if (item) chosen.value = item;
   });

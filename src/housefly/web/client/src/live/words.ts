@@ -3,6 +3,7 @@ import type { SituationAnswer, EventAnswer } from "../wire/room-messages";
 import type { Key } from "../messages/en";
 import { nameOf, things, type Seen } from "./store";
 import { language, t, translated } from "../messages/language";
+import { capital } from "../format";
 
 const NOW = 2;
 const UNITS: [number, Key][] = [
@@ -33,8 +34,7 @@ export function kindOf(thing: Seen): string {
 
 export function happened(event: EventAnswer): string {
   const own = event.source === "pilot" ? event.facts.words : undefined;
-  const kind = translated(String(own ?? event.kind));
-  const words = kind.charAt(0).toUpperCase() + kind.slice(1);
+  const words = capital(translated(String(own ?? event.kind)));
   const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
   const by = event.cause ? ` ${t("by {name}", { name: nameOf(event.cause) })}` : "";
   const said =

@@ -5,6 +5,7 @@ import { Footprint } from "./footprint";
 import { runs } from "./grid";
 import { labels, WALLS } from "./labels";
 import { polyline, type Projection } from "./projection";
+import { capital } from "../format";
 
 const GRID_LINES_FROM = 13;
 
@@ -168,7 +169,7 @@ function Visitors({ to }: { to: Projection }) {
             <ellipse rx={0.24 * to.scale} ry={0.24 * to.scale} />
             <circle r={0.1 * to.scale} />
             <text y={-0.24 * to.scale - 4}>
-              {one.name.charAt(0).toUpperCase() + one.name.slice(1)}
+              {capital(one.name)}
             </text>
           </g>
         );

@@ -10,6 +10,7 @@ import { go } from "../timebar/past";
 import { serverNow } from "../wire/clock";
 import type { Severity } from "../wire/messages";
 import { language, t } from "../messages/language";
+import { capital } from "../format";
 
 const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕" };
 const SHOWN = 100;
@@ -38,7 +39,7 @@ const lines = computed<Line[]>(() => {
     key: `d${one.number}`,
     when: Date.now() - 1000 * (now - one.at),
     severity: one.severity,
-    words: one.text.charAt(0).toUpperCase() + one.text.slice(1),
+    words: capital(one.text),
     of: "drone",
     shows: null,
   }));

@@ -5,7 +5,6 @@ import { room, state } from "../store";
 import { asked } from "../tasks/board";
 import { language, t } from "../messages/language";
 
-const RINGS = /bell (pressed|rung|rang)|^bell$/;
 /** Who rang waits about as long [s]. */
 const WAITS = 60;
 
@@ -13,7 +12,7 @@ const WAITS = 60;
 const answered = signal(0);
 
 const ring = computed(() => {
-  const last = events.value.filter((one) => RINGS.test(one.kind)).at(-1);
+  const last = events.value.filter((one) => one.kind === "bell pressed").at(-1);
   return last && last.at > answered.value && hubNow.value - last.at < WAITS ? last : null;
 });
 const asks = computed(() =>

@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { HoldButton } from "../controls/hold-button";
-import { minutes, sentence } from "../format";
+import { capital, minutes, sentence } from "../format";
 import { createHold } from "../hold";
 import { bellAsks } from "../scene/bell";
 import { BellCard } from "../scene/bell-card";
@@ -131,8 +131,7 @@ function Choice({ task, question, choice, first, harmless }: Answer) {
     });
   };
   const hold = useMemo(() => createHold(HOLD, free, answer), [task, question, choice]);
-  const words = translated(choice);
-  const capital = words.charAt(0).toUpperCase() + words.slice(1);
+  const words = capital(translated(choice));
   if (harmless)
     return (
       <button
@@ -141,12 +140,12 @@ function Choice({ task, question, choice, first, harmless }: Answer) {
         // Whoever meant what was there before the card meant no answer.
         onClick={() => performance.now() - shownAt > SETTLED && answer()}
       >
-        {capital}
+        {words}
       </button>
     );
   return (
-    <HoldButton hold={hold} class={first ? "primary" : "secondary"} label={capital}>
-      <span>{capital}</span>
+    <HoldButton hold={hold} class={first ? "primary" : "secondary"} label={words}>
+      <span>{words}</span>
       <small aria-hidden="true">{t("hold")}</small>
     </HoldButton>
   );
