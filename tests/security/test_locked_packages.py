@@ -46,7 +46,7 @@ def required(*extras: str) -> set[str]:
 
 
 def test_there_are_locks_for_flying_testing_building_auditing_and_fuzzing() -> None:
-    names = ["build.txt", "dev.txt", "fuzz.txt", "run.txt", "tools.txt"]
+    names = ["build.txt", "dev.txt", "fuzz.txt", "installer.txt", "run.txt", "tools.txt"]
     assert [lock.name for lock in LOCKS] == names
 
 
@@ -81,14 +81,15 @@ def set_up() -> Any:
     return module
 
 
-def test_nothing_is_installed_by_pip_without_its_hash() -> None:
+def test_nothing_is_installed_without_its_hash() -> None:
     installs = [
         command
         for steps in set_up().STEPS.values()
-        for _, command in steps
+        for _, *commands in steps
+        for command in commands
         if "pip" in command and "install" in command
     ]
-    assert len(installs) == 4
+    assert len(installs) == 10
     for command in installs:
         by_hash = "--require-hashes" in command
         assert by_hash or {"--no-deps", "--no-build-isolation"} <= set(command), command
@@ -109,13 +110,16 @@ def a_wheel(folder: Path, content: str) -> Path:
     return wheel
 
 
-def test_a_package_that_somebody_changed_is_not_installed(tmp_path: Path) -> None:
+@pytest.mark.parametrize("is_pip", [True, False], ids=["pip", "uv"])
+def test_a_package_that_somebody_changed_is_not_installed(tmp_path: Path, is_pip: bool) -> None:
     wheel = a_wheel(tmp_path, "good = True")
     digest = hashlib.sha256(wheel.read_bytes()).hexdigest()
     lock = tmp_path / "lock.txt"
     lock.write_text(f"sample==1.0 \\\n    --hash=sha256:{digest}\n")
     own = {"-r", "requirements/build.txt"}
-    command = [sys.executable, *(one for one in set_up().LOCKED[1:] if one not in own)]
+    how = set_up()
+    installer = [sys.executable, *how.PIP[1:]] if is_pip else [str(how.UV[0]), *how.UV[1:3]]
+    command = [*installer, *(one for one in how.LOCKED if one not in own)]
     command += ["-r", str(lock)]
     command += ["--no-index", "--find-links", str(tmp_path), "--target", str(tmp_path / "here")]
     environment = {"PATH": "/usr/bin:/bin", "PIP_CONFIG_FILE": "/dev/null", "HOME": str(tmp_path)}
@@ -129,7 +133,8 @@ def test_a_package_that_somebody_changed_is_not_installed(tmp_path: Path) -> Non
     assert done.returncode == 0, done.stderr
     a_wheel(tmp_path, "good = False")
     done = installed()
-    assert done.returncode != 0 and "DO NOT MATCH THE HASHES" in done.stderr
+    told = "DO NOT MATCH THE HASHES" if is_pip else "Hash mismatch"
+    assert done.returncode != 0 and told in done.stderr
 
 
 @pytest.mark.parametrize("folder", ["src/housefly/web/client", "tests/peers"])

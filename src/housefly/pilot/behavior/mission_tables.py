@@ -26,11 +26,11 @@ class Response(Enum):
     CUT = "cut the motors"
     RESET = "leave the emergency state"
     NUDGE = "move by hand"
-    GOING_UP = "nothing: the drone is taking off already"
-    NOT_FLYING = "refused: the drone is on the ground"
-    IN_THE_AIR = "refused: the drone flies already"
-    COMING_DOWN = "refused: the drone is landing"
-    ON_ITS_WAY = "refused: the drone flies somewhere: press Hover first"
+    GOING_UP = "the drone is taking off already"
+    NOT_FLYING = "the drone is on the ground"
+    IN_THE_AIR = "the drone flies already"
+    COMING_DOWN = "the drone is landing"
+    ON_ITS_WAY = "the drone flies somewhere: press Hover first"
 
 
 REFUSALS = frozenset(

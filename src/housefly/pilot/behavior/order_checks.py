@@ -78,7 +78,7 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
     (
         OrderOutcome.WRONG_PHASE,
         lambda _, c, __: c.response in REFUSALS,
-        lambda c, _: c.response.value.removeprefix("refused: "),
+        lambda c, _: c.response.value,
     ),
     (
         OrderOutcome.NO_EMERGENCY,
