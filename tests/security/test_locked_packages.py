@@ -121,18 +121,28 @@ def test_a_package_that_somebody_changed_is_not_installed(tmp_path: Path, is_pip
     installer = [sys.executable, *how.PIP[1:]] if is_pip else [str(how.UV[0]), *how.UV[1:3]]
     command = [*installer, *(one for one in how.LOCKED if one not in own)]
     command += ["-r", str(lock)]
-    command += ["--no-index", "--find-links", str(tmp_path), "--target", str(tmp_path / "here")]
-    environment = {"PATH": "/usr/bin:/bin", "PIP_CONFIG_FILE": "/dev/null", "HOME": str(tmp_path)}
+    command += ["--no-index", "--find-links", str(tmp_path), "--target"]
+    environment = {
+        "PATH": "/usr/bin:/bin",
+        "PIP_CONFIG_FILE": "/dev/null",
+        "HOME": str(tmp_path),
+        "UV_NO_CACHE": "1",
+    }
 
-    def installed() -> subprocess.CompletedProcess[str]:
+    def installed(into: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            command, capture_output=True, text=True, env=environment, check=False, timeout=100
+            [*command, str(tmp_path / into)],
+            capture_output=True,
+            text=True,
+            env=environment,
+            check=False,
+            timeout=100,
         )
 
-    done = installed()
+    done = installed("first")
     assert done.returncode == 0, done.stderr
     a_wheel(tmp_path, "good = False")
-    done = installed()
+    done = installed("second")
     told = "DO NOT MATCH THE HASHES" if is_pip else "Hash mismatch"
     assert done.returncode != 0 and told in done.stderr
 

@@ -97,7 +97,7 @@ def _broken(height: float, pose_age: float, blow: tuple[float, float, float]) ->
         0.12,
         height=1.05,
         acceleration=blow,
-        faults=(DroneFault.MOTORS_PROBLEM, DroneFault.BATTERY_LOW),
+        faults=(DroneFault.MOTORS_PROBLEM, DroneFault.ULTRASOUND_DEAF),
     )
     now = GateInputs(
         now=NOW,
