@@ -35,6 +35,8 @@ class Encoder:
         self._size = width, height
         self._count = 0
         self._reformatter = VideoReformatter()
+        self._picture: NDArray[np.uint8] | None = None
+        self._frame: av.VideoFrame | None = None
         rate = Fraction(rate_hz).limit_denominator(1000)
         codec = av.CodecContext.create("libx264", "w")
         codec.width, codec.height, codec.pix_fmt = width, height, "yuv420p"
@@ -57,14 +59,22 @@ class Encoder:
         """Return the H.264 access unit of a picture, and whether it is a key frame.
 
         Args:
-            picture: RGB, shape (rows, columns, 3), any size.
+            picture: RGB, shape (rows, columns, 3), any size; not written to any more. The same
+                array again is the same picture.
         """
-        frame = av.VideoFrame.from_ndarray(picture, format="rgb24")
-        # Area averaging: a picture rendered larger than it is shown comes out with smooth edges.
-        frame = self._reformatter.reformat(
-            frame, *self._size, "yuv420p", interpolation=Interpolation.AREA
-        )
+        if self._frame is None or picture is not self._picture:
+            self._picture, self._frame = picture, self._converted(picture)
+        frame = self._frame
         frame.pts = self._count
         self._count += 1
         (packet,) = self._codec.encode(frame)
         return bytes(packet), packet.is_keyframe
+
+    def _converted(self, picture: NDArray[np.uint8]) -> av.VideoFrame:
+        # Area averaging: a picture rendered larger than it is shown comes out with smooth edges.
+        return self._reformatter.reformat(
+            av.VideoFrame.from_ndarray(picture, format="rgb24"),
+            *self._size,
+            "yuv420p",
+            interpolation=Interpolation.AREA,
+        )

@@ -6,6 +6,7 @@ Importing this module needs a working GL library; only the camera's child proces
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import atan, cos, radians, sin, tan
 from typing import Any
 
@@ -13,6 +14,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from housefly.messages import Pose
 from housefly.twin.ardrone.body import BODY, HULL_GROUP, VISUAL_GROUP
 from housefly.twin.camera.messages import PictureRequest
 from housefly.twin.contracts import AWAY_Z, DroneCamera
@@ -56,11 +58,9 @@ class CameraView:
         self._visitor_at = (
             self._data.mocap_pos[self._visitor].copy() if self._visitor >= 0 else None
         )
-        self._people = tuple(
-            int(model.body_mocapid[n])
-            for n in range(model.nbody)
-            if model.body(n).name.startswith(PERSON_PREFIX)
-        )
+        people = [n for n in range(model.nbody) if model.body(n).name.startswith(PERSON_PREFIX)]
+        self._people = tuple(int(model.body_mocapid[n]) for n in people)
+        self._geoms_of_people = tuple(np.flatnonzero(model.geom_bodyid == n) for n in people)
         self._frusta = {
             camera: _Frustum(model, camera.value, width / height) for camera in DroneCamera
         }
@@ -71,17 +71,26 @@ class CameraView:
         self._options = mujoco.MjvOption()
         self._options.geomgroup[[VISUAL_GROUP, HULL_GROUP, _OUT_OF_SIGHT]] = 0
         self._options.sitegroup[:] = 0
-        self._shown: tuple[object, ...] = ()
+        self._asked: _Key = ()
+        self._shown: _Key = ()
         self._last = np.empty((0, 0, 3), dtype=np.uint8)
 
     def picture(self, request: PictureRequest) -> NDArray[np.uint8]:
-        """Return the RGB picture, shape (rows, columns, 3); the last one again if nothing moved."""
-        wanted = _visible(request)
-        if wanted != self._shown:
-            self._shown, self._last = wanted, self._rendered(request)
+        """Return the RGB picture, shape (rows, columns, 3); the last one again if nothing in sight
+        moved.
+        """
+        asked = _key(request, request.people)
+        if asked != self._asked:
+            self._arrange(request)
+            groups = self._frusta[request.camera].groups(self._data)
+            shown = _key(request, self._people_in_sight(request, groups))
+            if shown != self._shown:
+                self._last = self._rendered(request.camera, groups)
+            self._asked, self._shown = asked, shown
         return self._last
 
-    def _rendered(self, request: PictureRequest) -> NDArray[np.uint8]:
+    def _arrange(self, request: PictureRequest) -> None:
+        """Put drone, visitor and people where they are to be seen."""
         model, data = self._model, self._data
         start = model.jnt_qposadr[self._place]
         data.qpos[start : start + 7] = (*request.pose.position, *request.pose.orientation)
@@ -92,8 +101,19 @@ class CameraView:
             data.mocap_pos[number], data.mocap_quat[number] = person.position, person.orientation
         mujoco.mj_kinematics(model, data)
         mujoco.mj_camlight(model, data)
-        model.geom_group[:] = self._frusta[request.camera].groups(data)
-        self._renderer.update_scene(data, request.camera.value, self._options)
+
+    def _people_in_sight(
+        self, request: PictureRequest, groups: NDArray[np.int32]
+    ) -> tuple[Pose | None, ...]:
+        """Return where the people are, None for those who are out of sight."""
+        return tuple(
+            person if (groups[geoms] != _OUT_OF_SIGHT).any() else None
+            for geoms, person in zip(self._geoms_of_people, request.people, strict=False)
+        )
+
+    def _rendered(self, camera: DroneCamera, groups: NDArray[np.int32]) -> NDArray[np.uint8]:
+        self._model.geom_group[:] = groups
+        self._renderer.update_scene(self._data, camera.value, self._options)
         picture: NDArray[np.uint8] = self._renderer.render()
         return picture
 
@@ -123,11 +143,18 @@ class _Frustum:
         return groups
 
 
-def _visible(request: PictureRequest) -> tuple[object, ...]:
-    """Return what changes a picture, to a tenth of a millimetre and of a milliradian."""
-    poses = (request.pose, *request.people)
-    pose = (round(value, 4) for shown in poses for value in (*shown.position, *shown.orientation))
-    return (request.camera, request.visitor_present, *pose)
+_Key = tuple[object, ...]
+"""What changes a picture, to a tenth of a millimetre and of a milliradian."""
+
+
+def _key(request: PictureRequest, people: Iterable[Pose | None]) -> _Key:
+    """Return what changes the picture that is asked for, with these people in it."""
+    shown = (_rounded(pose) for pose in (request.pose, *people))
+    return (request.camera, request.visitor_present, *shown)
+
+
+def _rounded(pose: Pose | None) -> _Key:
+    return () if pose is None else tuple(round(v, 4) for v in (*pose.position, *pose.orientation))
 
 
 def _mocap_of(model: Any, body: str) -> int:
