@@ -99,6 +99,24 @@ def test_every_valid_message_comes_back_bit_for_bit(kind: type[Any]) -> None:
     check()
 
 
+@pytest.mark.parametrize("kind", MESSAGES, ids=lambda kind: kind.__name__)
+def test_another_writer_writes_the_same_bytes_and_its_other_byte_order_is_read(
+    kind: type[Any],
+) -> None:
+    store, name = type_store(), ros_name(kind.__name__)
+
+    @settings(max_examples=50, deadline=None)
+    @given(values_of(kind))
+    def check(message: Any) -> None:
+        ours = to_cdr(message)
+        theirs = store.deserialize_cdr(ours, name)
+        assert bytes(store.serialize_cdr(theirs, name)) == ours
+        other_order = bytes(store.serialize_cdr(theirs, name, little_endian=False))
+        assert repr(from_cdr(kind, other_order)) == repr(message)
+
+    check()
+
+
 def test_not_a_number_survives() -> None:
     decoded = from_cdr(LinkStatus, to_cdr(LinkStatus(at=math.nan)))
     assert math.isnan(decoded.at)

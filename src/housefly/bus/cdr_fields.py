@@ -1,0 +1,63 @@
+"""What the fields of our messages are on the wire."""
+
+from __future__ import annotations
+
+from dataclasses import MISSING, fields
+from enum import Enum
+from typing import Any, get_args, get_type_hints
+
+from rosbags.typesys.store import Typestore
+
+from housefly.bus.interfaces import ros_name
+from housefly.errors import WireError
+
+TUPLES = {
+    "geometry_msgs/msg/Point": ("x", "y", "z"),
+    "geometry_msgs/msg/Vector3": ("x", "y", "z"),
+    "geometry_msgs/msg/Quaternion": ("w", "x", "y", "z"),
+    ros_name("Point2"): ("x", "y"),
+}
+"""The types that our messages hold as tuples, and the fields in the order of the tuple."""
+
+
+EnumCodes = dict[Enum, int | str]
+"""What stands for each member on the wire: its number, or its value where an older version wrote
+that as text."""
+
+
+def fields_of(kind: type[Any], store: Typestore) -> list[tuple[str, Any, EnumCodes | None]]:
+    """Return name, description and, of an enum or a tuple of one, its codes, field by field."""
+    name = kind.__name__
+    constants, written = store.fielddefs[
+        "geometry_msgs/msg/Pose" if name == "Pose" else ros_name(name)
+    ]
+    hints = get_type_hints(kind)
+    _check_fields(kind, [field for field, _ in written])
+    numbers = {constant: int(value) for constant, _, value in constants}
+    return [(field, of, _enumerated(field, of, hints[field], numbers)) for field, of in written]
+
+
+def _check_fields(kind: type[Any], written: list[str]) -> None:
+    """Raise WireError when a message cannot be made of the fields that were written."""
+    ours = {field.name: field for field in fields(kind)}
+    unknown = [name for name in written if name not in ours]
+    lacking = [
+        name
+        for name, field in ours.items()
+        if name not in written and field.default is MISSING and field.default_factory is MISSING
+    ]
+    if unknown or lacking:
+        raise WireError(f"{kind.__name__}: other fields: {', '.join(unknown + lacking)}")
+
+
+def _enumerated(
+    name: str, description: Any, hint: Any, numbers: dict[str, int]
+) -> EnumCodes | None:
+    """Return the code of each member, or None for what is no enum."""
+    kind = next(iter(get_args(hint)), hint)
+    if not (isinstance(kind, type) and issubclass(kind, Enum)):
+        return None
+    if "string" in str(description):
+        return {member: member.value for member in kind}
+    names = {member: f"{name.upper()}_{member.name}" for member in kind}
+    return {member: numbers[text] for member, text in names.items() if text in numbers}
