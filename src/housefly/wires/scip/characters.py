@@ -55,26 +55,48 @@ def encode_lines(values: Sequence[int], width: int) -> list[str]:
     misfits = numbers[(numbers < 0) | (numbers >= 1 << (6 * width))]
     if misfits.size:
         raise WireError(f"{misfits[0]} does not fit into {width} characters")
-    characters = (numbers[:, None] >> _shifts(width) & 0x3F) + _BASE
-    text = characters.astype(np.uint8).tobytes().decode("ascii")
-    return [
-        text[at : at + _BLOCK] + checksum(text[at : at + _BLOCK])
-        for at in range(0, len(text), _BLOCK)
-    ]
+    digits = np.empty((len(numbers), width), np.uint8)
+    for column, shift in enumerate(range(6 * (width - 1), -1, -6)):
+        digits[:, column] = (numbers >> shift & 0x3F) + _BASE
+    characters = digits.ravel()
+    text, starts = characters.tobytes().decode("ascii"), range(0, characters.size, _BLOCK)
+    sums = _checksums(characters, np.asarray(starts)).tobytes().decode("ascii")
+    return [text[at : at + _BLOCK] + told for at, told in zip(starts, sums, strict=True)]
 
 
 def decode_lines(lines: Sequence[str], width: int) -> tuple[int, ...]:
     """Return the numbers in checked lines of data; raises WireError."""
-    text = "".join(strip_checksum(line) for line in lines)
-    if len(text) % width:
-        raise WireError(f"{len(text)} characters of data are no multiple of {width}")
-    digits = np.frombuffer(text.encode("ascii"), np.uint8).astype(np.int64) - _BASE
+    data = _checked_data(lines)
+    if len(data) % width:
+        raise WireError(f"{len(data)} characters of data are no multiple of {width}")
+    digits = data.astype(np.int64) - _BASE
     wrong = np.flatnonzero((digits < 0) | (digits > 0x3F))
     if wrong.size:
-        raise WireError(f"{text[wrong[0]]!r} is no SCIP digit")
-    return tuple((digits.reshape(-1, width) << _shifts(width)).sum(axis=1).tolist())
+        raise WireError(f"{chr(data[wrong[0]])!r} is no SCIP digit")
+    numbers = np.zeros(len(digits) // width, np.int64)
+    for column in range(width):
+        numbers = numbers << 6 | digits[column::width]
+    return tuple(numbers.tolist())
 
 
-def _shifts(width: int) -> NDArray[np.int64]:
-    """Return how far the digits of a number are shifted, the most significant first."""
-    return np.arange(6 * (width - 1), -1, -6, dtype=np.int64)
+def _checked_data(lines: Sequence[str]) -> NDArray[np.uint8]:
+    """Return the characters of lines without their checksums; raises WireError on a mismatch."""
+    lengths = np.fromiter(map(len, lines), np.intp, len(lines))
+    if not lengths.size or lengths.min() < 2:
+        return np.frombuffer("".join(map(strip_checksum, lines)).encode("ascii"), np.uint8)
+    whole = np.frombuffer("".join(lines).encode("ascii"), np.uint8)
+    is_data, ends = np.ones(whole.size, np.bool_), np.cumsum(lengths)
+    is_data[ends - 1] = False
+    told = whole[ends - 1]
+    found = _checksums(np.where(is_data, whole, np.uint8(0)), ends - lengths)
+    for wrong in np.flatnonzero(found != told)[:1]:
+        strip_checksum(lines[wrong])
+    return whole[is_data]
+
+
+def _checksums(characters: NDArray[np.uint8], starts: NDArray[np.intp]) -> NDArray[np.uint8]:
+    """Return the checksum characters of texts that stand one after the other from these on."""
+    if not starts.size:
+        return np.empty(0, np.uint8)
+    sums = np.add.reduceat(characters, starts, dtype=np.int64)
+    return ((sums & 0x3F) + _BASE).astype(np.uint8)
