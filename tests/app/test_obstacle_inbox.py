@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import nan
+from threading import Thread
 
 import pytest
 from hypothesis import given
@@ -65,3 +66,16 @@ def test_a_flood_is_cut_down() -> None:
     for number in range(1000):
         inbox.add(Obstacle(str(number), (1.0, 1.0), seen_at=10.0))
     assert len(inbox.drain()) == OBSTACLES_MAX and inbox.refused == 1000 - OBSTACLES_MAX
+
+
+def test_what_another_thread_adds_while_steps_take_is_taken_once() -> None:
+    inbox, _ = inbox_and_clock()
+    told = [Obstacle(f"{n}", (1.0, 1.0), seen_at=9.0) for n in range(2000)]
+    taken: list[Obstacle] = []
+    adding = Thread(target=lambda: [inbox.add(one) for one in told])
+    adding.start()
+    while adding.is_alive():
+        taken += inbox.drain()
+    taken += inbox.drain()
+    assert len(taken) + inbox.refused == len(told)
+    assert len({one.id for one in taken}) == len(taken)

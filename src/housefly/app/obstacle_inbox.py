@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import inf
+from threading import Lock
 
 from housefly.clock import Clock
 from housefly.messages import Obstacle
@@ -15,6 +16,8 @@ REFUSED_OBSTACLE_SHOWN_FOR = 5.0
 class ObstacleInbox:
     """Collects obstacles between two steps of the pilot; the bus may carry anything.
 
+    May be added to from any thread: waking the pilot's loop for each costs more than taking it in.
+
     Args:
         extent: x_min, y_min, x_max, y_max of the map [m].
         clock: the pilot's.
@@ -25,22 +28,30 @@ class ObstacleInbox:
 
     def __init__(self, extent: MapExtent, clock: Clock) -> None:
         self.refused = 0
-        self._extent, self._clock = extent, clock
+        self._extent, self._clock, self._lock = extent, clock, Lock()
         self._waiting: dict[tuple[str, str], Obstacle] = {}
         self._problem, self._problem_at = "", -inf
 
     @property
     def problem(self) -> str:
         """What was refused in the last seconds, in words, or ""."""
-        return (
-            self._problem
-            if self._clock.now() - self._problem_at < REFUSED_OBSTACLE_SHOWN_FOR
-            else ""
-        )
+        with self._lock:
+            is_shown = self._clock.now() - self._problem_at < REFUSED_OBSTACLE_SHOWN_FOR
+            return self._problem if is_shown else ""
 
     def add(self, obstacle: Obstacle) -> None:
         """Add an obstacle, or refuse it."""
-        now = self._clock.now()
+        with self._lock:
+            self._take(obstacle, self._clock.now())
+
+    def drain(self) -> tuple[Obstacle, ...]:
+        """Return what came since the last call."""
+        with self._lock:
+            taken = tuple(self._waiting.values())
+            self._waiting.clear()
+        return taken
+
+    def _take(self, obstacle: Obstacle, now: float) -> None:
         name = obstacle.source, obstacle.id
         fault = obstacle_fault(obstacle, now, self._extent)
         if not fault and name not in self._waiting and len(self._waiting) >= OBSTACLES_MAX:
@@ -55,9 +66,3 @@ class ObstacleInbox:
         known = self._waiting.get(name)
         if known is None or known.seen_at <= obstacle.seen_at:
             self._waiting[name] = obstacle
-
-    def drain(self) -> tuple[Obstacle, ...]:
-        """Return what came since the last call."""
-        taken = tuple(self._waiting.values())
-        self._waiting.clear()
-        return taken

@@ -137,9 +137,7 @@ class PilotShell:
         """
         loop = asyncio.get_running_loop()
         orders = self._bus.subscribe(ORDER_TOPIC, self._orders.add)
-        obstacles = self._bus.subscribe(
-            OBSTACLE_TOPIC, lambda seen: _soon(loop, lambda: self._obstacles.add(seen))
-        )
+        obstacles = self._bus.subscribe(OBSTACLE_TOPIC, self._obstacles.add)
         sight = self._bus.subscribe(
             SIGHT_TOPIC, lambda news: _soon(loop, lambda: self._sight.heard(news))
         )
