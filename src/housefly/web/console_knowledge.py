@@ -184,7 +184,9 @@ def _inside(point: Vec2, corners: tuple[Vec2, ...]) -> bool:
     """Return whether a point lies in a polygon: it crosses an odd number of edges on its right."""
     x, y = point
     odd = False
-    for (x0, y0), (x1, y1) in zip(corners, (*corners[1:], *corners[:1]), strict=True):
+    x0, y0 = corners[-1]
+    for x1, y1 in corners:
         if (y0 > y) != (y1 > y) and x < x0 + (y - y0) * (x1 - x0) / (y1 - y0):
             odd = not odd
+        x0, y0 = x1, y1
     return odd
