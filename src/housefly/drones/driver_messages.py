@@ -10,6 +10,7 @@ import json
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from math import isfinite
 
 from housefly.errors import WireError
@@ -156,13 +157,13 @@ def _telemetry_bytes(report: Telemetry) -> bytes:
         *acceleration,
         *(report.drone_time is not None, report.drone_time or 0.0),
     )
-    return numbers + json.dumps([[fault.value for fault in report.faults], report.notes]).encode()
+    return numbers + _words_bytes(report.faults, report.notes)
 
 
 def _telemetry(body: bytes) -> Telemetry:
     status, received_at, battery, phi, theta, psi, height, *rest = _TELEMETRY.unpack_from(body)
     forward, left, up, configured, hears_us, accelerates, x, y, z, has_time, drone_time = rest
-    faults, notes = json.loads(body[_TELEMETRY.size :])
+    faults, notes = _words(body[_TELEMETRY.size :])
     return Telemetry(
         received_at=received_at,
         status=_STATES[status],
@@ -172,13 +173,25 @@ def _telemetry(body: bytes) -> Telemetry:
         psi=psi,
         height=height,
         velocity=(forward, left, up),
-        faults=tuple(map(DroneFault, faults)),
+        faults=faults,
         acceleration=(x, y, z) if accelerates else None,
         configured=configured,
-        notes=tuple(map(str, notes)),
+        notes=notes,
         drone_time=drone_time if has_time else None,
         hears_us=hears_us,
     )
+
+
+@lru_cache(maxsize=16)
+def _words_bytes(faults: tuple[DroneFault, ...], notes: tuple[str, ...]) -> bytes:
+    """Return the words of a report, which are the same in most."""
+    return json.dumps([[fault.value for fault in faults], notes]).encode()
+
+
+@lru_cache(maxsize=16)
+def _words(data: bytes) -> tuple[tuple[DroneFault, ...], tuple[str, ...]]:
+    faults, notes = json.loads(data)
+    return tuple(map(DroneFault, faults)), tuple(map(str, notes))
 
 
 def _status_bytes(status: DriverStatus) -> bytes:

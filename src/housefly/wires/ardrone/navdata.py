@@ -12,6 +12,7 @@ import struct
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import IntFlag
+from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -212,11 +213,16 @@ def encode_navdata(
     except struct.error as error:
         raise WireError(f"navdata header value does not fit: {error}") from error
     for option in options:
-        raw = (
-            option
-            if isinstance(option, RawOption)
-            else RawOption(TAGS[type(option)], option.encode())
-        )
-        parts += (_OPTION_HEADER.pack(raw.tag, raw.size), raw.payload)
+        if isinstance(option, RawOption):
+            tag, payload = option
+        else:
+            tag, payload = TAGS[type(option)], option.encode()
+        parts += (_option_header(tag, len(payload)), payload)
     body = b"".join(parts)
     return body + _CHECKSUM.pack(_CHECKSUM_TAG, _CHECKSUM.size, _checksum(body))
+
+
+@lru_cache(maxsize=256)
+def _option_header(tag: int, length: int) -> bytes:
+    """Return what stands before a payload of this length [bytes]."""
+    return _OPTION_HEADER.pack(tag, length + _OPTION_HEADER.size)
