@@ -44,6 +44,8 @@ _FAULTS: tuple[tuple[StateBits, DroneFault], ...] = (
     (StateBits.COM_LOST, DroneFault.COMMANDS_LOST),
 )
 """State bits that a person should know of."""
+_ANY_FAULT = sum(int(bit) for bit, _ in _FAULTS)
+_SILENT = int(StateBits.COM_WATCHDOG | StateBits.COM_LOST)
 ULTRASOUND_MIN = 0.25
 """Raw ultrasound up to this may be anything nearer [m]: on the floor it tells 0.24."""
 
@@ -94,7 +96,7 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
         psi=_angle(-demo.psi),
         height=_height(packet, demo),
         velocity=(demo.vx / 1000.0, -demo.vy / 1000.0, -demo.vz / 1000.0),
-        faults=tuple(fault for bit, fault in _FAULTS if packet.has(bit)),
+        faults=_faults(packet),
         acceleration=_acceleration(packet),
         drone_time=time.seconds if (time := packet.option(Time)) else None,
         hears_us=hears_us(packet),
@@ -117,7 +119,13 @@ def _height(packet: NavdataPacket, demo: Demo) -> float:
 
 def hears_us(packet: NavdataPacket) -> bool:
     """Return whether our commands reach the drone, by its own word."""
-    return not packet.state & (StateBits.COM_WATCHDOG | StateBits.COM_LOST)
+    return not packet.state & _SILENT
+
+
+def _faults(packet: NavdataPacket) -> tuple[DroneFault, ...]:
+    if not packet.state & _ANY_FAULT:
+        return ()
+    return tuple(fault for bit, fault in _FAULTS if packet.has(bit))
 
 
 def _acceleration(packet: NavdataPacket) -> Vec3 | None:

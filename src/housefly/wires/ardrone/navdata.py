@@ -109,7 +109,8 @@ class NavdataPacket:
 
     def has(self, bits: StateBits) -> bool:
         """Return whether all these state bits are set."""
-        return self.state & bits == bits
+        wanted = int(bits)  # as flags, the answer would be made a flag first
+        return self.state & wanted == wanted
 
     def option(self, kind: type[_Option]) -> _Option | None:
         """Return the first option of this kind and size, decoded, or None."""
