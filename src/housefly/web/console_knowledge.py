@@ -150,10 +150,11 @@ class ConsoleKnowledge:
     @property
     def caught_in(self) -> str:
         """Name of the furniture under, on or in which it stands, or ""."""
-        if self.position is None or self.room is None or self.airborne is not False:
+        place = self.position
+        if place is None or self.room is None or self.airborne is not False:
             return ""
         standing = (one for one in self.room.outlines if not one.tracked and one.top > _LOW)
-        return next((one.thing for one in standing if _inside(self.position, one.corners)), "")
+        return next((one.thing for one in standing if _inside(place, one.corners)), "")
 
 
 def place_in_words(known: ConsoleKnowledge) -> str:
