@@ -55,10 +55,7 @@ def obstacle_fault(obstacle: Obstacle, now: float, extent: MapExtent) -> str:
         obstacle.bottom,
         obstacle.top,
     )
-    if not all(
-        isfinite(number)
-        for number in (*shape, *obstacle.velocity, obstacle.confidence, obstacle.seen_at)
-    ):
+    if not all(map(isfinite, (*shape, *obstacle.velocity, obstacle.confidence, obstacle.seen_at))):
         return "not all its numbers are finite"
     if not 0.0 <= obstacle.confidence <= 1.0:
         return "its confidence does not lie between 0 and 1"
