@@ -24,6 +24,6 @@ def on_step(step: housefly.PilotStep) -> None:
 
 started = time.perf_counter()
 site = housefly.load_site("bsen", twin__seed=7)
-flight = housefly.fly("entrance", site, look_s=2.0, on_step=on_step)
+flight = housefly.fly("table", site, look_s=2.0, on_step=on_step)
 spent = time.perf_counter() - started
 print(f"{flight.outcome}: {flight.summary.duration_s:.0f} s of flight in {spent:.0f} s")

@@ -9,15 +9,15 @@ Prints: how many steps were flown, then each constant with its 95 % interval bes
 
 import housefly
 
-TRACKING = {"twin__mocap_rate_hz": 30.0, "twin__seed": 3}
+RATES = {"control__rate_hz": 50.0, "twin__mocap_rate_hz": 30.0, "twin__seed": 3}
 HIDDEN = {
     "drone__attitude_lag": 5.5,
     "drone__attitude_gain": 0.92,
     "drone__drag": 0.4,
     "drone__climb_lag": 2.0,
 }
-believed = housefly.load_site("bsen", **TRACKING)
-real = housefly.load_site("bsen", **TRACKING, **HIDDEN)
+believed = housefly.load_site("bsen", **RATES)
+real = housefly.load_site("bsen", **RATES, **HIDDEN)
 
 found = housefly.identify(believed, real=real, repeats=6)
 print(f"{len(found.blocks)} blocks were flown and seen")
