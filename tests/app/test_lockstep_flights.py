@@ -64,8 +64,13 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Fly:
         ),
     ],
 )
-def test_the_service_is_completed_at_every_tracking_rate(flown: Fly, rate: int, seed: int) -> None:
-    summary = summary_of(flown("entrance", "--mocap-rate", str(rate), "--seed", str(seed)))
+def test_the_service_is_completed_at_every_tracking_rate(
+    flown: Fly, tmp_path: Path, rate: int, seed: int
+) -> None:
+    # The shipped steps at the shipped rate, half of them where tracking is slow.
+    site = () if rate == 100 else ("--site", str(quick(tmp_path)))
+    rates = ("--mocap-rate", str(rate), "--seed", str(seed))
+    summary = summary_of(flown("entrance", *rates, *site))
     assert summary["outcome"] == "completed"
     assert summary["seed"] == seed
     assert abs(float(str(summary["mocap_rate_hz"])) - rate) < 0.1 * rate

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from math import dist, hypot
 
@@ -26,7 +27,12 @@ LASERS = (
 DEPTH_CAMERA = {"name": "depth-1", "x": 10.5, "y": 1.25, "z": 1.6, "yaw": 2.75}
 """Looks along the way to the entrance, from above the pad."""
 HULL = half_diagonal(0.517, 0.451)
+ROOM = open_site(read_site("bsen")).room
 SERVICE = Order(OrderKind.SERVICE, "entrance", look_s=1.0)
+
+
+class Arrived(Exception):
+    """What comes after the arrival judges nothing."""
 
 
 @dataclass
@@ -36,6 +42,7 @@ class Story:
     ahead: float
     radius: float = 0.25
     away_after: float = 1e9
+    ends_at: str = ""
     put_at: float = 0.0
     place: Vec2 | None = None
     closest: float = 9.0
@@ -63,10 +70,14 @@ class Story:
                 )
             else:
                 world.put("chair", None)
+        if self.ends_at and self.is_at(self.ends_at, (x, y)):
+            raise Arrived
+
+    def is_at(self, place: str, here: Vec2) -> bool:
+        return dist(here, ROOM.place(place).viewpoint) < 0.3
 
     def came_to(self, place: str) -> bool:
-        viewpoint = open_site(read_site("bsen")).room.place(place).viewpoint
-        return any(dist(here, viewpoint[:2]) < 0.3 for _, here, _ in self.steps)
+        return any(self.is_at(place, here) for _, here, _ in self.steps)
 
     def told(self, code: str) -> float:
         return next((event.at for event in self.events if event.code == code), float("nan"))
@@ -88,7 +99,10 @@ def fly() -> Fly:
             story.events.extend(step.outputs.events)
 
         loaded = open_site(site)
-        story.outcome = fly_lockstep(loaded, SERVICE, on_step, give_up_after, (chair,), story.world)
+        with suppress(Arrived):
+            story.outcome = fly_lockstep(
+                loaded, SERVICE, on_step, give_up_after, (chair,), story.world
+            )
         return story
 
     return make
@@ -112,7 +126,7 @@ def test_a_chair_put_before_the_drone_is_seen_avoided_and_the_service_completed(
 
 @pytest.mark.slow
 def test_a_chair_that_only_a_depth_camera_sees_is_avoided_too(fly: Fly) -> None:
-    story = fly(Story(2.0), give_up_after=60.0, depth_cameras=[DEPTH_CAMERA])
+    story = fly(Story(2.0, ends_at="entrance"), give_up_after=60.0, depth_cameras=[DEPTH_CAMERA])
     assert story.came_to("entrance")
     assert story.closest > HULL and story.contacts == 0
     assert story.told("detour") - story.put_at < 0.6
@@ -136,7 +150,7 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_of_being_seen(fl
 
 @pytest.mark.slow
 def test_what_fills_the_corridor_is_waited_for_and_flown_past_when_taken_away(fly: Fly) -> None:
-    story = fly(Story(2.2, radius=1.4, away_after=9.0), give_up_after=45.0)
+    story = fly(Story(2.2, radius=1.4, away_after=9.0, ends_at="entrance"), give_up_after=45.0)
     assert story.came_to("entrance")
     assert story.closest > HULL and story.contacts == 0
     assert any("waiting here" in event.text for event in story.events if event.code == "no_way")
