@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -100,49 +100,61 @@ def test_a_task_whose_way_the_memory_decides_is_rehearsed_when_it_is_asked_for(s
     assert tasks_ahead((rule("auto"),), lambda *_: bind(read_task(text), {})) == ()
 
 
-def nobody(question: Question) -> Any:
-    raise LinkError("nobody remembers anything")
+class House:
+    """A room that a test changes, and a memory that knows nothing; one worker rehearses in it."""
 
+    def __init__(self) -> None:
+        self.room = STILL
+        self.asked: list[Question] = []
+        self.rehearser = Rehearser(premises(), lambda: self.room, self.forget, 60.0)
 
-def test_a_still_room_is_rehearsed_ahead_and_the_answer_is_there_at_once() -> None:
-    room = [STILL]
-    rehearser = Rehearser(premises(), lambda: room[0], nobody, 60.0)
-    try:
-        rehearser.rehearse_ahead((TASK,))
-        assert rehearser.rehearse(TASK).result().took > 0.0, "it was looked at once only"
-        rehearser.rehearse_ahead((TASK,))
-        deadline = time.monotonic() + 60.0
-        while rehearser.rehearse(TASK).result().took and time.monotonic() < deadline:
-            pass
-        known = rehearser.rehearse(TASK)
-        assert known.done() and known.result().may_fly and known.result().took == 0.0
-        room[0] = replace(STILL, people=())
-        assert rehearser.rehearse(TASK).result().took > 0.0, "the visitor has left"
-    finally:
-        rehearser.close()
-
-
-def test_what_is_refused_ahead_is_left_alone_for_a_time_and_does_not_hold_up_the_next() -> None:
-    asked: list[Question] = []
-
-    def forgetful(question: Question) -> Any:
-        asked.append(question)
+    def forget(self, question: Question) -> Any:
+        self.asked.append(question)
         raise LinkError("nobody remembers anything")
 
-    refused = shipped("look", subject="grandma's cup")
-    rehearser = Rehearser(premises(), lambda: STILL, forgetful, 60.0)
-    try:
-        for _ in range(8):
-            rehearser.rehearse_ahead((refused, TASK))
-            if rehearser.rehearse(TASK).result().took == 0.0:
-                break
-        else:
-            pytest.fail("what is refused is rehearsed again and again")
-        rehearser.rehearse_ahead((refused, TASK))
-        cups = [one for one in asked if getattr(one, "thing", "") == "grandma's cup"]
-        assert len(cups) == 1
-        told = len(asked)
-        assert not rehearser.rehearse(refused).result().may_fly
-        assert len(asked) > told, "a refusal is looked at anew"
-    finally:
-        rehearser.close()
+
+@pytest.fixture(scope="module")
+def one_house() -> Iterator[House]:
+    one = House()
+    yield one
+    one.rehearser.close()
+
+
+@pytest.fixture
+def house(one_house: House) -> House:
+    """Return it as it was; its worker may know what another test asked: each asks its own."""
+    one_house.room, one_house.asked = STILL, []
+    return one_house
+
+
+def test_a_still_room_is_rehearsed_ahead_and_the_answer_is_there_at_once(house: House) -> None:
+    rehearser = house.rehearser
+    rehearser.rehearse_ahead((TASK,))
+    assert rehearser.rehearse(TASK).result().took > 0.0, "it was looked at once only"
+    rehearser.rehearse_ahead((TASK,))
+    deadline = time.monotonic() + 60.0
+    while rehearser.rehearse(TASK).result().took and time.monotonic() < deadline:
+        pass
+    known = rehearser.rehearse(TASK)
+    assert known.done() and known.result().may_fly and known.result().took == 0.0
+    house.room = replace(STILL, people=())
+    assert rehearser.rehearse(TASK).result().took > 0.0, "the visitor has left"
+
+
+def test_what_is_refused_ahead_is_left_alone_for_a_time_and_does_not_hold_up_the_next(
+    house: House,
+) -> None:
+    rehearser = house.rehearser
+    refused, other = shipped("look", subject="grandma's cup"), shipped("look", subject="tv")
+    for _ in range(8):
+        rehearser.rehearse_ahead((refused, other))
+        if rehearser.rehearse(other).result().took == 0.0:
+            break
+    else:
+        pytest.fail("what is refused is rehearsed again and again")
+    rehearser.rehearse_ahead((refused, other))
+    cups = [one for one in house.asked if getattr(one, "thing", "") == "grandma's cup"]
+    assert len(cups) == 1
+    told = len(house.asked)
+    assert not rehearser.rehearse(refused).result().may_fly
+    assert len(house.asked) > told, "a refusal is looked at anew"

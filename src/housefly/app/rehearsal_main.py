@@ -18,6 +18,7 @@ from housefly.app.rehearsal_link import MemoryQuestion, MemoryReply, RehearsalOr
 from housefly.app.rehearsed_flight import RehearsedSite
 from housefly.app.room_now import RoomNow
 from housefly.errors import HouseflyError, LinkError
+from housefly.geometry import distance
 from housefly.hub.api.questions import Question
 from housefly.pilot.assembly import warm_up
 from housefly.tasks.document.library import bind, load_library
@@ -51,11 +52,14 @@ def serve(pipe: Connection) -> None:
 
 
 def _warm(site: RehearsedSite, loaded: LoadedSite) -> None:
-    """Compile and load whatever a rehearsal needs, by one."""
+    """Compile and load whatever a rehearsal needs, by one to the nearest place."""
     warm_up(loaded.site, loaded.room, loaded.grid)
-    place = next((one.name for one in loaded.room.places if one.name != "home"), "home")
+    room = loaded.room
+    places = [place for place in room.places if place.name != "home"]
+    ways = [distance(place.viewpoint, room.home) for place in places]
+    subject = places[ways.index(min(ways))].name if places else "home"
     with suppress(HouseflyError, KeyError):
-        site.rehearse(bind(load_library()["look"], {"subject": place}), RoomNow(), _nobody)
+        site.rehearse(bind(load_library()["look"], {"subject": subject}), RoomNow(), _nobody)
 
 
 def _nobody(question: Question) -> Any:
