@@ -76,10 +76,9 @@ def test_the_folder_of_a_flight_stands_for_its_recording(
 )
 @given(share=st.floats(0.0, 1.0), zeros=st.integers(0, 100_000))
 def test_a_recording_that_ends_in_zeros_after_a_power_cut_gives_what_is_readable(
-    recording: Path, share: float, zeros: int
+    recording: Path, flight: tuple[PilotStep, ...], share: float, zeros: int
 ) -> None:
     whole = recording.read_bytes()
-    flight = tuple(read_steps(recording))
     cut = recording.with_name("cut.mcap")
     cut.write_bytes(whole[: max(9, int(share * len(whole)))] + bytes(zeros))
     readable = tuple(read_steps(cut))
@@ -92,10 +91,9 @@ def test_a_recording_that_ends_in_zeros_after_a_power_cut_gives_what_is_readable
 )
 @given(share=st.floats(0.0, 1.0))
 def test_a_recording_that_was_cut_short_gives_what_is_readable(
-    recording: Path, share: float
+    recording: Path, flight: tuple[PilotStep, ...], share: float
 ) -> None:
     whole = recording.read_bytes()
-    flight = tuple(read_steps(recording))
     cut = recording.with_name("cut.mcap")
     cut.write_bytes(whole[: max(9, int(share * len(whole)))])
     readable = tuple(read_steps(cut))
@@ -108,9 +106,8 @@ def test_a_recording_that_was_cut_short_gives_what_is_readable(
 )
 @given(data=st.data())
 def test_a_damaged_recording_is_a_recording_error_and_nothing_else(
-    recording: Path, data: st.DataObject
+    recording: Path, flight: tuple[PilotStep, ...], data: st.DataObject
 ) -> None:
-    flight = tuple(read_steps(recording))
     damaged = bytearray(recording.read_bytes())
     for _ in range(data.draw(st.integers(1, 5))):
         damaged[data.draw(st.integers(0, len(damaged) - 1))] = data.draw(st.integers(0, 255))
