@@ -51,9 +51,9 @@ def flown_in(out: Path) -> tuple[Path, ...]:
 
 
 def quick_site(folder: Path) -> Path:
-    """Return the paper's site with half the steps of the pilot and half the tracking."""
+    """Return the paper's site with a quarter of the pilot's steps and of the tracking."""
     shipped = resources.files("housefly.sites").joinpath("bsen.toml").read_text(encoding="utf-8")
-    text = shipped.replace("[twin]\n", "[control]\nrate_hz = 50\n[twin]\nmocap_rate_hz = 50\n")
+    text = shipped.replace("[twin]\n", "[control]\nrate_hz = 25\n[twin]\nmocap_rate_hz = 25\n")
     assert text != shipped
     (file := folder / "quick.toml").write_text(text, encoding="utf-8")
     return file
@@ -74,6 +74,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(reproduce, "_QUICK_SEEDS", 2)
         patch.setattr(counter_worlds, "COUNTER_WORLDS", worlds)
+        patch.setattr("housefly.record.recorder.write_report", lambda *_: None)
         with pytest.MonkeyPatch.context() as inner:
             inner.setattr(reproduction_run, "measure", stopped)
             assert main(line) == 130
