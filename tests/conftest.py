@@ -69,6 +69,12 @@ async def chromium() -> AsyncIterator[Browser]:
 
 
 @pytest.fixture
+def no_report(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Draw no page of a flight of which only the numbers are looked at: a second of processor."""
+    monkeypatch.setattr("housefly.record.recorder.write_report", lambda *_: None)
+
+
+@pytest.fixture
 def fresh_log(monkeypatch: pytest.MonkeyPatch) -> None:
     """Print every traceback, whatever failed in a test just before."""
     monkeypatch.setattr(process_log, "_REPEATS", process_log._Repeats())

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.timeout(300)
+pytestmark = [pytest.mark.timeout(300), pytest.mark.usefixtures("no_report")]
 
 FOLDER = Path(__file__).resolve().parents[1] / "examples"
 SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
@@ -22,12 +22,6 @@ SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
 def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Keep the examples away from the memory of a room that runs meanwhile."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-
-
-@pytest.fixture(autouse=True)
-def no_report(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Draw no page of a flight: no example reads it."""
-    monkeypatch.setattr("housefly.record.recorder.write_report", lambda *_: None)
 
 
 def run(name: str, *arguments: str) -> str:

@@ -209,7 +209,9 @@ def test_a_plan_begins_where_it_is_told_to_and_ends_at_a_point() -> None:
 
 
 @pytest.mark.slow
-def test_the_folder_of_a_flight_is_the_given_one_or_goes_with_the_flight(tmp_path: Path) -> None:
+def test_the_folder_of_a_flight_is_the_given_one_or_goes_with_the_flight(
+    tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
     site, near = housefly.load_site("bsen", **QUICK), (10.0, 1.5)
     heard: list[int] = []
     kept = housefly.fly(
@@ -218,6 +220,7 @@ def test_the_folder_of_a_flight_is_the_given_one_or_goes_with_the_flight(tmp_pat
     assert kept.outcome == "completed" and len(heard) == kept.summary.steps
     kept.close()
     assert (tmp_path / "report.html").is_file()
+    request.getfixturevalue("no_report")  # it was seen to be there
     passing = housefly.fly(near, site, look_s=0.0)
     assert passing.summary == kept.summary
     folder = passing.folder

@@ -48,6 +48,7 @@ def test_a_service_in_which_something_was_touched_is_not_completed(tmp_path: Pat
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_report")
 def test_a_fault_of_the_command_line_happens_is_printed_and_recorded(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

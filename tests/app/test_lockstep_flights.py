@@ -88,12 +88,6 @@ def quick(folder: Path, shipped: str = SHIPPED) -> Path:
     return file
 
 
-@pytest.fixture
-def no_report(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Draw no page of a flight of which only the summary is looked at."""
-    monkeypatch.setattr("housefly.record.recorder.write_report", lambda *_: None)
-
-
 @pytest.mark.slow
 @pytest.mark.usefixtures("no_report")
 def test_the_same_seed_gives_the_same_flight_and_another_seed_another(tmp_path: Path) -> None:

@@ -220,6 +220,7 @@ def test_two_scanners_with_one_name_or_one_address_are_refused() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_report")
 def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: Path) -> None:
     here = loaded(twin__visitor_present=False, **QUICK)
     half_step = 0.5 / QUICK["control__rate_hz"]

@@ -148,6 +148,7 @@ def test_the_site_is_kept_as_it_was_flown(recording: tuple[Path, Summary], site:
     assert site_from_file(recording[0] / "site.json") == site
 
 
+@pytest.mark.usefixtures("no_report")
 def test_finishing_twice_gives_the_same_summary_and_later_messages_are_ignored(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:
@@ -164,6 +165,7 @@ def test_finishing_twice_gives_the_same_summary_and_later_messages_are_ignored(
     assert first.problems == ()
 
 
+@pytest.mark.usefixtures("no_report")
 def test_many_threads_may_record_at_once(
     tmp_path: Path,
     site: Site,
@@ -235,6 +237,7 @@ def test_a_folder_that_cannot_be_written_is_refused_before_the_flight(
         FlightRecorder(tmp_path / "file", site, room, grid)
 
 
+@pytest.mark.usefixtures("no_report")
 def test_a_step_that_cannot_be_encoded_is_left_out_and_told(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:
@@ -248,6 +251,7 @@ def test_a_step_that_cannot_be_encoded_is_left_out_and_told(
     assert any("lacks a message" in problem for problem in summary.problems)
 
 
+@pytest.mark.usefixtures("no_report")
 def test_pictures_before_the_first_key_frame_and_of_another_size_are_left_out_of_the_film(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, pictures: tuple[VideoFrame, ...]
 ) -> None:
@@ -261,6 +265,7 @@ def test_pictures_before_the_first_key_frame_and_of_another_size_are_left_out_of
         assert len(list(film.decode(video=0))) == 45
 
 
+@pytest.mark.usefixtures("no_report")
 def test_where_there_are_privacy_zones_no_picture_is_recorded(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, pictures: tuple[VideoFrame, ...]
 ) -> None:
@@ -275,6 +280,7 @@ def test_where_there_are_privacy_zones_no_picture_is_recorded(
     assert "/video" not in messages(tmp_path)
 
 
+@pytest.mark.usefixtures("no_report")
 def test_garbage_instead_of_pictures_makes_no_film_and_no_noise(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid
 ) -> None:
@@ -286,6 +292,7 @@ def test_garbage_instead_of_pictures_makes_no_film_and_no_noise(
     assert not (tmp_path / "video.mp4").exists()
 
 
+@pytest.mark.usefixtures("no_report")
 def test_a_recording_can_be_read_while_it_grows_also_when_little_happens(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:

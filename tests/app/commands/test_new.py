@@ -23,6 +23,7 @@ def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_report")
 def test_an_empty_rectangle_is_typed_with_few_keys_and_a_service_lands(tmp_path: Path) -> None:
     done = typed_site(tmp_path / "mylab", "6x4x2.5", "", "", "", "", "")
     assert done.status == 0, done.shown
