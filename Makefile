@@ -9,10 +9,12 @@ FUZZ_SECONDS ?= 30
 CODE := src tests benchmarks examples scripts
 PYTEST := $(BIN)/python -m pytest -q --dist worksteal --durations=10 --durations-min=1 \
 	--hypothesis-profile=same-examples
+# Only what has such tests is imported for the few that are marked.
+marked = $(shell grep -rl --include='test_*.py' 'mark\.$(1)' tests)
 REALTIME := $(PYTEST) -n 2
 # What failed beside others is run once more, alone: a machine that stood still passes, a defect
 # fails again. Both results are printed; who maintains this looks at both.
-run_tests = $(PYTEST) --cache-clear -n $(1) -m $(2) || { [ $$? -eq 1 ] && \
+run_tests = $(PYTEST) --cache-clear -n $(1) -m $(2) $(3) || { [ $$? -eq 1 ] && \
 	echo "==== once more, alone: what failed above ====" && \
 	$(PYTEST) -n 0 --last-failed --last-failed-no-failures none -m $(2); }
 # Tests start hundreds of processes: what they import is compiled once.
@@ -51,10 +53,10 @@ demo: setup
 # What waits for clocks shares two cores with what computes; whole processes have them alone.
 test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
-	$(call run_tests,2,'realtime and not interop and not safety')
+	$(call run_tests,2,'realtime and not interop and not safety',$(call marked,realtime))
 
 interop: setup-dev
-	$(REALTIME) -m interop
+	$(REALTIME) -m interop $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
 branches: setup-dev
@@ -67,7 +69,7 @@ branches: setup-dev
 safety: setup-dev
 	@$(BIN)/housefly safety --wires 1 --at-once 2 --out safety-case; flown=$$?; \
 	[ $$flown -le 1 ] || exit $$flown; \
-	cp safety-case/safety-case.html docs/safety-case.html && $(REALTIME) -m safety && \
+	cp safety-case/safety-case.html docs/safety-case.html && $(REALTIME) -m safety $(call marked,safety) && \
 	$(MAKE) branches && exit $$flown
 
 fuzz: setup-dev

@@ -52,9 +52,10 @@ def test_a_service_in_which_something_was_touched_is_not_completed(tmp_path: Pat
 def test_a_fault_of_the_command_line_happens_is_printed_and_recorded(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    fault = "commands:off@6s"
-    arguments = ["fly", "table", "--headless", "--lockstep", "--look", "0", "--out", str(tmp_path)]
-    assert main([*arguments, "--fault", fault]) == 1
+    fault, site = "commands:off@6s", tmp_path / "quick.toml"
+    site.write_text("[control]\nrate_hz = 50\n[twin]\nmocap_rate_hz = 25\n")
+    arguments = ["fly", "table", "--headless", "--lockstep", "--look", "0", "--site", str(site)]
+    assert main([*arguments, "--out", str(tmp_path), "--fault", fault]) == 1
     summary = json.loads((tmp_path / "summary.json").read_text())
     assert summary["outcome"] != "completed"
     assert summary["faults"] == [fault]

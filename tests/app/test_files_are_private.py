@@ -20,20 +20,10 @@ def usual_umask() -> Iterator[None]:
 
 @pytest.mark.slow
 def test_a_recorded_flight_is_for_its_user_alone(tmp_path: Path) -> None:
-    out = tmp_path / "flights" / "one"
-    line = [
-        "fly",
-        "tv",
-        "--lockstep",
-        "--headless",
-        "--look",
-        "0",
-        "--mocap-rate",
-        "10",
-        "--out",
-        str(out),
-    ]
-    assert main(line) == 0
+    out, site = tmp_path / "flights" / "one", tmp_path / "quick.toml"
+    site.write_text("[control]\nrate_hz = 25\n[twin]\nmocap_rate_hz = 25\n")
+    line = ["fly", "tv", "--lockstep", "--headless", "--look", "0", "--site", str(site)]
+    assert main([*line, "--out", str(out)]) == 0
     found = [out.parent, out, *out.rglob("*")]
     assert len(found) > 4
     for path in found:
