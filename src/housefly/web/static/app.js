@@ -1,1 +1,1 @@
-import"./chunk-chunk-Z2KIFKF6.js";
+import"./chunk-chunk-LLMBR4H3.js";
