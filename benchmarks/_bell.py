@@ -21,8 +21,8 @@ from paho.mqtt import publish
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
+from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import discovery_entry, new_runtime
 from housefly.app.visitor_score import FEET_UP, PLACE, is_useful, picture_of
 from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, ROOM_NEWS_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus

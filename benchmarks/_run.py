@@ -13,8 +13,9 @@ from pathlib import Path
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site

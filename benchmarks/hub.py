@@ -18,7 +18,7 @@ from typing import Any
 import psutil
 
 from _run import Running, bench_site, percentile, running, table
-from housefly.app.runtime import discovery_entry
+from housefly.app.new_runtime import discovery_entry
 from housefly.bus.topics import HUB_QUERY
 from housefly.config.site import Site, changed
 from housefly.hub.api.answers import SensorsAnswer

@@ -28,8 +28,9 @@ from playwright.async_api import Page, async_playwright
 from _chromium import CHROMIUM_FLAGS
 from _run import bench_site, percentile, table
 from housefly.app.launcher import Launcher, processes_of
+from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import ORDER_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from mqtt_broker import mosquitto_or_skip
 
-from housefly.app.runtime import new_runtime
+from housefly.app.new_runtime import new_runtime
 from housefly.config.site import Site, changed
 
 pytestmark = pytest.mark.wire

@@ -15,7 +15,8 @@ import pytest
 from housefly.app.certificates import make_certificate
 from housefly.app.console_answer import console_answers
 from housefly.app.console_door import ConsoleDoor
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.new_runtime import new_runtime
+from housefly.app.runtime import Runtime
 from housefly.clock import RealClock
 from housefly.config.site import Site, changed
 from housefly.web.invitations import Invitations

@@ -13,8 +13,8 @@ import pytest
 from housefly.app.depth_service import CAMERA_SILENT_AFTER, REFUSED_IMAGE_SHOWN_FOR, DepthService
 from housefly.app.launcher import processes_of
 from housefly.app.loaded_site import open_site, read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.perception_main import PerceptionProcess
-from housefly.app.runtime import new_runtime
 from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import DEPTH_TOPIC, OBSTACLE_TOPIC, STEP_TOPIC

@@ -15,8 +15,9 @@ from room_here import RoomHere
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import open_site, read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import Order, OrderKind

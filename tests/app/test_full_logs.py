@@ -13,8 +13,9 @@ import pytest
 
 from housefly.app.launcher import processes_of
 from housefly.app.loaded_site import read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.bus import Bus
 from housefly.bus.topics import HUB_QUERY, TASKS_QUERY
 from housefly.bus.zenoh_bus import ZenohBus

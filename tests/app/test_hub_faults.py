@@ -18,8 +18,9 @@ import psutil
 import pytest
 
 from housefly.app.launcher import Launcher, processes_of
+from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, STEP_TOPIC

@@ -18,8 +18,9 @@ import pytest
 
 from housefly.app.console_answer import console_answers
 from housefly.app.launcher import Launcher, ProcessSpec, processes_of
+from housefly.app.new_runtime import new_runtime
 from housefly.app.people_note import UNSEEN_PEOPLE
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, changed, site_from_file
 from housefly.web.console_port import ConsolePort

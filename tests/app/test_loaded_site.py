@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from housefly.app.loaded_site import load_site, open_site, read_site, with_newest_edits
-from housefly.app.runtime import new_runtime
+from housefly.app.new_runtime import new_runtime
 from housefly.config.edits import Edits, NoFlyZone, PlaceEdit
 from housefly.config.site import Site, changed
 from housefly.config.state import edits_folder

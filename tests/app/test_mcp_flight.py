@@ -23,8 +23,8 @@ from housefly.app.assistant_reply import MARKED
 from housefly.app.assistant_room import FoundRoom
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.mcp_server import room_server
+from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import discovery_entry, new_runtime
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced

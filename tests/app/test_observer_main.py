@@ -15,10 +15,10 @@ from housefly.app.doctor import check_machine
 from housefly.app.launcher import processes_of
 from housefly.app.lively import lively_site
 from housefly.app.loaded_site import open_site, read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.observer_main import RoomObserver
 from housefly.app.ports import port_needs
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import new_runtime
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY, STAND_DOWN_QUERY
 from housefly.clock import RealClock

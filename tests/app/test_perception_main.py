@@ -14,9 +14,9 @@ from quick_flights import QUICK
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.lockstep import fly_lockstep
+from housefly.app.new_runtime import new_runtime
 from housefly.app.perception_main import PerceptionProcess
 from housefly.app.replaying import verify_recording
-from housefly.app.runtime import new_runtime
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, SIGHT_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus

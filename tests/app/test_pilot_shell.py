@@ -15,9 +15,9 @@ from room_here import RoomHere
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import open_site, read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.pilot_shell import PilotShell, StepFailure
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import new_runtime
 from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import (

@@ -13,8 +13,9 @@ import pytest
 
 from housefly.app.launcher import Launcher, ProcessSpec
 from housefly.app.loaded_site import read_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.room_renewal import RoomRenewal
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import STAND_DOWN_QUERY
 from housefly.config.edits import Edits, NoFlyZone

@@ -9,7 +9,7 @@ from task_stage import TaskStage
 
 from housefly.app.launcher import processes_of
 from housefly.app.loaded_site import read_site
-from housefly.app.runtime import new_runtime
+from housefly.app.new_runtime import new_runtime
 from housefly.errors import TaskError
 from housefly.messages import OrderKind
 from housefly.tasks.api.questions import RequestTask, RulesQuestion, Sentence, ServicesQuestion

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from housefly.app.launcher import Launcher, processes_of
+from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import discovery_entry, new_runtime
 from housefly.bus.topics import STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, site_from_tree

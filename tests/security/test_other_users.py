@@ -19,8 +19,9 @@ import pytest
 from housefly.app.certificates import make_certificate
 from housefly.app.console_answer import console_answers
 from housefly.app.launcher import Launcher, processes_of
+from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.run_folder import new_run_folder, temporary_run_folder
-from housefly.app.runtime import Runtime, discovery_entry, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.runtime import new_runtime
+from housefly.app.new_runtime import new_runtime
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.web.console_port import ConsolePort, inherited_listener, listening

@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import asyncio
 import gc
+import json
 import signal
 from contextlib import suppress
 
 from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.clock import RealClock
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_server import DriverServer
 
@@ -28,8 +31,9 @@ def main() -> None:
 
 
 async def _run(runtime: Runtime) -> None:
-    site, clock = runtime.site(), RealClock()
-    server = DriverServer(ArDrone(site.drone, site.limits, clock), runtime.driver_socket, clock)
+    site, clock = json.loads(runtime.site_file.read_text(encoding="utf-8")), RealClock()
+    drone, limits = DroneConfig(**site["drone"]), LimitsConfig(**site["limits"])
+    server = DriverServer(ArDrone(drone, limits, clock), runtime.driver_socket, clock)
     loop = asyncio.get_running_loop()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         loop.add_signal_handler(number, server.leave)

@@ -9,9 +9,9 @@ from housefly.app.flight_progress import FlightProgress
 from housefly.app.headless import fly_over_wires
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.lockstep import fly_lockstep
+from housefly.app.new_runtime import new_runtime
 from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
-from housefly.app.runtime import new_runtime
 from housefly.app.terminal import console
 from housefly.config.site import changed
 from housefly.messages import Order, OrderKind, PilotStep

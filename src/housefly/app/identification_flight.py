@@ -17,9 +17,9 @@ from pathlib import Path
 
 from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.new_runtime import new_runtime
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.priority import raise_priority
-from housefly.app.runtime import new_runtime
 from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC

@@ -15,11 +15,12 @@ from housefly.app.console_door import ConsoleDoor
 from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.readiness import Readiness
 from housefly.app.room_renewal import RoomRenewal
-from housefly.app.runtime import Runtime, discovery_entry, new_runtime
+from housefly.app.runtime import Runtime
 from housefly.app.terminal import console
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (

@@ -19,7 +19,6 @@ from housefly.room.files import load_room
 from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
-from housefly.twin.faults.parse import faults_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,10 +120,9 @@ def read_site(name: str, **changes: Any) -> Site:
 
 
 def open_site(site: Site) -> LoadedSite:
-    """Load the room of a site, check its faults, build its map; raises RoomError or ConfigError."""
+    """Load the room of a site and build its map; raises RoomError or ConfigError."""
     room = room_of(site)
     untracked(room, site)  # furniture that the room does not have is refused before anything starts
-    faults_of(site)
     return LoadedSite(site, room, build_grid(room, site))
 
 

@@ -14,10 +14,10 @@ from PIL import Image
 from housefly.app.console_camera import ConsoleCamera, has_browser
 from housefly.app.headless import fly_over_wires
 from housefly.app.loaded_site import open_site
+from housefly.app.new_runtime import new_runtime
 from housefly.app.reproduction_flights import GOAL, LOOK_TIME, RecordedService, read_service
 from housefly.app.reproduction_moments import MomentShot, MomentShots
 from housefly.app.reproduction_store import ReproductionStore
-from housefly.app.runtime import new_runtime
 from housefly.config.site import Site, changed
 from housefly.errors import LinkError, RecordingError
 from housefly.lab.reproduction.fig17_service import RgbImage

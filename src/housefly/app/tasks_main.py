@@ -43,13 +43,13 @@ from housefly.bus.topics import (
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
+from housefly.config.environment import ROOM_KEY_VARIABLE
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
 from housefly.errors import HouseflyError, LinkError
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
-from housefly.hub.client.discovery import ROOM_KEY
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
 from housefly.messages import PilotStep, RecordingNews, RoomNews, TaskNews, VideoFrame
@@ -237,7 +237,7 @@ def _query_server(runtime: Runtime, answer: Callable[[str], str]) -> QueryServer
     """Open the socket on which programs of this user ask; without it they ask over HTTP."""
     try:
         path = tasks_socket(runtime.room_socket)
-        return QueryServer(answer, os.environ.get(ROOM_KEY, ""), path)
+        return QueryServer(answer, os.environ.get(ROOM_KEY_VARIABLE, ""), path)
     except LinkError as error:
         _log.warning("%s", error)
         return None

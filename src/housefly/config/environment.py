@@ -14,6 +14,8 @@ TOKEN_VARIABLE = "HOUSEFLY_TOKEN"
 """One-time token of the console's address."""
 ROOM_SOCKET_VARIABLE = "HOUSEFLY_ROOM_SOCKET"
 """Unix socket on which the hub answers programs of this user."""
+ROOM_KEY_VARIABLE = "HOUSEFLY_ROOM_KEY"
+"""Key with which they ask it: other users can read command lines."""
 DRIVER_SOCKET_VARIABLE = "HOUSEFLY_DRIVER_SOCKET"
 """Unix socket on which the driver waits for its pilot."""
 

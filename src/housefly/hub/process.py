@@ -19,10 +19,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.environment import ROOM_KEY_VARIABLE
 from housefly.config.process_log import log_line
 from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError, LinkError
-from housefly.hub.client.discovery import ROOM_KEY
 from housefly.hub.hub import Hub
 from housefly.hub.query_server import QueryServer
 from housefly.hub.store.lock import locked_store
@@ -85,12 +85,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--socket",
         type=Path,
-        help=f"Unix socket for who asks, with the key in {ROOM_KEY}",
+        help=f"Unix socket for who asks, with the key in {ROOM_KEY_VARIABLE}",
     )
     options = parser.parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
     try:
-        key = os.environ.get(ROOM_KEY, "")
+        key = os.environ.get(ROOM_KEY_VARIABLE, "")
         asyncio.run(
             _run_hub(
                 site_from_file(options.site), options.site.parent, options.bus, options.socket, key

@@ -106,9 +106,9 @@ def _of_running_house(site: Site) -> PreflightView | None:
 def _of_fresh_house(site: Site) -> PreflightView:
     from housefly.app.end_signals import EndSignals
     from housefly.app.launcher import Launcher, processes_of
+    from housefly.app.new_runtime import new_runtime
     from housefly.app.ports import refuse_taken_ports
     from housefly.app.readiness import Readiness
-    from housefly.app.runtime import new_runtime
     from housefly.bus.zenoh_bus import ZenohBus
 
     refuse_taken_ports(site, web=False)

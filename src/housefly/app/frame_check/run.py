@@ -13,9 +13,9 @@ from housefly.app.frame_check.person import PersonAtTerminal
 from housefly.app.frame_check.session import FrameCheckSession
 from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.new_runtime import new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.run_folder import temporary_run_folder
-from housefly.app.runtime import new_runtime
 from housefly.app.terminal import console
 from housefly.app.trackers import tracker_of
 from housefly.clock import RealClock

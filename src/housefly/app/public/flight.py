@@ -12,10 +12,10 @@ from housefly.app.compiling import CompiledPart, compile_once
 from housefly.app.headless import fly_over_wires
 from housefly.app.loaded_site import LoadedSite, open_site, with_newest_edits
 from housefly.app.lockstep import fly_lockstep
+from housefly.app.new_runtime import new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.app.replaying import recorded_site, verify_recording
-from housefly.app.runtime import new_runtime
 from housefly.errors import ConfigError, RecordingError
 from housefly.geometry import Vec2
 from housefly.messages import Order, OrderKind, PilotStep

@@ -9,10 +9,10 @@ from pathlib import Path
 from housefly.app.compiling import CompiledPart, compile_once
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite, with_newest_edits
+from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import discovery_entry, new_runtime
 from housefly.bus.bus import Bus
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site

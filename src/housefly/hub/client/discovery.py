@@ -11,9 +11,6 @@ from pathlib import Path
 
 from housefly.errors import LinkError
 
-ROOM_KEY = "HOUSEFLY_ROOM_KEY"
-"""Environment variable with the key of the run: other users can read command lines."""
-
 
 @dataclass(frozen=True, slots=True)
 class RoomAddress:

@@ -1,0 +1,74 @@
+"""Makes the endpoints and secrets of a new run, for whoever starts its processes."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import socket
+from pathlib import Path
+
+from housefly.app.run_folder import new_run_folder
+from housefly.app.runtime import Runtime
+from housefly.bus.endpoint import endpoint_in
+from housefly.bus.stop_port import StopPort
+from housefly.config.site import Site, changed
+from housefly.hub.client.discovery import RoomAddress
+from housefly.twin.faults.parse import faults_of
+from housefly.web.console_port import ConsolePort
+from housefly.web.exposure import console_address
+from housefly.web.session_auth import api_key
+
+
+def new_runtime(site: Site, folder: Path, *, web: bool = False) -> Runtime:
+    """Write the site into a folder; make a folder for sockets, a free port and fresh secrets.
+
+    Args:
+        site: of the run.
+        folder: where its file goes.
+        web: whether there is a console, whose port is held from now on.
+
+    Raises:
+        ConfigError: the console's address cannot be had, or the site's faults make no sense.
+    """
+    faults_of(site)
+    console = ConsolePort(site.web.host, site.web.port) if web else None
+    if site.web.port == 0:
+        site = changed(site, web__port=console.number if console else _free_port())
+    if site.mqtt.start and site.mqtt.port == 0:
+        site = changed(site, mqtt__port=_free_port())
+    site_file = folder / "site.json"
+    site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
+    sockets, held, secret = new_run_folder(), StopPort(), secrets.token_hex(16)
+    return Runtime(
+        site_file,
+        bus=endpoint_in(sockets),
+        stop_port=held.number,
+        secret=secret,
+        token=secrets.token_urlsafe(16),
+        room_socket=sockets / "room",
+        driver_socket=sockets / "driver",
+        room_key=api_key(secret),
+        held_port=held,
+        console_port=console,
+    )
+
+
+def discovery_entry(runtime: Runtime) -> RoomAddress:
+    """Return what other programs of this user need to find the room of a run."""
+    site = runtime.site()
+    room = str(runtime.room_socket) if site.hub.enabled else ""
+    return RoomAddress(
+        site.name,
+        console_address(site),
+        runtime.room_key,
+        os.getpid(),
+        room,
+        runtime.bus,
+    )
+
+
+def _free_port() -> int:
+    """Return a free TCP port of loopback."""
+    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
