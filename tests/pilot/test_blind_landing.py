@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from housefly.geometry import Vec2, distance
-from housefly.messages import DroneStatus, OrderKind, Phase, SafetyMode
+from housefly.messages import DroneStatus, OrderKind, OrderSource, Phase, SafetyMode
 from housefly.pilot.behavior import blind_landing
 
 Fly = Callable[..., Any]
@@ -83,7 +83,7 @@ def test_somebody_who_presses_land_lands_it_there_and_a_task_does_not(fly: Fly) 
     blind = Blind(fly)
     flight = blind.flight
     flight.until(lambda o: flight.told("landing_blocked"), 5.0)
-    flight.step(replace(flight.order(OrderKind.LAND), sender="task 1: look"))
+    flight.step(replace(flight.order(OrderKind.LAND), source=OrderSource.TASK))
     assert flight.run(0.3).safety is SafetyMode.LAND and flight.status is DroneStatus.FLYING
     flight.step(flight.order(OrderKind.LAND))
     flight.run(0.3)

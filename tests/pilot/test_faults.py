@@ -231,7 +231,7 @@ def test_a_fault_free_flight_reports_no_fault(fly: Fly) -> None:
 
 def test_a_complaint_of_the_drone_lands_it_or_is_shown(fly: Fly) -> None:
     flight = cruising(fly())
-    flight.faults, flight.notes = ("emergency landing by the user",), ("tilt limit refused",)
+    flight.faults, flight.notes = (DroneFault.USER_EMERGENCY,), ("tilt limit refused",)
     outputs = flight.run(0.5)
     assert outputs.safety is SafetyMode.WARN and outputs.phase is Phase.OUTBOUND
     assert outputs.command.action is Action.FLY and len(outputs.warnings) == 2

@@ -16,6 +16,7 @@ from housefly.messages import (
     ObstacleKind,
     OrderKind,
     OrderOutcome,
+    OrderSource,
     Phase,
     Pose,
     SafetyMode,
@@ -492,7 +493,7 @@ def test_an_order_to_land_onto_somebody_waits_and_a_second_one_does_not(fly: Fly
     outputs = flight.step(flight.order(OrderKind.LAND))
     assert outputs.command.setpoint.vz > -0.2
     flight.run(0.1)
-    by_task = replace(flight.order(OrderKind.LAND), sender="task 1: look")
+    by_task = replace(flight.order(OrderKind.LAND), source=OrderSource.TASK)
     assert flight.step(by_task).command.setpoint.vz > -0.2  # a task never insists
     flight.run(0.1)
     assert flight.step(flight.order(OrderKind.LAND)).command.setpoint.vz < -0.2
