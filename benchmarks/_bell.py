@@ -23,7 +23,6 @@ from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.app.visitor_score import FEET_UP, PLACE, is_useful, picture_of
 from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, ROOM_NEWS_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.state import clips_folder
@@ -35,6 +34,7 @@ from housefly.record.truth import read_truth
 from housefly.tasks.api.values import ENDED, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
 from housefly.twin.world import SimulatedWorld
+from scores.visitor_score import FEET_UP, PLACE, is_useful, picture_of
 
 BELL = "housefly/bsen/doorbell/doorbell/event"
 _RULES = """

@@ -9,28 +9,20 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-import housefly.app
 from _run import table
-
-try:
-    import housefly.app.flight_quality
-except ImportError:  # another tree, from before the gate: it is flown by this one's
-    housefly.app.__path__.append(
-        str(Path(__file__).resolve().parents[1] / "src" / "housefly" / "app")
-    )
-from housefly.app.flight_quality.gate import GateResult, GateRun, run_gate
-from housefly.app.flight_quality.page import write_quality_page
-from housefly.app.flight_quality.rows import GATE_ROWS
-from housefly.app.flight_quality.scenario import Way
-from housefly.app.flight_quality.tables import ablation_table, finding_words, measure_table
 from housefly.errors import HouseflyError
+from quality_gate.gate import GateResult, GateRun, run_gate
+from quality_gate.page import write_quality_page
+from quality_gate.rows import GATE_ROWS
+from quality_gate.scenario import Way
+from quality_gate.tables import ablation_table, finding_words, measure_table
 
 DESCRIPTION = """\
 Fly the rows of the flight-quality gate in lock step in the simulated room, and score them on the
 truth: time against the shortest possible, smallest clearance, distance from the reference,
 overshooting, touchdown, contacts. Each row is flown by every way of flying that the tree offers:
 the grid planner (default), trajectories in space (space), the paper's chain (paper). Exit status 1
-says that a limit of a row is not kept; the limits stand in app/flight_quality/rows.py.
+says that a limit of a row is not kept; the limits stand in benchmarks/quality_gate/rows.py.
 What was flown is kept in --out: Ctrl-C and the same command go on."""
 EPILOG = """\
 examples:

@@ -13,7 +13,6 @@ import numpy as np
 from _run import table
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.gains import choose_gains, judge_gains
-from housefly.app.stability_flight import hover_swing, nearest_periods
 from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
@@ -26,6 +25,7 @@ from housefly.lab.tuning.question import question_of
 from housefly.lab.tuning.site_lines import site_lines
 from housefly.pilot.estimation.estimator_state import EstimatorKind
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
+from scores.stability_flight import hover_swing, nearest_periods
 
 STEP = 0.02
 TRACKING = ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1))

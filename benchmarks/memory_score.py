@@ -16,8 +16,8 @@ from typing import Any
 from _run import table
 from housefly.app.lively import lively_changes
 from housefly.app.loaded_site import load_site
-from housefly.app.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 from housefly.twin.people import Scene, load_scene, scene_from_tree
+from scores.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 
 HOURS, ERRAND_HOURS = 20.0, 5.0
 GOAL = 0.01

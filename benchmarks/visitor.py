@@ -20,7 +20,7 @@ from pathlib import Path
 
 from _bell import BellRun, ring
 from _run import percentile, table
-from housefly.app.visitor_score import BEFORE, USEFUL_SHARE, VisitorScore, score_visitor
+from scores.visitor_score import BEFORE, USEFUL_SHARE, VisitorScore, score_visitor
 
 RUNS = 100
 PLAN_GOAL = 1.3

@@ -22,7 +22,6 @@ import housefly
 
 PACKAGE = Path(housefly.__file__).parent
 FREE = {
-    "app/flight_quality": "draws the ways of the benchmark's rows and judges what was flown",
     "app/safety_case": "counts what was flown",
     "hub": "remembers; it flies nothing, and its answers are no part of a flight's inputs",
     "lab/campaigns/plots.py": "draws",

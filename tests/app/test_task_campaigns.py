@@ -8,9 +8,9 @@ import pytest
 from task_flights import flown
 
 from housefly.app.task_flight import TaskFlight, TaskScript
-from housefly.app.visitor_score import score_visitor
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.execution.values import StartClip, StopClip
+from scores.visitor_score import score_visitor
 
 RUNS = 100
 MOMENTS = 50

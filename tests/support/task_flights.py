@@ -11,7 +11,6 @@ from typing import Any
 from quick_flights import QUICK
 
 from housefly.app.loaded_site import LoadedSite, load_site
-from housefly.app.played_memory import PlayedMemory
 from housefly.app.task_flight import NO_SCRIPT, TaskFlight, TaskScript
 from housefly.app.task_lockstep import UNIX_BEGIN, fly_task_lockstep
 from housefly.messages import PilotStep
@@ -19,6 +18,7 @@ from housefly.tasks.api.values import ParameterValue
 from housefly.tasks.document.library import BoundTask, bind, load_library
 from housefly.tasks.document.task_document import TaskDocument
 from housefly.twin.people.scene import Scene, scene_from_tree
+from scores.played_memory import PlayedMemory
 
 FLOOR = {
     "kind": "floor",

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from housefly.app.flight_quality.preset_way import at_steps, figure_eight, timed_rows
-from housefly.app.flight_quality.rooms import DOOR_WIDTH, DOOR_X, GateRoom, gate_site
+from quality_gate.preset_way import at_steps, figure_eight, timed_rows
+from quality_gate.rooms import DOOR_WIDTH, DOOR_X, GateRoom, gate_site
 
 TICK, SPEED = 0.02, 0.5
 EIGHT = figure_eight((5.0, 3.0), 3.0, 1)

@@ -9,15 +9,15 @@ import pytest
 
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.gains import judge_gains
-from housefly.app.stability_flight import (
-    Swing,
-    hover_swing,
-    nearest_periods,
-)
 from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.twin import COMMAND_DELAY
 from housefly.lab.tuning.advice import Judgement
 from housefly.lab.tuning.margins import delay_margin
+from scores.stability_flight import (
+    Swing,
+    hover_swing,
+    nearest_periods,
+)
 
 TOLERANCE = 0.05
 """What is promised is flown within this share."""

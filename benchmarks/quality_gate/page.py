@@ -10,20 +10,20 @@ from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 
-from housefly.app.flight_quality.flown_row import FlownRow
-from housefly.app.flight_quality.gate import GateResult
-from housefly.app.flight_quality.plots import row_svg
-from housefly.app.flight_quality.rooms import gate_site
-from housefly.app.flight_quality.rows import GATE_ROWS
-from housefly.app.flight_quality.scenario import Scenario
-from housefly.app.flight_quality.tables import (
+from housefly.record.report_style import REPORT_CSS
+from quality_gate.flown_row import FlownRow
+from quality_gate.gate import GateResult
+from quality_gate.plots import row_svg
+from quality_gate.rooms import gate_site
+from quality_gate.rows import GATE_ROWS
+from quality_gate.scenario import Scenario
+from quality_gate.tables import (
     Table,
     ablation_table,
     finding_words,
     measure_table,
 )
-from housefly.app.flight_quality.verdict import Finding
-from housefly.record.report_style import REPORT_CSS
+from quality_gate.verdict import Finding
 
 PAGE_FILE = "flight-quality.html"
 _CSS = """

@@ -9,16 +9,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.flight_quality.leg_measures import (
+from housefly.numeric import FloatArray
+from housefly.pilot.planning.space.oriented_hull import OrientedHull
+from housefly.pilot.planning.space.solid_rows import solid_rows
+from housefly.room.model import Shape, Solid
+from quality_gate.leg_measures import (
     leg_measures,
     off_polyline,
     overshoot,
     there_after,
 )
-from housefly.numeric import FloatArray
-from housefly.pilot.planning.space.oriented_hull import OrientedHull
-from housefly.pilot.planning.space.solid_rows import solid_rows
-from housefly.room.model import Shape, Solid
 
 HULL = OrientedHull(0.26, 0.22, 0.065)
 WALL = solid_rows((Solid("wall", "wall", Shape.BOX, (2.0, 1.0, 1.0), (8.0, 0.2, 2.0)),))

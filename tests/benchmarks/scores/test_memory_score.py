@@ -13,8 +13,8 @@ import pytest
 
 from housefly.app.lively import lively_changes
 from housefly.app.loaded_site import load_site
-from housefly.app.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 from housefly.twin.people import Scene, load_scene
+from scores.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 
 _ROUNDS = 3
 _GOAL = 0.01

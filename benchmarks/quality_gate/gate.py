@@ -9,15 +9,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from housefly.app.flight_quality.ablations import ABLATIONS, Ablation
-from housefly.app.flight_quality.flown_row import FlownLeg, FlownRow
-from housefly.app.flight_quality.fly import fly_row
-from housefly.app.flight_quality.kept_rows import keep_row, kept_rows, tree_digest
-from housefly.app.flight_quality.rooms import GateRoom, gate_site, is_there
-from housefly.app.flight_quality.rows import ABLATED, GATE_ROWS
-from housefly.app.flight_quality.scenario import WAY_CHANGES, Scenario, Way
-from housefly.app.flight_quality.verdict import Finding, limit_findings
 from housefly.errors import ConfigError
+from quality_gate.ablations import ABLATIONS, Ablation
+from quality_gate.flown_row import FlownLeg, FlownRow
+from quality_gate.fly import fly_row
+from quality_gate.kept_rows import keep_row, kept_rows, tree_digest
+from quality_gate.rooms import GateRoom, gate_site, is_there
+from quality_gate.rows import ABLATED, GATE_ROWS
+from quality_gate.scenario import WAY_CHANGES, Scenario, Way
+from quality_gate.verdict import Finding, limit_findings
 
 _QUICK_ERRANDS = 6
 

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.flight_quality.time_bound import shortest_time
 from housefly.geometry import GRAVITY
+from quality_gate.time_bound import shortest_time
 
 LENGTHS, SPEEDS = st.floats(0.05, 30.0), st.floats(0.1, 3.0)
 TILTS, DRAGS = st.floats(0.05, 0.5), st.floats(0.0, 2.0)

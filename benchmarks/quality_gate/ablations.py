@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from housefly.app.flight_quality.scenario import Way
+from quality_gate.scenario import Way
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,17 +9,17 @@ from math import hypot, inf
 
 import numpy as np
 
-from housefly.app.flight_quality.flown_row import FlownLeg, drawn
-from housefly.app.flight_quality.leg_measures import WANTED, leg_measures
-from housefly.app.flight_quality.quality_flight import SENDER, QualityFlight
-from housefly.app.flight_quality.scenario import FlightKind, Scenario
-from housefly.app.flight_quality.time_bound import shortest_time
 from housefly.app.loaded_site import LoadedSite
 from housefly.geometry import Vec2
 from housefly.messages import Order, OrderKind, Phase
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.space.oriented_hull import OrientedHull
 from housefly.record.truth import HOME_RADIUS
+from quality_gate.flown_row import FlownLeg, drawn
+from quality_gate.leg_measures import WANTED, leg_measures
+from quality_gate.quality_flight import SENDER, QualityFlight
+from quality_gate.scenario import FlightKind, Scenario
+from quality_gate.time_bound import shortest_time
 
 _LOOK_ON = 1.5
 """So long after an arrival the drone is watched for overshooting [s]."""

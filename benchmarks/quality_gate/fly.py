@@ -8,17 +8,17 @@ from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any
 
-from housefly.app.flight_quality.flown_row import FlownLeg, FlownRow, row_measures
-from housefly.app.flight_quality.legs import FlightStage, legs_of
-from housefly.app.flight_quality.preset_way import figure_eight, preset_way
-from housefly.app.flight_quality.quality_flight import QualityFlight
-from housefly.app.flight_quality.rooms import gate_site
-from housefly.app.flight_quality.scenario import WAY_CHANGES, FlightKind, Scenario, Way
 from housefly.app.loaded_site import LoadedSite
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.space.oriented_hull import OrientedHull
 from housefly.pilot.planning.space.solid_rows import room_rows
 from housefly.twin.disturbance import Disturbances
+from quality_gate.flown_row import FlownLeg, FlownRow, row_measures
+from quality_gate.legs import FlightStage, legs_of
+from quality_gate.preset_way import figure_eight, preset_way
+from quality_gate.quality_flight import QualityFlight
+from quality_gate.rooms import gate_site
+from quality_gate.scenario import WAY_CHANGES, FlightKind, Scenario, Way
 
 _HULL_HALF_HEIGHT = 0.065
 """Of the AR.Drone with its indoor hull [m]."""

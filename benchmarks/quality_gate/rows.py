@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from housefly.app.flight_quality.errands import (
+from housefly.twin.ardrone.body import DRONE_MASS
+from housefly.twin.disturbance import Disturbances, Payload
+from quality_gate.errands import (
     BSEN_ERRANDS,
     DOOR_ERRANDS,
     SHORT_ERRANDS,
@@ -16,10 +18,8 @@ from housefly.app.flight_quality.errands import (
     SMALL_HOUSE_ERRANDS,
     TABLE_ERRANDS,
 )
-from housefly.app.flight_quality.rooms import GateRoom
-from housefly.app.flight_quality.scenario import ALL, BOTH, FlightKind, Limit, Scenario, Way
-from housefly.twin.ardrone.body import DRONE_MASS
-from housefly.twin.disturbance import Disturbances, Payload
+from quality_gate.rooms import GateRoom
+from quality_gate.scenario import ALL, BOTH, FlightKind, Limit, Scenario, Way
 
 _GRID = (Way.GRID,)
 _HELD = "measured, held"

@@ -8,9 +8,9 @@ from math import pi
 import pytest
 from task_flights import premises
 
-from housefly.app.visitor_score import is_useful, picture_of
 from housefly.geometry import Vec3
 from housefly.twin.world import SimulatedWorld
+from scores.visitor_score import is_useful, picture_of
 
 BEFORE_THE_DOOR = (3.05, 4.15, 1.1)
 IN_THE_KITCHEN = (8.0, 3.4, 1.1)

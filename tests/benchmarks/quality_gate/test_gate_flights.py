@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.flight_quality.flown_row import RowMeasures
-from housefly.app.flight_quality.gate import GateResult, GateRun, offered, run_gate
-from housefly.app.flight_quality.page import write_quality_page
-from housefly.app.flight_quality.scenario import WAY_CHANGES, Way
-from housefly.app.flight_quality.tables import finding_words
 from housefly.errors import ConfigError
+from quality_gate.flown_row import RowMeasures
+from quality_gate.gate import GateResult, GateRun, offered, run_gate
+from quality_gate.page import write_quality_page
+from quality_gate.scenario import WAY_CHANGES, Way
+from quality_gate.tables import finding_words
 
 SPACE = (Way.SPACE,)
 

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.flight_quality.flown_row import FlownRow, RowMeasures
-from housefly.app.flight_quality.kept_rows import KEPT_FILE, keep_row, kept_rows
-from housefly.app.flight_quality.rows import GATE_ROWS
-from housefly.app.flight_quality.scenario import FlightKind, Limit, Way
-from housefly.app.flight_quality.verdict import limit_findings
 from housefly.errors import RecordingError
+from quality_gate.flown_row import FlownRow, RowMeasures
+from quality_gate.kept_rows import KEPT_FILE, keep_row, kept_rows
+from quality_gate.rows import GATE_ROWS
+from quality_gate.scenario import FlightKind, Limit, Way
+from quality_gate.verdict import limit_findings
 
 ROW = FlownRow("eight-100", Way.SPACE.value, "", RowMeasures(path_rms=0.006), (), "", 1.0)
 

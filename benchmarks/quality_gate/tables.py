@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import isfinite, isnan
 
-from housefly.app.flight_quality.flown_row import FlownRow, RowMeasures
-from housefly.app.flight_quality.verdict import Finding
+from quality_gate.flown_row import FlownRow, RowMeasures
+from quality_gate.verdict import Finding
 
 Table = tuple[list[str], list[list[str]]]
 HEADINGS = (

@@ -10,12 +10,12 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from housefly.app.flight_quality.flown_row import FlownRow
-from housefly.app.flight_quality.scenario import Way
 from housefly.numeric import FloatArray
 from housefly.record import svg
 from housefly.room.model import Room
 from housefly.room.outline import outline
+from quality_gate.flown_row import FlownRow
+from quality_gate.scenario import Way
 
 _COLOURS = {
     Way.GRID.value: svg.SECONDARY,

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
 
-from housefly.app.flight_quality.rooms import GateRoom
 from housefly.geometry import Vec2
 from housefly.twin.disturbance import NEUTRAL, Disturbances
+from quality_gate.rooms import GateRoom
 
 
 class FlightKind(Enum):

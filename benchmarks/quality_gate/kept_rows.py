@@ -7,8 +7,8 @@ import json
 from pathlib import Path
 
 import housefly
-from housefly.app.flight_quality.flown_row import FlownRow, row_from_json
 from housefly.errors import RecordingError
+from quality_gate.flown_row import FlownRow, row_from_json
 
 KEPT_FILE = "rows.jsonl"
 

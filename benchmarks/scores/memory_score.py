@@ -1,6 +1,6 @@
 """Scores the memory's answers on the truth of scenes that are played in fast time.
 
-``app.played_memory`` is asked "where is it" once a second.
+``scores.played_memory`` is asked "where is it" once a second.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from math import hypot
 from pathlib import Path
 
 from housefly.app.loaded_site import LoadedSite
-from housefly.app.played_memory import DEVICE_PERIOD, PlayedMemory
 from housefly.geometry import Vec3
 from housefly.hub.api.answers import AlternativePlace, PlacedAnswer, WhereAnswer
 from housefly.hub.api.questions import ContentsQuestion, WhereQuestion
 from housefly.hub.things_of_room import surfaces_of
 from housefly.twin.people import Scene, SceneState
+from scores.played_memory import DEVICE_PERIOD, PlayedMemory
 
 _ASK_EVERY = 10
 """Device periods between two rounds of questions."""

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from housefly.app.flight_quality.leg_measures import LegMeasures
 from housefly.geometry import Vec2
 from housefly.numeric import FloatArray
+from quality_gate.leg_measures import LegMeasures
 
 _DRAWN_EVERY = 10
 """Of the pilot's steps, for plots."""

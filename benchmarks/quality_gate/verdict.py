@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from housefly.app.flight_quality.flown_row import FlownRow
-from housefly.app.flight_quality.rows import PAPER_RATIO
-from housefly.app.flight_quality.scenario import FlightKind, Limit, Scenario, Way
+from quality_gate.flown_row import FlownRow
+from quality_gate.rows import PAPER_RATIO
+from quality_gate.scenario import FlightKind, Limit, Scenario, Way
 
 
 @dataclass(frozen=True, slots=True)

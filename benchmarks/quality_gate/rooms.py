@@ -18,7 +18,7 @@ from housefly.room.model import Place, Room, Shape, Solid
 from housefly.room.ros_map import import_ros_map
 
 SMALL_HOUSE_MAP = (
-    Path(__file__).resolve().parents[5] / "shared" / "data" / "rooms" / "small_house" / "map.yaml"
+    Path(__file__).resolve().parents[3] / "shared" / "data" / "rooms" / "small_house" / "map.yaml"
 )
 """AWS RoboMaker's small house as a ROS map; it is not part of the repository."""
 _WALL, _HEIGHT = 0.2, 2.5

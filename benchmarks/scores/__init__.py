@@ -1,0 +1,1 @@
+"""What benchmarks and tests score on the truth: memory, visitor runs, stability of a hover."""
