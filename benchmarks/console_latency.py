@@ -10,12 +10,14 @@ from __future__ import annotations
 import asyncio
 import secrets
 import socket
+import sys
 import time
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from itertools import cycle
+from pathlib import Path
 
 import av
 import numpy as np
@@ -27,10 +29,12 @@ from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import ORDER_TOPIC, VIDEO_TOPIC
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, VideoFrame
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.process import make_server
 from housefly.web.server import create_app
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
+from fake_pilot import FakePilot
+from fake_room import example_room
 
 PRESSES = 200
 PAUSE = 0.06

@@ -12,6 +12,7 @@ import asyncio
 import os
 import secrets
 import socket
+import sys
 import tempfile
 import time
 from collections.abc import AsyncIterator
@@ -44,8 +45,6 @@ from housefly.messages import (
     TrajectoryPoint,
 )
 from housefly.messages import Path as FlightPath
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.flight_log import (
     FlightEnd,
     FlightHead,
@@ -56,6 +55,10 @@ from housefly.web.flight_log import (
 )
 from housefly.web.process import make_server
 from housefly.web.server import create_app
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
+from fake_pilot import FakePilot
+from fake_room import example_room
 
 SECONDS = float(os.environ.get("SECONDS", "60"))
 """Over which the processor's share is taken [s]."""

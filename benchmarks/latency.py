@@ -38,10 +38,12 @@ from housefly.config.site import Site
 from housefly.messages import Order, OrderKind, Pose
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import MocapFrame
-from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.mocap.vicon_server import ViconServer
 from housefly.wires.ardrone.conversions import Stick
 from stop_under_load import attack
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
+from kinematic_world import KinematicWorld
 
 TRIALS = 200
 CLICKS, LANDINGS = 100, 10

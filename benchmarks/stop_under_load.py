@@ -31,10 +31,12 @@ from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
 from housefly.messages import DroneStatus, Phase
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.process import make_server
 from housefly.web.server import create_app
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
+from fake_pilot import FakePilot
+from fake_room import example_room
 
 PRESSES = int(os.environ.get("PRESSES", "200"))
 PAUSE = 0.05

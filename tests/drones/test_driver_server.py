@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from full_disk import full_output
+from kinematic_world import KinematicWorld
 
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
@@ -26,7 +27,6 @@ from housefly.drones.remote_drone import RemoteDrone
 from housefly.errors import LinkError
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.kinematic import KinematicWorld
 from housefly.wires.ardrone import command_sequencer
 
 pytestmark = pytest.mark.wire

@@ -8,6 +8,8 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Any, NamedTuple
 
+from fake_pilot import FakePilot
+from fake_room import example_room
 from fuzz_asgi import HOST, SECRET, TOKEN, http_status, scope_of, session
 from fuzz_target import DEEP, FuzzTarget, scratch
 from stand_in_tasks import StandInTasks
@@ -52,8 +54,6 @@ from housefly.messages import (
 from housefly.room.edit_versions import EditVersions
 from housefly.room.model import Place, Room
 from housefly.web.edit_service import EditService
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.server import create_app
 
 _PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)

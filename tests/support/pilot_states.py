@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from fake_pilot import FakePilot
+
 from housefly.messages import DroneStatus, Phase, Severity
-from housefly.web.fake_pilot import FakePilot
 
 
 def ready(pilot: FakePilot) -> None:

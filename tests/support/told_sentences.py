@@ -13,6 +13,8 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
+from fake_room import EXAMPLE_CHECKS, example_room
+
 from housefly.app.disk_space import DiskSpace
 from housefly.config.limits import LimitsConfig
 from housefly.hub.api.pilot_queries import PreflightView
@@ -42,7 +44,6 @@ from housefly.pilot.safety.observer import FlightObservations
 from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.rules import SAFETY_RULES
 from housefly.web.console_knowledge import ConsoleKnowledge
-from housefly.web.fake_room import EXAMPLE_CHECKS, example_room
 from housefly.web.order_objections import check_in_words
 from housefly.web.stop_latch import StopLatch
 from housefly.web.verdict import console_verdict

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kinematic_world import KinematicWorld
 
 from housefly.clock import SteppedClock
-from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.real_time import MAX_CATCH_UP, RealTimeRunner
 
 

@@ -15,6 +15,8 @@ from urllib.parse import urlencode
 import pytest
 import pytest_asyncio
 import uvicorn
+from fake_pilot import FakePilot
+from fake_room import example_room
 from playwright.async_api import Browser, Page, expect
 from websockets.asyncio.client import ClientConnection, connect
 
@@ -25,8 +27,6 @@ from housefly.hub.api.pilot_queries import RoomView
 from housefly.web.console_port import listening
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditService
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.process import make_server
 from housefly.web.server import create_app
 from housefly.web.tls import load_certificate

@@ -7,6 +7,8 @@ from math import inf, nan
 from pathlib import Path
 
 import pytest
+from fake_pilot import FakePilot
+from fake_room import example_room
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -15,8 +17,6 @@ from housefly.bus.topics import ORDER_TOPIC
 from housefly.clock import SteppedClock
 from housefly.errors import RecordingError
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, SafetyMode, Severity
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.flight_book import FlightBook
 from housefly.web.flight_log import (
     FlightEnd,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from fake_room import example_room
 
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.values import (
@@ -14,7 +15,6 @@ from housefly.tasks.api.values import (
     TaskStage,
     TaskStatus,
 )
-from housefly.web.fake_room import example_room
 from housefly.web.goal_words import goal_words, subject_of_task
 
 PLACES = example_room().places

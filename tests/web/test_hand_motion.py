@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from fake_pilot import FakePilot
+from fake_room import example_room
+
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER_TOPIC
 from housefly.clock import SteppedClock
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.state_feed import StateFeed
 
 STEP = 0.1

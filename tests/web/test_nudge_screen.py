@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from fake_room import example_room
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, OrderKind, Phase, Severity
-from housefly.web.fake_room import example_room
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

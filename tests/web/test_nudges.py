@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from fake_room import example_room
 
 from housefly.messages import DroneStatus, OrderKind, Phase
-from housefly.web.fake_room import example_room
 from housefly.web.nudges import LATE_MAX
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]

@@ -3,6 +3,7 @@ from __future__ import annotations
 from queue import Queue
 
 import pytest
+from fake_room import example_room
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -11,7 +12,6 @@ from housefly.bus.topics import ORDER_TOPIC
 from housefly.clock import RealClock
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.web.client_messages import OrderRequest
-from housefly.web.fake_room import example_room
 from housefly.web.orders import ORDER_WORDS, order_in_words, order_objection, to_order
 from housefly.web.pilot_link import PilotLink
 

@@ -15,6 +15,8 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from fake_pilot import FakePilot
+from fake_room import example_room
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.endpoint import endpoint_in
@@ -23,8 +25,6 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.messages import OrderKind
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.process import main, run_web
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]

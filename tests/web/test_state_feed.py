@@ -3,6 +3,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from fake_pilot import FakePilot
+from fake_room import example_room
 
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
@@ -21,8 +23,6 @@ from housefly.messages import (
     Sighting,
     TrajectoryPoint,
 )
-from housefly.web.fake_pilot import FakePilot
-from housefly.web.fake_room import example_room
 from housefly.web.state_feed import StateFeed
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import inf
 
 import pytest
+from fake_room import EXAMPLE_CHECKS, example_room
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -28,7 +29,6 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.web.console_knowledge import ConsoleKnowledge
-from housefly.web.fake_room import EXAMPLE_CHECKS, example_room
 from housefly.web.verdict import SAID_BY_A_CHECK, console_verdict, says_the_same
 from housefly.web.verdict_message import (
     ConsoleVerdict,

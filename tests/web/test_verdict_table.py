@@ -14,10 +14,10 @@ from typing import Any
 import pytest
 import pytest_asyncio
 from console_report import FIVE_SIZES, ConsoleReport, console_report
+from fake_room import EXAMPLE_CHECKS
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, SafetyMode, Severity
-from housefly.web.fake_room import EXAMPLE_CHECKS
 
 pytestmark = [
     pytest.mark.browser,

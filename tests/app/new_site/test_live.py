@@ -5,12 +5,12 @@ from __future__ import annotations
 import asyncio
 
 import pytest
+from kinematic_world import FlightState, KinematicWorld
 
 from housefly.app.new_site.live import check_drone, hear_tracking
 from housefly.errors import ConfigError
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.kinematic import FlightState, KinematicWorld
 
 pytestmark = pytest.mark.wire
 

@@ -10,13 +10,13 @@ from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import dataclass
 
 import pytest
+from kinematic_world import KinematicWorld
 
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import LEVEL, Action, Command, Setpoint
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.kinematic import KinematicWorld
 
 UDP_PORTS = (5554, 5556)
 TCP_PORTS = (5555, 5559)

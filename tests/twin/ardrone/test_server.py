@@ -10,13 +10,13 @@ from contextlib import suppress
 from itertools import pairwise
 
 import pytest
+from kinematic_world import KinematicWorld
 
 from housefly.clock import RealClock
 from housefly.errors import ConfigError, LinkError
 from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import DroneCamera, EncodedPicture, FlightState
-from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.real_time import RealTimeRunner
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import CONTROL_PORT, parse_dump

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from math import hypot, isnan
 
 import pytest
+from kinematic_world import KinematicWorld
 
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
@@ -17,7 +18,6 @@ from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.faults.physical import disturb_of
 from housefly.twin.faults.vocabulary import Injection
-from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.config import COM_WATCHDOG_TIME

@@ -8,13 +8,13 @@ from math import isnan, pi
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kinematic_world import KinematicWorld
 
 from housefly.geometry import wrap_angle
 from housefly.twin.contracts import OnboardState
 from housefly.twin.faults.fault import FaultSchedule
 from housefly.twin.faults.onboard_stream import OnboardStream, not_numbers
 from housefly.twin.faults.parse import parse_fault
-from housefly.twin.kinematic import KinematicWorld
 
 TRUE = KinematicWorld().onboard()
 

@@ -1,9 +1,8 @@
-"""A fake pilot for the console without room, drone or twin: ``python -m housefly.web.fake_pilot``.
+"""A fake pilot for the console without room, drone or twin: ``python tests/support/fake_pilot.py``.
 
 It answers the pilot's queries, obeys orders with the kinematics of a point, and publishes the same
-topics. It ships in the package because work on the console needs it; the browser tests and the
-console's benchmark use it as well. It makes no decision of the real pilot's, and it stays on this
-machine.
+topics, for work on the console, its tests and its benchmarks. It makes no decision of the real
+pilot's, and it stays on this machine.
 """
 
 from __future__ import annotations
@@ -16,6 +15,7 @@ from dataclasses import dataclass, field
 from math import atan2, hypot
 
 import uvicorn
+from fake_room import EXAMPLE_CHECKS, FAKE_PILOT_SPEED, example_room, plan_on
 
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
@@ -55,7 +55,6 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
-from housefly.web.fake_room import EXAMPLE_CHECKS, FAKE_PILOT_SPEED, example_room, plan_on
 from housefly.web.server import create_app
 
 _CLIMB_RATE = 0.6

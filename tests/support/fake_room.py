@@ -1,4 +1,4 @@
-"""A small furnished room and a planner without clearance, for ``housefly.web.fake_pilot``."""
+"""A small furnished room and a planner without clearance, for ``fake_pilot``."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """A world without MuJoCo: a point that leans, climbs and turns as commanded, in an empty room.
 
-For tests of the wires and for machines without the simulated room. Tilt and turn follow at once,
-speed follows tilt against linear drag (tum-vision/tum_ardrone, DroneKalmanFilter c1), climb follows
-at once; no noise, no delays, no tracking.
+For tests and benchmarks of the wires. Tilt and turn follow at once, speed follows tilt against
+linear drag (tum-vision/tum_ardrone, DroneKalmanFilter c1), climb follows at once; no noise, no
+delays, no tracking.
 """
 
 from __future__ import annotations
