@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 import ast
-import importlib.util
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
+import house
+
 SHARED_NAMES = {"main": "the entry point of every process and of the command line"}
 """Names that several modules define, and why."""
-
-_spec = importlib.util.spec_from_file_location("house", ROOT / "scripts" / "house.py")
-assert _spec is not None and _spec.loader is not None
-house = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(house)
 
 
 def test_no_two_functions_or_classes_share_a_name_without_a_reason() -> None:

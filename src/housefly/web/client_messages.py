@@ -1,7 +1,7 @@
 """What a browser sends to the server, one JSON object each, told apart by ``type``.
 
 ``client/src/wire/messages.ts`` is generated from this file and ``server_messages.py`` by
-``housefly.web.typescript``. All lengths are metres in the world frame, all angles radians.
+``scripts/console_types.py``. All lengths are metres in the world frame, all angles radians.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What the server sends to a browser, one JSON object each, told apart by ``type``.
 
 ``client/src/wire/messages.ts`` is generated from this file and ``client_messages.py`` by
-``housefly.web.typescript``. All times are seconds of the server's monotonic clock, all lengths
+``scripts/console_types.py``. All times are seconds of the server's monotonic clock, all lengths
 metres in the world frame, all angles radians.
 """
 

@@ -1,4 +1,4 @@
-// Generated from housefly/web/new_site by `python -m housefly.web.typescript`. Do not edit.
+// Generated from housefly/web/new_site by `python scripts/console_types.py`. Do not edit.
 
 export interface DraftWall {
   start: [number, number];

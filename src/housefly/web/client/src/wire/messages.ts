@@ -1,4 +1,4 @@
-// Generated from web/*_messages.py by `python -m housefly.web.typescript`. Do not edit.
+// Generated from web/*_messages.py by `python scripts/console_types.py`. Do not edit.
 
 export interface Hello {
   type: "hello";

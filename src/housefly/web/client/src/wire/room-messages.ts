@@ -1,4 +1,4 @@
-// Generated from housefly/hub/api/answers.py by `python -m housefly.web.typescript`. Do not edit.
+// Generated from housefly/hub/api/answers.py by `python scripts/console_types.py`. Do not edit.
 
 export interface SourceAnswer {
   source: string;

@@ -1,4 +1,4 @@
-// Generated from housefly/tasks/api by `python -m housefly.web.typescript`. Do not edit.
+// Generated from housefly/tasks/api by `python scripts/console_types.py`. Do not edit.
 
 export type TaskStage =
   | "waiting for a yes"

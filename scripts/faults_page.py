@@ -1,6 +1,6 @@
 """Writes ``docs/faults.md`` from the tables: every fault, and every row of the matrix.
 
-``python -m housefly.twin.faults.page > docs/faults.md``
+``python scripts/faults_page.py > docs/faults.md``
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ every contact; what the tracking system said stands beside it under names of its
 ended more than 1 m from the pad, or ended standing on something, is never completed. Without the
 truth, as with real hardware, these numbers are "not measured".
 
-This page is made from the code (`python -m housefly.twin.faults.page`); a test keeps it current.
+This page is made from the code (`python scripts/faults_page.py`); a test keeps it current.
 """
 
 

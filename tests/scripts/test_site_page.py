@@ -1,6 +1,6 @@
 from pathlib import Path
 
-from housefly.app.site_doc import site_page
+from site_page import site_page
 
 
 def test_the_page_of_the_site_file_is_current() -> None:

@@ -1,4 +1,4 @@
-"""Writes the console's TypeScript types of all messages: ``python -m housefly.web.typescript``."""
+"""Writes the console's TypeScript types of all messages: ``python scripts/console_types.py``."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
+from housefly import web
 from housefly.hub.api import answers as room_answers
 from housefly.tasks.api.answers import TaskAnswer
 from housefly.web.client_messages import ClientMessage
@@ -19,12 +20,12 @@ from housefly.web.new_site.draft_view import DraftView
 from housefly.web.server_messages import ServerMessage
 from housefly.web.simulated_bell import BellView
 
-_WIRE_FOLDER = Path(__file__).parent / "client" / "src" / "wire"
+_WIRE_FOLDER = Path(web.__file__).parent / "client" / "src" / "wire"
 _MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"
 _ROOM_MESSAGES_FILE = _WIRE_FOLDER / "room-messages.ts"
 _TASK_MESSAGES_FILE = _WIRE_FOLDER / "task-messages.ts"
 _DRAFT_MESSAGES_FILE = _WIRE_FOLDER / "draft-messages.ts"
-_HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
+_HEADER = "// Generated from {source} by `python scripts/console_types.py`. Do not edit.\n"
 _LINE_LENGTH = 100
 _PLAIN: dict[Any, str] = {
     float: "number",

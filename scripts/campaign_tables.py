@@ -1,6 +1,6 @@
 """The tables of columns and measures in ``docs/campaigns.md``.
 
-Print them with ``python -m housefly.lab.campaigns.columns_doc``.
+Print them with ``python scripts/campaign_tables.py``.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Writes ``docs/site.md`` from the types: every key of a site file, with range and meaning.
 
-``python -m housefly.app.site_doc > docs/site.md``
+``python scripts/site_page.py > docs/site.md``
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ body = "ardrone"
 enabled = false
 ```
 
-This page is made from the code (`python -m housefly.app.site_doc`); a test keeps it current.
+This page is made from the code (`python scripts/site_page.py`); a test keeps it current.
 """
 
 
