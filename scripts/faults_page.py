@@ -5,10 +5,11 @@
 
 from __future__ import annotations
 
+from fault_words import LEFT_OUT, fault_words
+
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE
 from housefly.twin.faults.fault_row import FaultRow
 from housefly.twin.faults.fault_types import FAULT_TYPES
-from housefly.twin.faults.left_out import LEFT_OUT, fault_words
 from housefly.twin.faults.vocabulary import FaultComponent, FaultType, Injection
 
 _HEAD = """# Faults of the simulated room

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 
 import pytest
+import reach
 
 import house
 
@@ -33,6 +34,22 @@ def test_packages_and_loose_modules_stay_few() -> None:
     packages = [path for path in house.PACKAGE.iterdir() if (path / "__init__.py").exists()]
     assert len(packages) <= 18
     assert len(list(house.PACKAGE.glob("[!_]*.py"))) <= 5
+
+
+def test_every_module_that_ships_is_reached_from_where_users_enter() -> None:
+    graph = reach.import_graph()
+    assert len(graph.modules) == len(house.modules())
+    assert reach.unreached(graph) == [], "to benchmarks, tests/support or scripts, or away"
+
+
+def test_what_nobody_imports_starts_or_names_is_found() -> None:
+    graph = reach.import_graph()
+    graph.remove_import(importer="housefly.cli", imported="housefly.app.commands.replay")
+    assert "housefly.app.commands.replay" in reach.unreached(graph)
+    launched, launcher = "housefly.app.tasks_main", "housefly.app.launcher"
+    for importer in graph.find_modules_that_directly_import(launcher):
+        graph.remove_import(importer=importer, imported=launcher)
+    assert {launcher, launched} <= set(reach.unreached(graph))
 
 
 @pytest.mark.parametrize("folder", ["pilot", "lab/experiments"])

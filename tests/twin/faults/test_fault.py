@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import hypot, inf, nan
 
 import pytest
+from fault_words import LEFT_OUT, fault_words
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -12,7 +13,6 @@ from housefly.errors import ConfigError
 from housefly.twin.disturbance import Motor
 from housefly.twin.faults.fault import Fault, FaultSchedule, seeded_uniform
 from housefly.twin.faults.fault_types import FAULT_TYPES, fault_type
-from housefly.twin.faults.left_out import LEFT_OUT, fault_words
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, FaultType
 
