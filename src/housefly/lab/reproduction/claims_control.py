@@ -17,8 +17,8 @@ from housefly.lab.reproduction.tracking_judges import judge_estimation, judge_ka
 
 _CLOSE = 0.01
 """A response within this distance of the promised one counts as equal [m]."""
-_ALL_FLIGHTS, _NO_FLIGHTS = 0.95, 0.05
-"""Shares of flights that count as all and as none."""
+_ALL_FLIGHTS = 0.95
+"""A share of flights that counts as all."""
 _NEVER = 0.002
 """A share of the time no longer than the first instant of a step."""
 _FELT_FACTOR = 1.1

@@ -7,7 +7,6 @@ from math import atan2
 
 import numpy as np
 
-from housefly.geometry import Vec3
 from housefly.messages.steering import Path
 from housefly.numeric import FloatArray, elementwise
 from housefly.pilot.behavior.path_profile import PathProfile
@@ -119,12 +118,6 @@ def retimed(
     """
     times = np.where(marks <= time, path.times, begin + (marks - time) / rate)
     return replace(path, times=tuple(times.tolist()))
-
-
-def trajectory_end(profile: PathProfile) -> Vec3:
-    """Return where a trajectory ends [m]."""
-    x, y, z = profile.motion[-1, :3].tolist()
-    return x, y, z
 
 
 def _travelled(rows: FloatArray) -> FloatArray:

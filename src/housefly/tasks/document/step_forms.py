@@ -82,9 +82,6 @@ _A = StepArgument
 _SUBJECT = _A("subject", _T.SUBJECT, "what to look at", required=True)
 _SHOWN = _A("subject", _T.SUBJECT, "what the picture shows")
 _SPEECH = _A("words", _T.TEXT, "what to say", required=True)
-_DISTANCE = _A(
-    "distance", _T.LENGTH, "how far from it, at least", low=0.5, high=10.0
-)  # fmt: skip
 
 FORMS: dict[StepKind, StepForm] = {
     StepKind.TAKE_OFF: StepForm("Take off and hover above the pad.", flies=True),

@@ -18,8 +18,6 @@ _UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0, None: 1.0}
 _CLOCK = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)")
 REFERENCE = re.compile(r"\$(event|mqtt|webhook)\.([A-Za-z0-9_]{1,60})")
 """A parameter that takes its value from the trigger, wholly: no text is ever put together."""
-EVENT_FIELDS = ("kind", "thing", "source", "cause", "confidence", "at")
-"""What a rule may take from an event; any other word names one of its facts."""
 MQTT_FIELDS = ("topic", "value")
 _SERVICE = r"^[a-z0-9][a-z0-9_-]{0,79}$"
 
