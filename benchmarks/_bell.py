@@ -20,7 +20,6 @@ import numpy as np
 from paho.mqtt import publish
 
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
 from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, ROOM_NEWS_TOPIC, STEP_TOPIC
@@ -31,6 +30,7 @@ from housefly.hub.api.told_events import told_event_of
 from housefly.messages import EventNews, Order, PilotStep, RoomNews
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record.truth import read_truth
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.tasks.api.values import ENDED, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
 from housefly.twin.world import SimulatedWorld

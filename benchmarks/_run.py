@@ -12,7 +12,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
@@ -20,6 +19,7 @@ from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import LinkStatus, Order, OrderKind, Phase, PilotStep
+from housefly.sites.loaded_site import read_site
 
 
 def percentile(values: Sequence[float], share: float) -> float:

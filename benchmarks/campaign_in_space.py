@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from _run import table
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.site import Site, changed
 from housefly.lab.experiments.cases import cases
@@ -21,6 +20,7 @@ from housefly.lab.experiments.engine import fly_many
 from housefly.lab.experiments.flight_plan import FlightPlan
 from housefly.lab.experiments.planned_flight import planned_flight
 from housefly.pilot.navigator import RoomNavigator
+from housefly.sites.loaded_site import open_site, read_site
 
 DURATION, REPEATS = 24.0, 5
 """Of a flight [s], and how often each fleet flies."""

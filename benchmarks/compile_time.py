@@ -27,7 +27,7 @@ from housefly.lab.experiments.flight_plan import FlightPlan, Task
 fly_many(cases(Site()), FlightPlan(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 3.0), threads=1)
 """
 STEP_A_PILOT = """
-from housefly.app.loaded_site import open_site, read_site
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.pilot.assembly import warm_up
 loaded = open_site(read_site("bsen"))
 warm_up(loaded.site, loaded.room, loaded.grid)

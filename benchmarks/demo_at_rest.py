@@ -21,7 +21,7 @@ from websockets.exceptions import ConnectionClosed
 
 from _run import bench_site, running, table
 from demo import processes, seconds
-from housefly.app.lively import lively_site
+from housefly.twin.lively import lively_site
 
 SECONDS = float(os.environ.get("SECONDS", "60"))
 CPU_GOAL = 0.8

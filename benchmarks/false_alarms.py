@@ -22,11 +22,11 @@ import numpy as np
 
 from _pieces import lines_kept, pieces_done
 from _run import table
-from housefly.app.loaded_site import LoadedSite, load_site
-from housefly.app.public.simulation import Simulation
-from housefly.app.safety_case.oracle import Oracle
 from housefly.config.site import changed
+from housefly.lab.safety_case.oracle import Oracle
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Severity
+from housefly.sites.loaded_site import LoadedSite, load_site
 
 TRACKING = ((100.0, 0.0), (30.0, 0.0), (10.0, 0.0), (10.0, 0.3))
 """Rate [Hz] and share of frames lost."""

@@ -14,8 +14,8 @@ from concurrent.futures import ProcessPoolExecutor
 from itertools import repeat
 
 from _run import table
-from housefly.app.safety_case.faulty_flight import FaultyFlight, course_of, onset_of
-from housefly.app.safety_case.trial import TrialKey, TrialResult
+from housefly.lab.safety_case.faulty_flight import FaultyFlight, course_of, onset_of
+from housefly.lab.safety_case.trial import TrialKey, TrialResult
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
 

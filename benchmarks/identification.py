@@ -12,7 +12,6 @@ import numpy as np
 
 from _run import table
 from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.config.twin import RATE_POLE
 from housefly.lab.identification.box import find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
@@ -20,6 +19,7 @@ from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick

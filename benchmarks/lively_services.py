@@ -19,12 +19,12 @@ import numpy as np
 
 from _pieces import lines_kept, pieces_done
 from _run import table
-from housefly.app.lively import lively_changes
-from housefly.app.loaded_site import LoadedSite, load_site
-from housefly.app.public.simulation import Simulation
-from housefly.app.safety_case.oracle import Oracle
 from housefly.config.site import changed
+from housefly.lab.safety_case.oracle import Oracle
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, PilotStep
+from housefly.sites.loaded_site import LoadedSite, load_site
+from housefly.twin.lively import lively_changes
 
 ROOMS, SERVICES = 20, 5
 LOOK_S = 3.0

@@ -28,9 +28,9 @@ from pathlib import Path
 import psutil
 
 from _run import table
-from housefly.app.safety_case.oracle import HARD_LANDING, STANDING
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
+from housefly.lab.safety_case.oracle import HARD_LANDING, STANDING
 from housefly.messages import Order, OrderKind, Phase, PilotStep, SafetyMode, Severity
 from housefly.record.truth import TRUTH_FILE, read_truth
 

@@ -11,7 +11,6 @@ from math import sqrt
 import numpy as np
 
 from _run import table
-from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.gains import choose_gains, judge_gains
 from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.site import Site
@@ -24,6 +23,7 @@ from housefly.lab.tuning.margins import delay_margin, gain_margin
 from housefly.lab.tuning.question import question_of
 from housefly.lab.tuning.site_lines import site_lines
 from housefly.pilot.estimation.estimator_state import EstimatorKind
+from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from scores.stability_flight import hover_swing, nearest_periods
 

@@ -17,7 +17,6 @@ from pathlib import Path
 import psutil
 
 from _run import table
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site, changed
 from housefly.hub.change_feed import CHANGE_FEED_PERIOD, ChangeFeed
 from housefly.hub.memory import RoomMemory
@@ -28,6 +27,7 @@ from housefly.hub.things_of_room import things_of
 from housefly.messages import Inputs, Observation, Order, OrderKind, RoomEvent
 from housefly.pilot.assembly import make_pilot
 from housefly.room.files import load_room
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.people import load_scene
 from housefly.twin.sensors.devices import SimulatedDevices

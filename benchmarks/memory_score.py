@@ -14,8 +14,8 @@ from random import Random
 from typing import Any
 
 from _run import table
-from housefly.app.lively import lively_changes
-from housefly.app.loaded_site import load_site
+from housefly.sites.loaded_site import load_site
+from housefly.twin.lively import lively_changes
 from housefly.twin.people import Scene, load_scene, scene_from_tree
 from scores.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 

@@ -9,16 +9,16 @@ from math import hypot
 import numpy as np
 
 from _run import percentile, table
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
 from housefly.sensors.laser import scan_of
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip import UST_10LX

@@ -15,14 +15,14 @@ from unittest.mock import patch
 
 from _run import percentile, table
 from housefly.app import rehearsed_flight
-from housefly.app.loaded_site import load_site
-from housefly.app.rehearsal import Rehearser
-from housefly.app.rehearsal_main import NICENESS
-from housefly.app.rehearsed_flight import RehearsedSite
-from housefly.app.room_now import RoomNow
 from housefly.errors import LinkError
 from housefly.hub.api.questions import Question
 from housefly.messages import Obstacle
+from housefly.rehearsal.process import NICENESS
+from housefly.rehearsal.rehearsed_flight import RehearsedSite
+from housefly.rehearsal.rehearser import Rehearser
+from housefly.rehearsal.room_now import RoomNow
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.api.values import ParameterValue, RehearsalReport
 from housefly.tasks.document.library import bind, load_library
 from housefly.tasks.execution.task_room import SeenPerson

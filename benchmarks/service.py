@@ -10,12 +10,12 @@ from statistics import mean
 from tempfile import TemporaryDirectory
 
 from _run import table
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
-from housefly.app.lockstep import fly_lockstep
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.series import collect
 from housefly.record.summary import Summary, summarize_flight
 from housefly.record.truth import read_truth
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 
 SEEDS = (1, 2, 3)
 CASES = ((100.0, 0.02, 0.0), (30.0, 0.02, 0.2), (10.0, 0.05, 0.0), (10.0, 0.1, 0.3))

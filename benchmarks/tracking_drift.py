@@ -14,9 +14,9 @@ from concurrent.futures import ProcessPoolExecutor
 from itertools import chain
 
 from _run import percentile, table
-from housefly.app.safety_case.alike_flights import alike, fly_alike
-from housefly.app.safety_case.fault_phase import IN_FLIGHT_FAULT_PHASES, FaultPhase
-from housefly.app.safety_case.trial import TrialKey, TrialResult
+from housefly.lab.safety_case.alike_flights import alike, fly_alike
+from housefly.lab.safety_case.fault_phase import IN_FLIGHT_FAULT_PHASES, FaultPhase
+from housefly.lab.safety_case.trial import TrialKey, TrialResult
 
 RATES = {"F13/2cm": 0.02, "F13/5cm": 0.05}
 """Drift of the rows [m/s]."""

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from functools import partial
 
 from _run import percentile, table
-from housefly.app.loaded_site import load_site
 from housefly.errors import TaskError
 from housefly.room.tracked import solids_of
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.vantage.patrol import floor_share, patrol_viewpoints
 from housefly.tasks.vantage.search_places import belief_of
 from housefly.tasks.vantage.subject import (

@@ -22,7 +22,7 @@ import housefly
 
 PACKAGE = Path(housefly.__file__).parent
 FREE = {
-    "app/safety_case": "counts what was flown",
+    "lab/safety_case": "counts what was flown",
     "hub": "remembers; it flies nothing, and its answers are no part of a flight's inputs",
     "lab/campaigns/plots.py": "draws",
     "lab/frames": "judges recordings",

@@ -8,10 +8,10 @@ from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.space.oriented_hull import OrientedHull
 from housefly.pilot.planning.space.solid_rows import room_rows
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.disturbance import Disturbances
 from quality_gate.flown_row import FlownLeg, FlownRow, row_measures
 from quality_gate.legs import FlightStage, legs_of

@@ -9,12 +9,12 @@ from math import hypot, inf
 
 import numpy as np
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.geometry import Vec2
 from housefly.messages import Order, OrderKind, Phase
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.space.oriented_hull import OrientedHull
 from housefly.record.truth import HOME_RADIUS
+from housefly.sites.loaded_site import LoadedSite
 from quality_gate.flown_row import FlownLeg, drawn
 from quality_gate.leg_measures import WANTED, leg_measures
 from quality_gate.quality_flight import SENDER, QualityFlight

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import floor
 
-from housefly.app.loaded_site import LoadedSite
-from housefly.app.public.simulation import Simulation
 from housefly.geometry import yaw_of
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase, PilotStep, Severity
 from housefly.pilot.assembly import make_pilot
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.disturbance import NEUTRAL, Disturbances
 from quality_gate.flown_track import FlownTrack
 

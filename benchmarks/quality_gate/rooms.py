@@ -9,13 +9,13 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.config.site import changed
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2
 from housefly.room.grid import build_grid
 from housefly.room.model import Place, Room, Shape, Solid
 from housefly.room.ros_map import import_ros_map
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 
 SMALL_HOUSE_MAP = (
     Path(__file__).resolve().parents[3] / "shared" / "data" / "rooms" / "small_house" / "map.yaml"

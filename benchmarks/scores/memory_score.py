@@ -11,11 +11,11 @@ from enum import StrEnum
 from math import hypot
 from pathlib import Path
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.geometry import Vec3
 from housefly.hub.api.answers import AlternativePlace, PlacedAnswer, WhereAnswer
 from housefly.hub.api.questions import ContentsQuestion, WhereQuestion
 from housefly.hub.things_of_room import surfaces_of
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.people import Scene, SceneState
 from scores.played_memory import DEVICE_PERIOD, PlayedMemory
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.hub.api.answers import Answer
 from housefly.hub.api.questions import Question
 from housefly.hub.flight_facts import FlightFacts
@@ -20,6 +19,7 @@ from housefly.hub.situations.device_traits import device_traits_of
 from housefly.hub.store.open import open_store
 from housefly.hub.things_of_room import catalogue_of, furniture_id, surfaces_of
 from housefly.messages import Observation, PilotStep, RoomEvent
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.people import Scene
 from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.wires.devices import Delivered, Placement, decode_reading

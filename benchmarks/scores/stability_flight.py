@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.errors import LinkError
 from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.disturbance import NEUTRAL, Disturbances
 from housefly.twin.lockstep import LockstepRoom

@@ -12,16 +12,16 @@ from math import inf, pi
 from random import Random
 from typing import Any
 
-from housefly.app.lively import lively_changes
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
-from housefly.app.lockstep_loop import SETTLING_TIME
-from housefly.app.task_flight import TaskFlight, TaskScript
-from housefly.app.task_lockstep import fly_task_lockstep
 from housefly.geometry import distance, euler_from_quaternion, heading_to, wrap_angle
+from housefly.lockstep.lockstep_loop import SETTLING_TIME
+from housefly.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lockstep.task_lockstep import fly_task_lockstep
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.tasks.api.values import TaskStage
 from housefly.tasks.document.library import bind, load_library
 from housefly.tasks.execution.values import StartClip, StopClip
 from housefly.twin.contracts import FlightState
+from housefly.twin.lively import lively_changes
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.world import SimulatedWorld
 

@@ -29,14 +29,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from housefly.app.loaded_site import LoadedSite, load_site
     from housefly.app.public.campaign import CampaignResult, run_campaign
     from housefly.app.public.flight import Flight, fly, open_flight
     from housefly.app.public.gains import choose_gains, judge_gains
     from housefly.app.public.identification import identify
     from housefly.app.public.launch import launch
     from housefly.app.public.scene import PlayedScene, play_scene
-    from housefly.app.public.simulation import Simulation
     from housefly.bus.bus import Bus
     from housefly.bus.topics import (
         DEPTH_TOPIC,
@@ -79,6 +77,7 @@ if TYPE_CHECKING:
     from housefly.hub.client.room_client import RoomClient
     from housefly.lab.identification.result import Identified
     from housefly.lab.tuning.advice import Advice, Judgement
+    from housefly.lockstep.simulation import Simulation
     from housefly.messages import (
         LEVEL,
         Action,
@@ -138,6 +137,7 @@ if TYPE_CHECKING:
     from housefly.room.ros_map import import_ros_map
     from housefly.sensors.contracts import Sensor, SensorHealth, SensorSink
     from housefly.sensors.message_rate import MessageRate
+    from housefly.sites.loaded_site import LoadedSite, load_site
     from housefly.tasks.client.connect import connect
     from housefly.tasks.client.house_client import HouseClient
     from housefly.twin.process import run_twin
@@ -166,14 +166,14 @@ __all__ = [
 # fmt: on
 
 _MODULES = {
-    "app.loaded_site": "LoadedSite load_site",
+    "sites.loaded_site": "LoadedSite load_site",
     "app.public.campaign": "CampaignResult run_campaign",
     "app.public.flight": "Flight fly open_flight",
     "app.public.gains": "choose_gains judge_gains",
     "app.public.identification": "identify",
     "app.public.launch": "launch",
     "app.public.scene": "PlayedScene play_scene",
-    "app.public.simulation": "Simulation",
+    "lockstep.simulation": "Simulation",
     "bus.bus": "Bus",
     "bus.topics": (
         "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"

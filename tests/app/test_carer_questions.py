@@ -21,9 +21,9 @@ from remembered_room import a_day_with_grandma
 from task_stage import TaskStage
 
 import housefly
-from housefly.app.assistant_reply import MARKED
-from housefly.app.assistant_room import FoundRoom
-from housefly.app.mcp_server import room_server
+from housefly.assistants.assistant_reply import MARKED
+from housefly.assistants.assistant_room import FoundRoom
+from housefly.assistants.mcp_server import room_server
 from housefly.bus.topics import TASKS_QUERY
 from housefly.cli import main
 from housefly.config.devices import MqttConfig

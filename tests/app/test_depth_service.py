@@ -12,7 +12,6 @@ import pytest
 
 from housefly.app.depth_service import CAMERA_SILENT_AFTER, REFUSED_IMAGE_SHOWN_FOR, DepthService
 from housefly.app.launcher import processes_of
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.perception_main import PerceptionProcess
 from housefly.bus.codec import from_cdr, to_cdr
@@ -34,6 +33,7 @@ from housefly.messages import (
     Pose,
     Telemetry,
 )
+from housefly.sites.loaded_site import open_site, read_site
 
 CAMERAS = [{"name": "depth-1"}]
 ALONG_X = (0.5, -0.5, 0.5, -0.5)

@@ -16,9 +16,7 @@ from hypothesis import strategies as st
 from room_here import RoomHere
 
 from housefly.app.disk_space import FREE_ENOUGH_GB, FREE_SHARE_MIN, DiskSpace, disks_of
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.pilot_shell import PilotShell
-from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.clock import RealClock
@@ -27,6 +25,8 @@ from housefly.config.site import Site, changed
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.pilot.assembly import warm_up
+from housefly.sites.loaded_site import open_site, read_site
+from housefly.tracking.trackers import tracker_of
 
 Usage = namedtuple("Usage", "total free")
 RISING = (OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE)

@@ -10,11 +10,11 @@ import pytest
 
 from housefly.app import doctor
 from housefly.app.doctor import check_room
-from housefly.app.loaded_site import read_site
 from housefly.cli import main
 from housefly.config.site import Site, changed
 from housefly.room.bsen import bsen
 from housefly.room.files import save_room
+from housefly.sites.loaded_site import read_site
 
 
 def site_with(folder: Path, **changes: object) -> Site:

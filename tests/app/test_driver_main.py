@@ -14,13 +14,13 @@ import pytest
 from room_here import RoomHere
 
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import Order, OrderKind
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.contracts import FlightState
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(240)]

@@ -9,14 +9,14 @@ import pytest
 from quick_flights import QUICK
 
 from housefly.app.flight import fly_service
-from housefly.app.loaded_site import load_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.people_note import UNSEEN_PEOPLE
-from housefly.app.public.simulation import Simulation
 from housefly.cli import main
 from housefly.errors import ConfigError
+from housefly.lockstep.service import fly_lockstep
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind
 from housefly.record.truth import read_truth
+from housefly.sites.loaded_site import load_site
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
 from housefly.twin.movable import Movable

@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 
 from housefly.app.launcher import processes_of
-from housefly.app.loaded_site import read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
@@ -21,6 +20,7 @@ from housefly.bus.topics import HUB_QUERY, TASKS_QUERY
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import changed
 from housefly.errors import LinkError
+from housefly.sites.loaded_site import read_site
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(240)]
 

@@ -8,13 +8,13 @@ from math import hypot
 import pytest
 from quick_flights import QUICK
 
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.config.site import changed
 from housefly.geometry import Vec2
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Event, Order, OrderKind, PilotStep
 from housefly.pilot.assembly import make_pilot
 from housefly.room.distance import half_diagonal
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
 

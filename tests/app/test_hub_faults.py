@@ -21,7 +21,6 @@ from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
-from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
@@ -31,6 +30,7 @@ from housefly.geometry import Vec3, distance
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import Question, SensorsQuestion, TrajectoryQuestion, WhereQuestion
 from housefly.hub.store.run_length import STILL_DISTANCE
+from housefly.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.room.files import load_room
 

@@ -15,7 +15,6 @@ from gate_bench import blind
 from quick_flights import QUICK
 
 from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.cli import main
 from housefly.config.profile import Interval, load_profile, write_profile
 from housefly.config.site import site_from_file
@@ -31,6 +30,7 @@ from housefly.pilot.safety.gate import Gate
 from housefly.pilot.safety.limits import CommandLimits
 from housefly.pilot.site_parameters import pilot_parameters
 from housefly.pilot.step import PilotParameters
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)

@@ -10,13 +10,13 @@ import pytest
 
 from housefly.app.commands.asked_room import asked_site
 from housefly.app.instance import free_instance, site_of_instance
-from housefly.app.lively import lively_site
-from housefly.app.loaded_site import read_site
 from housefly.app.ports import refuse_taken_ports
 from housefly.config.site import Site, changed
 from housefly.config.state import database_file, edits_folder, tasks_folder
 from housefly.errors import ConfigError, LinkError
 from housefly.hub.store.lock import reserved_store
+from housefly.sites.loaded_site import read_site
+from housefly.twin.lively import lively_site
 
 
 @pytest.fixture(autouse=True)

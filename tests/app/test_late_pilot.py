@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from housefly.app.loaded_site import load_site
-from housefly.app.public.simulation import Simulation
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase
+from housefly.sites.loaded_site import load_site
 
 FAR = (2.45, 4.45)
 LATE_FROM, END, LATEST = 6.0, 20.0, 24

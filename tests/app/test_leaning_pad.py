@@ -7,11 +7,11 @@ from math import cos, degrees, hypot, radians, sin
 
 import pytest
 
-from housefly.app.loaded_site import load_site
-from housefly.app.public.simulation import Simulation
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase
 from housefly.pilot.behavior import preflight
 from housefly.pilot.behavior.preflight import TILT_ON_PAD_MAX
+from housefly.sites.loaded_site import load_site
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 from task_flights import premises
 
-from housefly.app.live_obstacles import LiveObstacles
 from housefly.app.live_task_room import LiveTaskRoom
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import HUB_QUERY
@@ -14,6 +13,7 @@ from housefly.geometry import distance
 from housefly.hub.api.json import refusal_to_json
 from housefly.hub.api.questions import SensorsQuestion
 from housefly.messages import Obstacle, ObstacleKind
+from housefly.tasks.live_obstacles import LiveObstacles
 
 
 def test_somebody_whom_only_a_scanner_sees_has_a_viewpoint() -> None:

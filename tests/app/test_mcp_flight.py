@@ -19,12 +19,12 @@ from mcp import Client
 from mcp_types import ElicitResult
 from PIL import Image
 
-from housefly.app.assistant_reply import MARKED
-from housefly.app.assistant_room import FoundRoom
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.mcp_server import room_server
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
+from housefly.assistants.assistant_reply import MARKED
+from housefly.assistants.assistant_room import FoundRoom
+from housefly.assistants.mcp_server import room_server
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced

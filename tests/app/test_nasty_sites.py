@@ -11,12 +11,12 @@ from typing import Any
 import pytest
 from nasty import VALUES, WHOLE_FILES, keys_of, tree_with
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.ports import port_needs
 from housefly.cli import main
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
 from housefly.hub.store.lock import refuse_shared_store
+from housefly.sites.loaded_site import open_site, read_site
 
 KEYS = tuple(keys_of(Site))
 LONGEST_WORDS = 2000

@@ -12,12 +12,12 @@ from math import hypot
 import pytest
 from quick_flights import QUICK
 
-from housefly.app.loaded_site import open_site, read_site
-from housefly.app.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3
+from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.messages import Event, Order, OrderKind, Phase, PilotStep
 from housefly.pilot.navigator import RoomNavigator
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.people.script import PersonScript
 
 LASERS = (

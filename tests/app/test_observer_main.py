@@ -13,8 +13,6 @@ import pytest
 from housefly.app.commands.shared import require_drone
 from housefly.app.doctor import check_machine
 from housefly.app.launcher import processes_of
-from housefly.app.lively import lively_site
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.observer_main import RoomObserver
 from housefly.app.ports import port_needs
@@ -28,7 +26,9 @@ from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.hub.hub import Hub
 from housefly.messages import PlanAnswer, Pose, Sighting
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.tracking.contracts import SightingSink
+from housefly.twin.lively import lively_site
 
 
 def site_at(folder: Path, **changes: object) -> Site:

@@ -10,13 +10,13 @@ from math import dist, hypot
 import pytest
 from quick_flights import QUICK
 
-from housefly.app.loaded_site import open_site, read_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Event, Order, OrderKind, PilotStep
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.room.distance import half_diagonal
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
 

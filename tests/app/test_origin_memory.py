@@ -2,9 +2,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.app.loaded_site import load_site
 from housefly.app.origin_memory import ORIGIN_FILE, OriginMemory
 from housefly.config.frame_check import FrameCheckRecord, tracking_digest, write_frame_check
+from housefly.sites.loaded_site import load_site
 
 SITE = load_site("bsen", hub__enabled=False).site
 

@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from quick_flights import QUICK
 
-from housefly.app.loaded_site import open_site, read_site
-from housefly.app.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.app.people_sight import PeopleSight
 from housefly.clock import SteppedClock
 from housefly.config.site import Site, changed
+from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.messages import Order, OrderKind, Phase, PilotStep, SafetyMode, SightNews
 from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, longest_silence
+from housefly.sites.loaded_site import open_site, read_site
 
 LASERS = (
     {"name": "laser-1", "x": 5.5, "y": 0.85, "z": 1.1, "yaw": 1.2},

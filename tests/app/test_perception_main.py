@@ -12,8 +12,6 @@ import pytest
 from quick_flights import QUICK
 
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.new_runtime import new_runtime
 from housefly.app.perception_main import PerceptionProcess
 from housefly.app.replaying import verify_recording
@@ -26,9 +24,11 @@ from housefly.errors import ConfigError
 from housefly.hub.api.answers import SensorAnswer, SensorsAnswer
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import SensorsQuestion
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep, SightNews
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.movable import Movable
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.sensors.laser_feed import LaserFeed

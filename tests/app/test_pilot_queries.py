@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.app.loaded_site import load_site
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import PLAN_QUERY
 from housefly.hub.api.pilot_queries import PlanRequest
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import PlanAnswer
+from housefly.sites.loaded_site import load_site
 
 
 @pytest.mark.parametrize("planner", ["space", "grid"])

@@ -14,11 +14,9 @@ from full_disk import full_output
 from room_here import RoomHere
 
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.pilot_shell import PilotShell, StepFailure
 from housefly.app.readiness import Readiness
-from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import (
     FRAME_TOPIC,
@@ -51,6 +49,8 @@ from housefly.messages import (
 )
 from housefly.pilot.assembly import warm_up
 from housefly.pilot.estimation.estimation_report import EstimationReport
+from housefly.sites.loaded_site import open_site, read_site
+from housefly.tracking.trackers import tracker_of
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.usefixtures("fresh_log")]
 

@@ -12,7 +12,6 @@ import psutil
 import pytest
 
 from housefly.app.launcher import Launcher, ProcessSpec
-from housefly.app.loaded_site import read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.room_renewal import RoomRenewal
 from housefly.app.runtime import Runtime
@@ -21,6 +20,7 @@ from housefly.bus.topics import STAND_DOWN_QUERY
 from housefly.config.edits import Edits, NoFlyZone
 from housefly.config.state import edits_folder
 from housefly.room.edit_versions import EditVersions
+from housefly.sites.loaded_site import read_site
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 

@@ -8,9 +8,9 @@ from math import hypot
 
 import pytest
 
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.messages import Inputs, Order, OrderKind, Telemetry
 from housefly.pilot.assembly import make_pilot
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
 

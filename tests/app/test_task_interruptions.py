@@ -10,9 +10,9 @@ from functools import cache
 import pytest
 from task_flights import premises, scene_of
 
-from housefly.app.task_flight import TaskFlight, TaskScript
-from housefly.app.task_lockstep import fly_task_lockstep
 from housefly.geometry import distance
+from housefly.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lockstep.task_lockstep import fly_task_lockstep
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task

@@ -8,10 +8,10 @@ import pytest
 from task_stage import TaskStage
 
 from housefly.app.launcher import processes_of
-from housefly.app.loaded_site import read_site
 from housefly.app.new_runtime import new_runtime
 from housefly.errors import TaskError
 from housefly.messages import OrderKind
+from housefly.sites.loaded_site import read_site
 from housefly.tasks.api.questions import RequestTask, RulesQuestion, Sentence, ServicesQuestion
 
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from housefly.app.loaded_site import load_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.geometry import distance
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.truth import TrueFlight, read_truth
+from housefly.sites.loaded_site import load_site
 
 SERVICE = Order(OrderKind.SERVICE, place="table", look_s=1.0)
 CHILD = 0.9

@@ -28,7 +28,7 @@ _INSTRUMENTED = [
     *(f"housefly.tasks.{name}" for name in ("api", "document", "intents", "rules")),
     *("housefly.lab.campaigns.spec", "housefly.lab.campaigns.draws"),
     *("housefly.twin.people", "housefly.twin.hands", "housefly.twin.faults"),
-    "housefly.app.safety_case",
+    "housefly.lab.safety_case",
     *("tomllib", "yaml", "mcap", "rosbags.serde", "hassil"),
 ]
 _COMPILED = ["housefly.room.distance", "housefly.room.reach", "housefly.room.sight"]

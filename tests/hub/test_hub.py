@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.loaded_site import read_site
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import STEP_TOPIC
 from housefly.config.furniture import FurnitureConfig
 from housefly.hub.hub import Hub
 from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
+from housefly.sites.loaded_site import read_site
 
 CHAIR = FurnitureConfig(name="chair", body="chair-3", length=0.5, width=0.5, top=0.9)
 

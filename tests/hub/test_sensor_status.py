@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import inf
 
-from housefly.app.loaded_site import read_site
 from housefly.clock import SteppedClock
 from housefly.config.site import changed
 from housefly.hub.sensor_status import NO_REPORT, REPORT_TIMEOUT, SensorStatus
 from housefly.messages import SensorReport
+from housefly.sites.loaded_site import read_site
 
 SITE = changed(read_site("bsen"), lasers=[{"name": "laser-1"}], depth_cameras=[{"name": "depth-1"}])
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.hub.api.questions import EventsQuestion, WhereQuestion
 from housefly.hub.situation_service import SituationService
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, RoomEvent
+from housefly.sites.loaded_site import open_site, read_site
 
 
 def test_what_somebody_took_is_with_them_until_it_is_put_somewhere(house) -> None:

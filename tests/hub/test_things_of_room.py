@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.site import changed
 from housefly.hub.things.thing import ThingKind
@@ -18,6 +17,7 @@ from housefly.hub.things_of_room import (
     things_of,
     things_of_scene,
 )
+from housefly.sites.loaded_site import open_site, read_site
 
 
 def test_b_sen_brings_its_furniture_places_cameras_drone_and_visitor() -> None:

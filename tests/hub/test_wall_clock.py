@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import read_site
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import STEP_TOPIC
 from housefly.hub.api.questions import WhereQuestion
 from housefly.hub.hub import Hub
 from housefly.hub.wall_clock import WallClock
 from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
+from housefly.sites.loaded_site import read_site
 
 TWO_HOURS = 7200.0
 

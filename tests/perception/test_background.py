@@ -12,11 +12,11 @@ import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import changed
 from housefly.perception.background import HALF_THICKNESS, expected_ranges
 from housefly.perception.clusters import foreground_limit
 from housefly.room.distance import clearance_field, footprints
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip import UST_10LX
 

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.loaded_site import open_site
 from housefly.app.replaying import recorded_site
 from housefly.messages import Inputs, Outputs, Phase, SafetyMode
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.pilot import Pilot
 from housefly.record.replay import read_steps, verify
+from housefly.sites.loaded_site import open_site
 
 DATA = Path(__file__).parent / "data"
 RECORDINGS = {"default": 3676, "paper": 3345, "troubles": 3100}

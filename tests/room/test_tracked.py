@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import open_site
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.room.bsen import bsen
 from housefly.room.grid import Cell, build_grid
 from housefly.room.tracked import body_pose_of, footprint_of, stand_of, untracked
+from housefly.sites.loaded_site import open_site
 
 SHELF = FurnitureConfig(
     name="shelf", body="Shelf 1", model="smart shelf", length=0.5, width=0.35, top=1.0

@@ -9,7 +9,6 @@ from typing import Any, TypeVar, cast
 
 from numba.typed import List
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.config.site import Site
 from housefly.numeric import boxed, unboxed
 from housefly.pilot.planning.column import StaticColumns
@@ -18,6 +17,7 @@ from housefly.pilot.planning.space.search import SearchScratch
 from housefly.pilot.planning.space.voxels import VoxelMap
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.physics import Physics
 
 Flown = TypeVar("Flown")

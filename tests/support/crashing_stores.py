@@ -17,7 +17,6 @@ from pathlib import Path
 import av
 from filming import SIZE, number_of, striped
 
-from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.config.edits import Edits, NoFlyZone
 from housefly.config.site import Site
 from housefly.config.tasks import TasksConfig
@@ -36,6 +35,7 @@ from housefly.messages import (
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps
 from housefly.room.edit_versions import EditVersions
+from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.tasks.api.questions import ClipsQuestion
 from housefly.tasks.api.values import (
     ENDED,

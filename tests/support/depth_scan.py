@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
-from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.config.site import changed
 from housefly.messages import DepthImage
 from housefly.numeric import FloatArray
 from housefly.perception.depth import Intrinsics, points_of
 from housefly.room.grid import Cell
+from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.twin.world import SimulatedWorld
 
 HEADINGS = tuple(n * pi / 4 - pi for n in range(8))

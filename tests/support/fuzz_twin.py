@@ -10,21 +10,21 @@ from pathlib import Path
 from fuzz_target import DEEP, HUGE, FuzzTarget, as_file, scratch, split
 
 from housefly import sites
-from housefly.app.safety_case.campaign import (
+from housefly.bus.simulated_bell import BellPress, press_from_json, press_to_json
+from housefly.errors import ConfigError, RecordingError, WireError
+from housefly.hub.client.discovery import _read as read_announcement
+from housefly.hub.things.catalogue import load_catalogue
+from housefly.lab.safety_case.campaign import (
     RESULTS_FILE,
     WIRED_RESULTS_FILE,
     flown_results,
     wired_results,
 )
-from housefly.app.safety_case.fault_phase import FaultPhase
-from housefly.app.safety_case.flown_by import FLOWN_BY_FILE, read_flown_by
-from housefly.app.safety_case.page import write_safety_case
-from housefly.app.safety_case.trial import TrialKey, TrialResult
-from housefly.app.safety_case.wired_flight import WiredKey, WiredResult
-from housefly.bus.simulated_bell import BellPress, press_from_json, press_to_json
-from housefly.errors import ConfigError, RecordingError, WireError
-from housefly.hub.client.discovery import _read as read_announcement
-from housefly.hub.things.catalogue import load_catalogue
+from housefly.lab.safety_case.fault_phase import FaultPhase
+from housefly.lab.safety_case.flown_by import FLOWN_BY_FILE, read_flown_by
+from housefly.lab.safety_case.page import write_safety_case
+from housefly.lab.safety_case.trial import TrialKey, TrialResult
+from housefly.lab.safety_case.wired_flight import WiredKey, WiredResult
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.hands import Carry, CarryOrder, decode_carry, encode_carry
 from housefly.twin.people.scene import load_scene

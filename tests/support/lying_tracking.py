@@ -8,8 +8,8 @@ from math import hypot, inf, pi
 
 from branched import branched
 
-from housefly.app.public.simulation import Simulation
 from housefly.geometry import Vec2, quaternion_from_euler
+from housefly.lockstep.simulation import Simulation
 from housefly.messages import (
     DroneStatus,
     Order,

@@ -20,7 +20,7 @@ from pathlib import Path
 from depth_scan import scan_points, write_ply
 
 import housefly
-from housefly.app.loaded_site import load_site
+from housefly.sites.loaded_site import load_site
 
 HOUSEFLY = (sys.executable, "-m", "housefly.cli")
 KEYS_PER_SECOND = 1.0

@@ -8,16 +8,16 @@ from pathlib import Path
 
 import numpy._core._multiarray_umath as umath
 
-from housefly.app.loaded_site import load_site, open_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.replaying import recorded_site
 from housefly.config.site import Site
 from housefly.lab.campaigns.plan import plan_campaign
 from housefly.lab.campaigns.spec import spec_from_tree
 from housefly.lab.experiments.engine import fly_many
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind
 from housefly.pilot.assembly import make_pilot
 from housefly.record.replay import read_steps
+from housefly.sites.loaded_site import load_site, open_site
 from housefly.tasks.vantage.search_places import belief_of
 from housefly.tasks.vantage.thing_search import ThingSearch
 from housefly.tasks.vantage.viewing_room import ViewingRoom

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from math import hypot
 from typing import Self
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.clock import RealClock
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.real_time import RealTimeRunner

@@ -6,10 +6,10 @@ from functools import cache
 
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import load_site
 from housefly.config.site import Site
 from housefly.room.grid import build_grid
 from housefly.room.model import Room, Shape, Solid
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 
 HOME = (0.9, 0.9)

@@ -10,10 +10,10 @@ from typing import Any
 
 from quick_flights import QUICK
 
-from housefly.app.loaded_site import LoadedSite, load_site
-from housefly.app.task_flight import NO_SCRIPT, TaskFlight, TaskScript
-from housefly.app.task_lockstep import UNIX_BEGIN, fly_task_lockstep
+from housefly.lockstep.task_flight import NO_SCRIPT, TaskFlight, TaskScript
+from housefly.lockstep.task_lockstep import UNIX_BEGIN, fly_task_lockstep
 from housefly.messages import PilotStep
+from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.tasks.api.values import ParameterValue
 from housefly.tasks.document.library import BoundTask, bind, load_library
 from housefly.tasks.document.task_document import TaskDocument

@@ -12,10 +12,7 @@ from typing import Any
 from quick_flights import QUICK
 from remembered_room import RememberedRoom
 
-from housefly.app.live_obstacles import LiveObstacles
 from housefly.app.live_task_room import LiveTaskRoom
-from housefly.app.loaded_site import LoadedSite, load_site
-from housefly.app.lockstep_loop import LockstepLoop
 from housefly.app.task_outlet_bus import BusTaskOutlet
 from housefly.app.task_parts import task_service
 from housefly.bus.local import LocalBus
@@ -23,6 +20,7 @@ from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, ROOM_EVENT_TOPIC
 from housefly.clock import SteppedClock
 from housefly.hub.api.told_events import told_event_of
 from housefly.hub.hub import Hub
+from housefly.lockstep.lockstep_loop import LockstepLoop
 from housefly.messages import (
     Action,
     Command,
@@ -36,12 +34,14 @@ from housefly.messages import (
     RoomEvent,
     Telemetry,
 )
+from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import TaskQuestion
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStatus
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.drone_state import TakeOffReadiness
 from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.live_obstacles import LiveObstacles
 
 GOOD = RehearsalReport(True, ReasonCode.OK, "it can be flown", duration=40.0, took=0.1)
 _TICK = 1.0 / 15.0

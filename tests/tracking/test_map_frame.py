@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.trackers import tracker_of
 from housefly.clock import RealClock
 from housefly.config.tracking import TrackingConfig
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import Pose, Sighting
 from housefly.numeric import wrapped
 from housefly.tracking.map_frame import MapFrame, MapFrameTracker
+from housefly.tracking.trackers import tracker_of
 
 ANGLES = st.floats(-pi, pi)
 

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import load_site
 from housefly.errors import LinkError, WireError
+from housefly.sites.loaded_site import load_site
 from housefly.twin.hands import CarryOrder, decode_carry, encode_carry
 from housefly.twin.hands_link import HandsLink, send_carry
 from housefly.twin.world import SimulatedWorld

@@ -12,12 +12,12 @@ import pytest_asyncio
 from axe_audit import axe_findings
 from playwright.async_api import Browser, Page, expect
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.views import room_view
 from housefly.config.edits import Edits
 from housefly.messages import DroneStatus, Phase
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.web.edit_service import EditService
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]

@@ -121,7 +121,7 @@ def test_odd_paths_are_refused_in_words(lan: Site, value: str) -> None:
 
 
 def test_paths_of_a_site_file_are_relative_to_it(tmp_path: Path) -> None:
-    from housefly.app.loaded_site import read_site
+    from housefly.sites.loaded_site import read_site
 
     text = '[web]\ntls_certificate = "tls/a.pem"\ntls_key = "tls/b.pem"\nusers = "who.json"\n'
     (tmp_path / "site.toml").write_text(text)

@@ -11,7 +11,6 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.views import room_view
 from housefly.bus.topics import TRAJECTORY_TOPIC
 from housefly.geometry import Vec2
@@ -25,6 +24,7 @@ from housefly.messages import (
 )
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.web.edit_service import EditService
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]

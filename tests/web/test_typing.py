@@ -12,10 +12,10 @@ import pytest_asyncio
 from playwright.async_api import Browser, Locator, Page, expect
 from stand_in_tasks import StandInTasks
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.views import room_view
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.tasks.api.values import HouseMode
 from housefly.web.edit_service import EditService
 

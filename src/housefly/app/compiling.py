@@ -15,9 +15,9 @@ from pathlib import Path
 
 import housefly
 from housefly._compiled_function import tell_each
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site
 from housefly.numeric import CACHE, made_by
+from housefly.sites.loaded_site import open_site, read_site
 
 _Say = Callable[[str], object]
 _PACKAGE = Path(housefly.__file__).parent

@@ -8,7 +8,6 @@ from __future__ import annotations
 import threading
 from math import inf
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.bus.bus import Bus
 from housefly.bus.topics import DEPTH_TOPIC, OBSTACLE_TOPIC
 from housefly.clock import Clock
@@ -18,6 +17,7 @@ from housefly.perception.laser_tracker import OwnFootprint
 from housefly.perception.sight import Sight
 from housefly.room.tracked import untracked
 from housefly.sensors.message_rate import MessageRate
+from housefly.sites.loaded_site import LoadedSite
 
 CAMERA_SILENT_AFTER = 2.0
 """A camera that sends nothing for this long is reported [s]."""

@@ -9,13 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from housefly.app.browser_video import video_of_the_browser
-from housefly.app.loaded_site import open_site
 from housefly.app.machine_load import OVERLOAD_REMEDY, machine_load, measured_lateness
 from housefly.app.ports import PortNeed, port_needs
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
 from housefly.hub.client.discovery import running
 from housefly.room.edits import is_reached, reached_from
+from housefly.sites.loaded_site import open_site
 from housefly.twin.installed import INSTALL, is_installed
 
 _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"

@@ -7,17 +7,17 @@ from pathlib import Path
 from housefly.app.console_door import ConsoleDoor
 from housefly.app.flight_progress import FlightProgress
 from housefly.app.headless import fly_over_wires
-from housefly.app.loaded_site import LoadedSite
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.new_runtime import new_runtime
 from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.terminal import console
 from housefly.config.site import changed
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
 from housefly.record.truth import ContactRecord
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
 from housefly.web.exposure import checked_exposure

@@ -11,7 +11,6 @@ from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
-from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (
     LINK_TOPIC,
@@ -25,6 +24,7 @@ from housefly.clock import RealClock
 from housefly.errors import LinkError
 from housefly.geometry import Vec2
 from housefly.hub.store.lock import reserved_store
+from housefly.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 

@@ -16,11 +16,9 @@ from math import inf
 from pathlib import Path
 
 from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.new_runtime import new_runtime
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.priority import raise_priority
-from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.clock import RealClock
@@ -32,6 +30,8 @@ from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationMa
 from housefly.lab.identification.pattern import Block, largest_excursion
 from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
 from housefly.pilot.assembly import make_pilot, warm_up
+from housefly.sites.loaded_site import LoadedSite
+from housefly.tracking.trackers import tracker_of
 from housefly.twin.contracts import TwinWorld
 from housefly.twin.lockstep import LockstepRoom
 

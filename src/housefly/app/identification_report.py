@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.terminal import console, new_table
 from housefly.config.profile import CONSTANTS
 from housefly.lab.identification.result import Identified
+from housefly.sites.loaded_site import LoadedSite
 from housefly.wires.ardrone.command_delay import sending_delay
 
 

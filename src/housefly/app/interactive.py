@@ -14,7 +14,6 @@ from housefly.app.console_answer import console_answers
 from housefly.app.console_door import ConsoleDoor
 from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
@@ -35,6 +34,7 @@ from housefly.config.site import Site
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import reserved_store
 from housefly.record.recorder import FlightRecorder
+from housefly.sites.loaded_site import LoadedSite
 from housefly.web.exposure import checked_exposure
 
 _READY_TIMEOUT = 60.0

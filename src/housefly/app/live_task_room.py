@@ -6,15 +6,15 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from housefly.app.live_obstacles import LiveObstacles
-from housefly.app.loaded_site import LoadedSite
 from housefly.bus.bus import Bus
 from housefly.bus.topics import HUB_QUERY
 from housefly.errors import LinkError
 from housefly.geometry import Vec2, Vec3
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import Question
+from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.execution.task_room import SeenPerson
+from housefly.tasks.live_obstacles import LiveObstacles
 from housefly.tasks.vantage.named_search import search_for
 from housefly.tasks.vantage.named_subject import round_names, view_from, viewpoint_of
 from housefly.tasks.vantage.patrol import shown_share

@@ -11,11 +11,9 @@ import gc
 import signal
 from contextlib import suppress
 
-from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.loop_health import Frequency
 from housefly.app.machine_load import machine_load
 from housefly.app.runtime import Runtime, runtime_from_environment
-from housefly.app.trackers import tracker_of
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (
@@ -32,8 +30,10 @@ from housefly.config.process_log import log_line
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import to_json
 from housefly.messages import LinkStatus, PlanAnswer, Sighting, TrackedFrame
+from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.document.open_library import NO_DRONE
 from housefly.tracking.contracts import Tracker
+from housefly.tracking.trackers import tracker_of
 
 _LINK_PERIOD = 0.5
 """How often the health of tracking is published [s]."""

@@ -12,8 +12,6 @@ import contextlib
 import signal
 
 from housefly.app.depth_service import DepthService
-from housefly.app.loaded_site import LoadedSite, open_site
-from housefly.app.lockstep_perception import own_footprint
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.bus.bus import Bus
 from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, SIGHT_TOPIC, STEP_TOPIC
@@ -21,12 +19,14 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
+from housefly.lockstep.lockstep_perception import own_footprint
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.sight import Sight
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import LaserClient
 from housefly.sensors.message_rate import MessageRate
+from housefly.sites.loaded_site import LoadedSite, open_site
 
 _REPORT_PERIOD = 1.0
 """How often the state of the sensors is published, and changed problems are printed [s]."""

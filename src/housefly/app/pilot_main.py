@@ -7,18 +7,18 @@ import gc
 import signal
 from contextlib import suppress
 
-from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.origin_memory import OriginMemory
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
-from housefly.app.trackers import tracker_of
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.process_log import log_line
 from housefly.drones.remote_drone import RemoteDrone
 from housefly.pilot.assembly import warm_up
+from housefly.sites.loaded_site import LoadedSite, open_site
+from housefly.tracking.trackers import tracker_of
 
 
 def main() -> None:

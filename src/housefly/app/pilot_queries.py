@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
 from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY
@@ -18,6 +17,7 @@ from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import Path, PilotStep, PlanAnswer, PreflightCheck
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.preflight import preflight_refusal
+from housefly.sites.loaded_site import LoadedSite
 
 
 class PilotQueryServer:

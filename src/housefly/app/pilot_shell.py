@@ -19,7 +19,6 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.machine_load import machine_load
 from housefly.app.obstacle_inbox import ObstacleInbox
@@ -70,6 +69,7 @@ from housefly.pilot.assembly import make_pilot
 from housefly.pilot.contracts import Maneuver
 from housefly.pilot.estimation.estimation_report import NOTHING_ESTIMATED, EstimationReport
 from housefly.room.grid import extent_of
+from housefly.sites.loaded_site import LoadedSite
 from housefly.tracking.contracts import Tracker
 
 if TYPE_CHECKING:

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.config.site import Site, site_from_tree
 from housefly.config.toml import read_toml
 from housefly.errors import RecordingError
 from housefly.pilot.assembly import make_pilot
 from housefly.record.replay import ReplayResult, verify
+from housefly.sites.loaded_site import LoadedSite
 
 _DEFAULTS_BEFORE_THE_KEY: Mapping[tuple[str, str], Any] = {
     ("map", "planner"): "grid",

@@ -15,8 +15,6 @@ from housefly.app.identification_flight import (
     box_reach,
     fly_identification_lockstep,
 )
-from housefly.app.loaded_site import LoadedSite, open_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.reproduction_store import ReproductionStore
 from housefly.config.site import Mode, Site, changed
 from housefly.errors import LinkError, RecordingError
@@ -30,6 +28,7 @@ from housefly.lab.reproduction.angular_step import fit_step
 from housefly.lab.reproduction.fig11_angles import ALPHA, StepFlight
 from housefly.lab.reproduction.flight import FlightTracks, flight_tracks
 from housefly.lab.reproduction.kept_steps import read_step_flight, write_step_flight
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
@@ -37,6 +36,7 @@ from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps
 from housefly.record.summary import Summary
 from housefly.record.truth import TRUTH_FILE, read_truth
+from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.twin.world import SimulatedWorld
 
 GOAL = "entrance"

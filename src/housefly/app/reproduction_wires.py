@@ -13,7 +13,6 @@ from PIL import Image
 
 from housefly.app.console_camera import ConsoleCamera, has_browser
 from housefly.app.headless import fly_over_wires
-from housefly.app.loaded_site import open_site
 from housefly.app.new_runtime import new_runtime
 from housefly.app.reproduction_flights import GOAL, LOOK_TIME, RecordedService, read_service
 from housefly.app.reproduction_moments import MomentShot, MomentShots
@@ -23,6 +22,7 @@ from housefly.errors import LinkError, RecordingError
 from housefly.lab.reproduction.fig17_service import RgbImage
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
+from housefly.sites.loaded_site import open_site
 from housefly.web.exposure import console_address
 
 NAME = "wires"

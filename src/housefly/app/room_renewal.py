@@ -15,7 +15,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from housefly.app.launcher import Launcher
-from housefly.app.loaded_site import open_site, with_newest_edits
 from housefly.app.stand_down import STAND_DOWN_TIME
 from housefly.bus.bus import Bus
 from housefly.bus.topics import STAND_DOWN_QUERY
@@ -23,6 +22,7 @@ from housefly.config.site import Site
 from housefly.config.state import edits_folder
 from housefly.errors import EditsError, HouseflyError, LinkError, StaleEdits
 from housefly.room.edit_versions import EditVersions
+from housefly.sites.loaded_site import open_site, with_newest_edits
 
 _LOG = logging.getLogger(__name__)
 

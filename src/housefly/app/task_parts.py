@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from housefly.app.live_task_room import LiveTaskRoom
-from housefly.app.loaded_site import LoadedSite
 from housefly.config.site import Site
 from housefly.config.state import clips_folder, tasks_folder
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError
 from housefly.hub.api.questions import Question
+from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.open_library import OpenLibrary

@@ -20,12 +20,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
-from housefly.app.live_obstacles import LiveObstacles
 from housefly.app.live_task_room import LiveTaskRoom
-from housefly.app.loaded_site import LoadedSite, open_site
-from housefly.app.rehearsal import Rehearser
-from housefly.app.rehearsal_ahead import tasks_ahead
-from housefly.app.room_now import room_now
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.task_outlet_bus import BusTaskOutlet
 from housefly.app.task_parts import task_service
@@ -54,12 +49,17 @@ from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
 from housefly.messages import PilotStep, RecordingNews, RoomNews, TaskNews, VideoFrame
 from housefly.pilot.behavior.preflight import preflight_refusal
+from housefly.rehearsal.rehearsal_ahead import tasks_ahead
+from housefly.rehearsal.rehearser import Rehearser
+from housefly.rehearsal.room_now import room_now
+from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.json import task_answer_to_json
 from housefly.tasks.client.tasks_client import tasks_socket
 from housefly.tasks.drone_state import TakeOffReadiness
 from housefly.tasks.evidence.camera_pose import camera_pose_of
 from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.live_obstacles import LiveObstacles
 from housefly.tasks.rules.dry_run import event_of
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.tasks.rules.trigger import EventTrigger, Trigger

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.hub.api.grid_view import grid_view
 from housefly.hub.api.pilot_queries import OutlineView, PlaceView, RoomView
 from housefly.room.model import Solid
 from housefly.room.outline import outline
 from housefly.room.tracked import untracked, untracked_grid
+from housefly.sites.loaded_site import LoadedSite
 
 
 def room_view(loaded: LoadedSite) -> RoomView:

@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 from housefly.app.commands import ask
-from housefly.app.loaded_site import open_site, read_site
 from housefly.cli import main
 from housefly.hub.api.answers import SensorAnswer, SensorsAnswer
 from housefly.hub.memory import RoomMemory
 from housefly.hub.store.open import open_site_store
 from housefly.messages import RoomEvent
+from housefly.sites.loaded_site import open_site, read_site
 
 
 @pytest.fixture(autouse=True)

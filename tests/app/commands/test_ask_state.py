@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from housefly.app.commands.ask_state import parse_window, split_state
-from housefly.app.loaded_site import open_site, read_site
 from housefly.cli import main
 from housefly.errors import ConfigError
 from housefly.hub.memory import RoomMemory
 from housefly.hub.store.open import open_site_store
 from housefly.messages import Observation
+from housefly.sites.loaded_site import open_site, read_site
 
 SITE = """
 name = "my flat"

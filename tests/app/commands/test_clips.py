@@ -13,9 +13,9 @@ from clip_rows import DAY, added, clip
 from filming import video
 from PIL import Image
 
-from housefly.app.loaded_site import read_site
 from housefly.cli import main
 from housefly.config.state import clips_folder, edits_folder
+from housefly.sites.loaded_site import read_site
 from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.clip_writer import ClipWriter
 

@@ -12,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.loaded_site import LoadedSite, load_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.public.gains import judge_gains
 from housefly.cli import main
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind
+from housefly.sites.loaded_site import LoadedSite, load_site
 
 
 @cache

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from housefly.app import launcher
-from housefly.app.loaded_site import read_site
 from housefly.cli import main
 from housefly.config.state import users_file
+from housefly.sites.loaded_site import read_site
 from housefly.web.exposure import checked_exposure
 
 

@@ -161,7 +161,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(SimulatedWorld, "__init__", began)
     monkeypatch.setattr(Launcher, "__enter__", began)
     for flies in (
-        "housefly.app.safety_case.faulty_flight.fly_trial",
+        "housefly.lab.safety_case.faulty_flight.fly_trial",
         "housefly.app.reproduction_run.measure",
         "housefly.lab.campaigns.runner.fly_chunks",
         "housefly.lab.tuning.plots.draw_judgement",  # flies nothing, and takes its time

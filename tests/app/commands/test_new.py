@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from new_site_run import CTRL_C, HOUSEFLY, flown, typed_site
 
-from housefly.app.loaded_site import load_site
 from housefly.cli import main
+from housefly.sites.loaded_site import load_site
 
 KEYS_IN_TEN_MINUTES = 600
 """One key a second; the typing of a newcomer who thinks in between."""

@@ -17,7 +17,6 @@ import pytest
 from frame_check_run import FrameCheckRun
 
 from housefly.app.frame_check.run import run_frame_check
-from housefly.app.loaded_site import load_site, read_site
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.topics import PREFLIGHT_QUERY
 from housefly.bus.zenoh_bus import ZenohBus
@@ -29,6 +28,7 @@ from housefly.hub.api.pilot_queries_json import to_json
 from housefly.hub.client.discovery import RoomAddress, announced
 from housefly.lab.frames.plan import STEPS, carry_plan
 from housefly.messages.preflight import FrameCheckState, PreflightCheck
+from housefly.sites.loaded_site import load_site, read_site
 from housefly.twin.hands import CarryOrder
 from housefly.twin.hands_link import send_carry
 

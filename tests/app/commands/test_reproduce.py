@@ -16,7 +16,6 @@ from PIL import Image
 from housefly.app import reproduction_run
 from housefly.app.commands import reproduce
 from housefly.app.console_camera import ConsoleCamera
-from housefly.app.loaded_site import open_site, read_site
 from housefly.app.reproduction_flights import demanded_accelerations, read_service
 from housefly.cli import main
 from housefly.lab.reproduction import counter_worlds
@@ -25,6 +24,7 @@ from housefly.lab.reproduction.fig12_loops import feedback_signals, forward_sign
 from housefly.messages import Action, Phase
 from housefly.pilot.control.laws import saturated_jointly, tilt
 from housefly.record.truth import read_truth
+from housefly.sites.loaded_site import open_site, read_site
 
 pytestmark = pytest.mark.timeout(900)
 FIGURES = (

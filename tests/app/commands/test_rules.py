@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from housefly.app.commands import rules
-from housefly.app.loaded_site import read_site
 from housefly.cli import main
 from housefly.hub.memory import RoomMemory
 from housefly.hub.store.open import open_site_store
 from housefly.messages import RoomEvent
+from housefly.sites.loaded_site import read_site
 from housefly.tasks.api.answers import RuleStatus
 
 Capture = pytest.CaptureFixture[str]

@@ -7,16 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.safety_case import campaign, flown_by
-from housefly.app.safety_case.campaign import RESULTS_FILE, WIRED_RESULTS_FILE
-from housefly.app.safety_case.fault_phase import FaultPhase
-from housefly.app.safety_case.faulty_flight import variant_of
-from housefly.app.safety_case.flown_by import FLOWN_BY_FILE
-from housefly.app.safety_case.page import PAGE_FILE
-from housefly.app.safety_case.trial import TrialKey, TrialResult
-from housefly.app.safety_case.wired_flight import WiredKey, WiredResult
 from housefly.cli import main
 from housefly.errors import ConfigError
+from housefly.lab.safety_case import campaign, flown_by
+from housefly.lab.safety_case.campaign import RESULTS_FILE, WIRED_RESULTS_FILE
+from housefly.lab.safety_case.fault_phase import FaultPhase
+from housefly.lab.safety_case.faulty_flight import variant_of
+from housefly.lab.safety_case.flown_by import FLOWN_BY_FILE
+from housefly.lab.safety_case.page import PAGE_FILE
+from housefly.lab.safety_case.trial import TrialKey, TrialResult
+from housefly.lab.safety_case.wired_flight import WiredKey, WiredResult
 
 
 @pytest.mark.parametrize("row", ["F13", "F19", "F30"])

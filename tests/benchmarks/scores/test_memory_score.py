@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.lively import lively_changes
-from housefly.app.loaded_site import load_site
+from housefly.sites.loaded_site import load_site
+from housefly.twin.lively import lively_changes
 from housefly.twin.people import Scene, load_scene
 from scores.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 

@@ -7,12 +7,12 @@ from functools import cache
 
 import pytest
 
-from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.gains import judge_gains
 from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.twin import COMMAND_DELAY
 from housefly.lab.tuning.advice import Judgement
 from housefly.lab.tuning.margins import delay_margin
+from housefly.sites.loaded_site import LoadedSite, load_site
 from scores.stability_flight import (
     Swing,
     hover_swing,

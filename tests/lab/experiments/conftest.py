@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, quaternion_from_euler
 from housefly.lab.experiments.cases import Cases, cases
@@ -36,6 +35,7 @@ from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.acceptor import STATES
 from housefly.pilot.navigator import RoomNavigator
 from housefly.pilot.safety.rules import MODE_SEVERITY
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 
 SETTLE = 0.3
 """The drone is found in the air and waits so long before it is ordered to go [s]."""

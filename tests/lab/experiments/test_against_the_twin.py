@@ -12,16 +12,16 @@ import numpy as np
 import pytest
 from quick_flights import QUICK
 
-from housefly.app.loaded_site import LoadedSite, open_site
-from housefly.app.lockstep import fly_lockstep
 from housefly.config.site import changed
 from housefly.geometry import Vec2, distance
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan
 from housefly.lab.experiments.planned_flight import planned_flight
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.pilot.navigator import RoomNavigator
+from housefly.sites.loaded_site import LoadedSite, open_site
 
 
 def flown_on_the_twin(premises: LoadedSite) -> tuple[tuple[Vec2, ...], float, float]:

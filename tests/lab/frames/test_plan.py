@@ -8,9 +8,9 @@ from math import dist, pi
 import numpy as np
 import pytest
 
-from housefly.app.loaded_site import load_site
 from housefly.lab.frames.plan import STEPS, CarryPlan, CarryStep, carry_plan
 from housefly.room.distance import clearance_field, footprints
+from housefly.sites.loaded_site import load_site
 
 
 def test_ways_lie_between_the_solids_and_the_walls() -> None:

@@ -21,9 +21,9 @@ from lying_tracking import (
 )
 
 import housefly
-from housefly.app.loaded_site import LoadedSite
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, Sighting, Telemetry
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
+from housefly.sites.loaded_site import LoadedSite
 
 CRUISING = 12.0
 """The drone is under way at full speed by then [s]."""

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from housefly.app.loaded_site import load_site
 from housefly.geometry import Vec2, distance
 from housefly.messages import Obstacle, ObstacleKind
 from housefly.pilot.behavior.braking import BESIDE_MAX
 from housefly.pilot.navigator import RoomNavigator
 from housefly.pilot.planning.people_map import SPOT_APART, UNMOVED_TIME, PeopleMap
 from housefly.room.grid import Cell
+from housefly.sites.loaded_site import load_site
 
 PLACE = (3.5, 2.5)
 

@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from drafts import completed
 
-from housefly.app.loaded_site import load_site
 from housefly.errors import ConfigError, RoomError
 from housefly.room.draft.files import SIMULATED_FILE, load_draft, save_draft, write_site
 from housefly.room.draft.model import (
@@ -20,6 +19,7 @@ from housefly.room.draft.model import (
     SiteDraft,
     with_size,
 )
+from housefly.sites.loaded_site import load_site
 
 
 def whole() -> SiteDraft:

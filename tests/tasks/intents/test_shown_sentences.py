@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from remembered_room import THINGS
 
-from housefly.app.loaded_site import load_site
 from housefly.hub.api.answers import ThingAnswer
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.intents.intent import LANGUAGES, Intent, Language
 from housefly.tasks.intents.names import Names, names_of
 from housefly.tasks.intents.phrases import phrases

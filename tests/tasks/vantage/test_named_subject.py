@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from housefly.app.loaded_site import load_site
 from housefly.errors import LinkError, TaskError, ThingError
 from housefly.geometry import Vec3, distance
 from housefly.hub.api.answers import WhereAnswer
 from housefly.hub.api.questions import Question, WhereQuestion
 from housefly.messages import Obstacle
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.vantage.named_subject import round_names, viewpoint_of
 from housefly.tasks.vantage.subject import SubjectKind, person_subject

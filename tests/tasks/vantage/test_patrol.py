@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from housefly.app.loaded_site import load_site
 from housefly.geometry import distance
 from housefly.room.coverage import seen_by
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.vantage.patrol import floor_share, patrol_viewpoints
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 

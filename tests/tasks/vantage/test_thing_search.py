@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import load_site
 from housefly.errors import LinkError, TaskError, ThingError
 from housefly.geometry import heading_to
 from housefly.hub.api.answers import AlternativePlace, WhereAnswer
 from housefly.hub.api.questions import Question
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.vantage.camera_views import shown_from
 from housefly.tasks.vantage.named_search import search_for

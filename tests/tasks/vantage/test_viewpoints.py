@@ -12,7 +12,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance, heading_to
 from housefly.messages import Obstacle, ObstacleKind
@@ -22,6 +21,7 @@ from housefly.room.coverage import seen_by
 from housefly.room.distance import half_diagonal
 from housefly.room.sight import hiding_rows, in_sight
 from housefly.room.tracked import solids_of
+from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.subject import (
     Subject,

@@ -6,13 +6,13 @@ import asyncio
 
 import pytest
 
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
-from housefly.app.lockstep_perception import LockstepPerception
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import DEPTH_TOPIC
 from housefly.config.site import changed
+from housefly.lockstep.lockstep_perception import LockstepPerception
 from housefly.messages import DepthImage, Scan
 from housefly.sensors.laser import LaserClient
+from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
 from housefly.twin.movable import Movable

@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.app.commands.shared import load
-from housefly.app.loaded_site import read_site
 from housefly.cli import build_parser
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
+from housefly.sites.loaded_site import read_site
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.fault_types import FAULT_TYPES
 from housefly.twin.faults.injector import FaultInjector

@@ -7,11 +7,11 @@ from math import hypot, pi
 import numpy as np
 import pytest
 
-from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import changed
 from housefly.messages import Obstacle
 from housefly.perception.depth import points_of
 from housefly.perception.depth_tracker import DepthTracker, depth_view
+from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.movable import Movable
 from housefly.twin.sensors.depth_camera import DEPTH_HEIGHT, DEPTH_WIDTH
 from housefly.twin.world import SimulatedWorld

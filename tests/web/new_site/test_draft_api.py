@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from housefly.app.loaded_site import load_site
 from housefly.room.draft.files import load_draft
+from housefly.sites.loaded_site import load_site
 from housefly.web.new_site.draft_actions import ACTIONS
 from housefly.web.new_site.draft_api import DRAFT_SIZE_MAX
 

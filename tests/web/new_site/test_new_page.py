@@ -10,10 +10,10 @@ import pytest_asyncio
 from playwright.async_api import Browser, FilePayload, Page, ViewportSize, expect
 
 from housefly.app.doctor import check_machine
-from housefly.app.loaded_site import load_site
 from housefly.app.new_site.answers import BODY_HEIGHT
 from housefly.room.draft.files import load_draft
 from housefly.room.draft.model import SiteDraft
+from housefly.sites.loaded_site import load_site
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

@@ -58,8 +58,8 @@ def found_room(options: Namespace) -> RoomAddress:
 def asked_site(options: Namespace) -> Site:
     """Return the site that the options name, with what the demo adds to the shipped one."""
     from housefly.app.instance import site_of_instance
-    from housefly.app.lively import remembered_site
-    from housefly.app.loaded_site import read_site
+    from housefly.sites.loaded_site import read_site
+    from housefly.twin.lively import remembered_site
 
     site = remembered_site(read_site(options.site or DEFAULT_SITE))
     return site_of_instance(site, options.instance or 1)
@@ -83,8 +83,8 @@ def asked_room(options: Namespace) -> Iterator[AnsweringRoom]:
 @contextmanager
 def remembered_room(options: Namespace) -> Iterator[AnsweringRoom]:
     """Yield the memory of a site, and say that no room runs."""
-    from housefly.app.loaded_site import site_file
     from housefly.hub.offline import OfflineRoom
+    from housefly.sites.loaded_site import site_file
 
     site = asked_site(options)
     note_console.print(

@@ -164,7 +164,7 @@ def _estimate(plan: Plan, threads: int | None) -> int:
 
 
 def _site(spec: CampaignSpec, base: Path) -> Site:
-    from housefly.app.loaded_site import read_site
+    from housefly.sites.loaded_site import read_site
 
     beside = base / spec.site
     return read_site(str(beside) if beside.exists() else spec.site)

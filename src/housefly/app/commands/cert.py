@@ -27,8 +27,8 @@ def _add_arguments(parser: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     from housefly.app.certificates import fingerprint, make_certificate
-    from housefly.app.loaded_site import read_site
     from housefly.config.state import tls_folder
+    from housefly.sites.loaded_site import read_site
     from housefly.web.own_names import own_names
 
     site = read_site(options.site)

@@ -82,10 +82,10 @@ def _add_export_arguments(parser: ArgumentParser) -> None:
 
 def _export(options: Namespace) -> int:
     """Copy clips out of the house, each with a picture and all that is known of it."""
-    from housefly.app.clip_picture import clip_picture
     from housefly.config.state import edits_folder
     from housefly.errors import RecordingError
     from housefly.tasks.evidence.clip_export import write_folder
+    from housefly.tasks.evidence.clip_picture import clip_picture
     from housefly.web.audit_log import AuditLog
 
     site, who = _site(options), f"{getpass.getuser()} at the terminal"
@@ -129,7 +129,7 @@ def _tidy(options: Namespace) -> int:
 
 
 def _site(options: Namespace) -> Site:
-    from housefly.app.loaded_site import read_site
+    from housefly.sites.loaded_site import read_site
 
     return read_site(options.site)
 

@@ -11,7 +11,7 @@ from housefly.app.terminal import new_table, plain_console
 
 def _run(options: Namespace) -> int:
     from housefly.app.doctor import check_machine
-    from housefly.app.loaded_site import read_site
+    from housefly.sites.loaded_site import read_site
 
     table = new_table(("", "check", "found", "what mends it"), overflow="fold")
     checks = check_machine(read_site(options.site))

@@ -53,10 +53,10 @@ def _add_arguments(parser: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Write the table; 0 when it has a row."""
     from housefly.app.event_table import EVENT_HEADINGS, WAY_HEADINGS, write_table
-    from housefly.app.loaded_site import site_file
     from housefly.hub.store.open import open_site_store
     from housefly.hub.things_of_room import catalogue_of
     from housefly.room.edits import room_of
+    from housefly.sites.loaded_site import site_file
 
     now = time.time()
     since = parse_time(options.since, now, "--since")

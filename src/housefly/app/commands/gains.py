@@ -142,10 +142,10 @@ def _finish(judgement: Judgement, question: GainQuestion, out: str | None) -> in
 
 def _question(options: Namespace) -> tuple[Site, GainQuestion, float]:
     """Return the site that was named, what is asked, and the static gain c / lambda."""
-    from housefly.app.loaded_site import read_site
     from housefly.config.profile import load_profile
     from housefly.config.site import changed
     from housefly.lab.tuning.question import DEFAULT_STEP, question_of
+    from housefly.sites.loaded_site import read_site
 
     given = _given(options)
     site = read_site(options.site, **({"mode": options.mode} if options.mode else {}))

@@ -14,9 +14,9 @@ from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
-    from housefly.app.loaded_site import LoadedSite
     from housefly.lab.identification.samples import Flown
     from housefly.messages import PilotStep
+    from housefly.sites.loaded_site import LoadedSite
 
 _DESCRIPTION = """\
 Fly small steps in tilt, climb and turn inside a box of free air, and fit what the drone makes \
@@ -76,8 +76,8 @@ def _run(options: Namespace) -> int:
     """Fly and fit, or fit only; 0 when a profile was written."""
     console.print("loading the site, its map and the pilot")
     from housefly.app.identification_blocks import read_blocks
-    from housefly.app.loaded_site import open_site, read_site, with_newest_edits
     from housefly.record.replay import read_steps
+    from housefly.sites.loaded_site import open_site, read_site, with_newest_edits
 
     if options.recorded is not None:
         folder = Path(options.recorded)

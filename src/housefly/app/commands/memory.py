@@ -108,10 +108,10 @@ def _forget(options: Namespace) -> int:
 
 def _meant(options: Namespace, site: Site) -> Thing:
     """Return the thing of the catalogue that is meant; raises ThingError."""
-    from housefly.app.loaded_site import site_file
     from housefly.hub.things.world_model import WorldModel
     from housefly.hub.things_of_room import catalogue_of
     from housefly.room.edits import room_of
+    from housefly.sites.loaded_site import site_file
 
     folder = site_file(options.site or DEFAULT_SITE).parent
     return WorldModel(catalogue_of(site, room_of(site, folder), folder)).thing(options.person)
@@ -147,8 +147,8 @@ def _forget_tasks(site: Site, names: tuple[str, ...]) -> tuple[int, int]:
 
 
 def _store(name: str) -> SqlStore:
-    from housefly.app.loaded_site import read_site
     from housefly.hub.store.open import open_site_store
+    from housefly.sites.loaded_site import read_site
 
     return open_site_store(read_site(name))
 

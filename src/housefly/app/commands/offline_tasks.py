@@ -23,7 +23,7 @@ def answer_offline(options: Namespace, sentence: Sentence) -> SentenceAnswer:
 
     Raises TaskError for a wish: nothing can fly.
     """
-    from housefly.app.loaded_site import open_site
+    from housefly.sites.loaded_site import open_site
     from housefly.tasks.api.json import task_question_from_json, task_question_to_json
     from housefly.tasks.asked_room import AskedRoom
     from housefly.tasks.room_names import names_of_room

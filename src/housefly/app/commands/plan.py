@@ -13,7 +13,7 @@ from housefly.errors import ConfigError
 from housefly.geometry import Vec2
 
 if TYPE_CHECKING:
-    from housefly.app.loaded_site import LoadedSite
+    from housefly.sites.loaded_site import LoadedSite
 
 
 def _add_arguments(parser: ArgumentParser) -> None:

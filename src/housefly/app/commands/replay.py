@@ -21,8 +21,8 @@ def _add_arguments(parser: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
-    from housefly.app.loaded_site import open_site, read_site
     from housefly.app.replaying import recorded_site, verify_recording
+    from housefly.sites.loaded_site import open_site, read_site
 
     recording = Path(options.recording)
     recording = recording / "flight.mcap" if recording.is_dir() else recording

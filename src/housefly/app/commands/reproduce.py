@@ -71,9 +71,9 @@ def _run(options: Namespace) -> int:
     out = Path(options.out)
     console.print(f"reproducing the paper into {out} ...", markup=False, soft_wrap=True)
     began = time.monotonic()
-    from housefly.app.loaded_site import open_site, read_site
     from housefly.app.ports import refuse_taken_ports
     from housefly.app.reproduction_store import ReproductionStore
+    from housefly.sites.loaded_site import open_site, read_site
 
     # The paper flies in a plane: both modes fly the same corners, so that only control differs.
     site = read_site(options.site, twin__seed=options.seed, map__planner="grid")

@@ -119,7 +119,7 @@ def _running_rules(options: Namespace) -> tuple[RuleStatus, ...] | None:
 
 
 def _rules_of_site(name: str) -> tuple[Rule, ...]:
-    from housefly.app.loaded_site import read_site, site_file
+    from housefly.sites.loaded_site import read_site, site_file
     from housefly.tasks.rules.rule_file import rules_of
 
     site = read_site(name)

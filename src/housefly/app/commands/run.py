@@ -58,8 +58,8 @@ def _demo(options: Namespace) -> int:
 
 def _free_instance(options: Namespace) -> int:
     from housefly.app.instance import free_instance
-    from housefly.app.lively import lively_site
-    from housefly.app.loaded_site import read_site
+    from housefly.sites.loaded_site import read_site
+    from housefly.twin.lively import lively_site
 
     site = (
         lively_site(read_site(options.site), has_broker=False)[0]

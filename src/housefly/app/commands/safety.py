@@ -16,9 +16,9 @@ from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
-    from housefly.app.safety_case.plan import SafetyPlan
-    from housefly.app.safety_case.trial import TrialResult
-    from housefly.app.safety_case.wired_flight import WiredResult
+    from housefly.lab.safety_case.plan import SafetyPlan
+    from housefly.lab.safety_case.trial import TrialResult
+    from housefly.lab.safety_case.wired_flight import WiredResult
 
 _DESCRIPTION = """\
 Fly every fault of the matrix (docs/faults.md) in every phase of a service, in the simulated room, \
@@ -85,8 +85,8 @@ def _run(options: Namespace) -> int:
     """Fly; 0 when no flight was unsafe, and each harmful row did harm without guards."""
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.disk_space import why_unwritable
-    from housefly.app.safety_case.plan import flown_rows
-    from housefly.app.safety_case.wired_flight import wired_rows
+    from housefly.lab.safety_case.plan import flown_rows
+    from housefly.lab.safety_case.wired_flight import wired_rows
 
     known = sorted({row.number for row in (*flown_rows(), *wired_rows())})
     for row in options.rows:
@@ -123,15 +123,15 @@ def _run(options: Namespace) -> int:
 
 def _claim(options: Namespace) -> None:
     """Refuse to go on with the flights of another source."""
-    from housefly.app.safety_case.campaign import flown_results, wired_results
-    from housefly.app.safety_case.flown_by import claim_folder
+    from housefly.lab.safety_case.campaign import flown_results, wired_results
+    from housefly.lab.safety_case.flown_by import claim_folder
 
     out = Path(options.out)
     claim_folder(out, has_flights=bool(flown_results(out) or wired_results(out)))
 
 
 def _plan(options: Namespace) -> SafetyPlan:
-    from housefly.app.safety_case.plan import SafetyPlan
+    from housefly.lab.safety_case.plan import SafetyPlan
 
     rows = tuple(options.rows)
     if not options.seeds:
@@ -142,17 +142,17 @@ def _plan(options: Namespace) -> SafetyPlan:
 
 
 def _fly_all(options: Namespace) -> int:
-    from housefly.app.safety_case.campaign import (
+    from housefly.app.safety_progress import SafetyProgress
+    from housefly.lab.safety_case.campaign import (
         flown_results,
         fly_plan,
         fly_wired_plan,
         wired_results,
     )
-    from housefly.app.safety_case.outcome_bounds import missed_bounds
-    from housefly.app.safety_case.page import write_safety_case
-    from housefly.app.safety_case.statistics import harmless_controls
-    from housefly.app.safety_case.wired_flight import wired_keys
-    from housefly.app.safety_progress import SafetyProgress
+    from housefly.lab.safety_case.outcome_bounds import missed_bounds
+    from housefly.lab.safety_case.page import write_safety_case
+    from housefly.lab.safety_case.statistics import harmless_controls
+    from housefly.lab.safety_case.wired_flight import wired_keys
     from housefly.twin.faults.catalogue import FAULT_CATALOGUE
 
     out, keys, began = Path(options.out), _plan(options).keys(), time.monotonic()
@@ -204,7 +204,7 @@ def _unsafe_words(result: TrialResult | WiredResult) -> str:
 
 def _row_again(text: str) -> str:
     """Return the row of ``--again`` as flights name it; raises ConfigError naming those known."""
-    from housefly.app.safety_case.plan import flown_rows
+    from housefly.lab.safety_case.plan import flown_rows
 
     if text == "calm":
         return ""
@@ -223,8 +223,8 @@ def _row_again(text: str) -> str:
 
 
 def _fly_again(row: str, options: Namespace) -> int:
-    from housefly.app.safety_case.faulty_flight import fly_trial
-    from housefly.app.safety_case.trial import PersonOrder, TrialKey
+    from housefly.lab.safety_case.faulty_flight import fly_trial
+    from housefly.lab.safety_case.trial import PersonOrder, TrialKey
 
     order = PersonOrder(options.order)
     result = fly_trial(TrialKey(row, options.seed, not options.unguarded, order))
@@ -241,7 +241,7 @@ def _made(
 ) -> dict[str, str]:
     from importlib import metadata
 
-    from housefly.app.safety_case.flown_by import flown_by_words
+    from housefly.lab.safety_case.flown_by import flown_by_words
 
     rows = f" --rows {' '.join(options.rows)}" if options.rows else ""
     seeds = options.seeds or _of_each(r.key.row for r in results if r.key.guarded)

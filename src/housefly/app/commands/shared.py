@@ -5,14 +5,14 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from housefly.app.lively import lively_site
 from housefly.app.mosquitto import find_mosquitto
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
+from housefly.twin.lively import lively_site
 
 if TYPE_CHECKING:
-    from housefly.app.loaded_site import LoadedSite
     from housefly.config.site import Site
+    from housefly.sites.loaded_site import LoadedSite
 
 
 def add_site_arguments(parser: ArgumentParser) -> None:
@@ -90,8 +90,8 @@ def given(changes: dict[str, Any]) -> dict[str, Any]:
 
 def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
     """Load the site that the options name, optionally with the newest edits of the ROOM screen."""
-    from housefly.app.loaded_site import open_site, read_site, with_newest_edits
     from housefly.config.site import changed
+    from housefly.sites.loaded_site import open_site, read_site, with_newest_edits
 
     changes: dict[str, Any] = {
         "mode": options.mode,

@@ -64,8 +64,8 @@ def _list(options: Namespace) -> int:
 
 
 def _book(site_name: str) -> UserBook:
-    from housefly.app.loaded_site import read_site
     from housefly.config.state import users_file
+    from housefly.sites.loaded_site import read_site
     from housefly.web.users import UserBook
 
     return UserBook(users_file(read_site(site_name)))

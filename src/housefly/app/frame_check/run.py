@@ -12,12 +12,10 @@ from housefly.app.frame_check.carrying_hands import CarryingHands
 from housefly.app.frame_check.person import PersonAtTerminal
 from housefly.app.frame_check.session import FrameCheckSession
 from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.new_runtime import new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.run_folder import temporary_run_folder
 from housefly.app.terminal import console
-from housefly.app.trackers import tracker_of
 from housefly.clock import RealClock
 from housefly.config.frame_check import FrameCheckRecord, tracking_digest, write_frame_check
 from housefly.config.site import Site, changed
@@ -27,6 +25,8 @@ from housefly.hub.client.discovery import running
 from housefly.lab.frames.findings import FrameVerdict
 from housefly.lab.frames.guide import CarryGuide
 from housefly.lab.frames.plan import CarryPlan, carry_plan
+from housefly.sites.loaded_site import LoadedSite
+from housefly.tracking.trackers import tracker_of
 
 _GREETING = """\
 You carry the drone through five places and back; tracking is compared with what you did. Nothing \

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 
-from housefly.app.trackers import tracker_of
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
@@ -12,6 +11,7 @@ from housefly.errors import HouseflyError
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.room.draft.site_of_draft import tracking_config
 from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_from
+from housefly.tracking.trackers import tracker_of
 
 _REPORTS_TIME = 1.5
 """Time for the rate of the drone's reports to be counted [s]."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from housefly.app.loaded_site import read_site
 from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import plan_campaign
 from housefly.lab.campaigns.runner import LocalFleet, fly_chunks
 from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec, load_spec
 from housefly.lab.campaigns.summary import GridPoint, summarize_campaign, value_text, write_summary
+from housefly.sites.loaded_site import read_site
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,18 +10,18 @@ from pydantic import TypeAdapter, ValidationError
 
 from housefly.app.compiling import CompiledPart, compile_once
 from housefly.app.headless import fly_over_wires
-from housefly.app.loaded_site import LoadedSite, open_site, with_newest_edits
-from housefly.app.lockstep import fly_lockstep
 from housefly.app.new_runtime import new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.app.replaying import recorded_site, verify_recording
 from housefly.errors import ConfigError, RecordingError
 from housefly.geometry import Vec2
+from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import ReplayResult, read_steps
 from housefly.record.summary import Summary
+from housefly.sites.loaded_site import LoadedSite, open_site, with_newest_edits
 from housefly.twin.installed import require_simulator
 
 _MAX_LOOK = 120.0

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.lab.tuning.advice import Advice, Judgement, advise, judge
 from housefly.lab.tuning.question import DEFAULT_STEP, question_of
+from housefly.sites.loaded_site import LoadedSite
 
 
 def choose_gains(loaded: LoadedSite, *, step: float = DEFAULT_STEP) -> Advice | None:

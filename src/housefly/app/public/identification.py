@@ -8,7 +8,6 @@ from housefly.app.identification_flight import (
     box_reach,
     fly_identification_lockstep,
 )
-from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.config.site import changed
 from housefly.errors import ConfigError, LinkError
 from housefly.lab.identification.box import find_box
@@ -18,6 +17,7 @@ from housefly.lab.identification.result import Identified, Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.lab.identification.truth import simulated_truth
 from housefly.messages import PilotStep
+from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.twin.world import SimulatedWorld
 
 _MIN_REPEATS, _MAX_REPEATS = 4, 40

@@ -8,7 +8,6 @@ from pathlib import Path
 
 from housefly.app.compiling import CompiledPart, compile_once
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import LoadedSite, with_newest_edits
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.public.temporary_folder import TemporaryFolder
@@ -19,6 +18,7 @@ from housefly.config.site import Site
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import reserved_store
+from housefly.sites.loaded_site import LoadedSite, with_newest_edits
 from housefly.twin.installed import require_simulator
 
 _START_TIMEOUT = 60.0

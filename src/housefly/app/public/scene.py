@@ -7,7 +7,6 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.hub.api.answers import Answer
 from housefly.hub.api.questions import Question
@@ -19,6 +18,7 @@ from housefly.hub.situation_service import SituationService
 from housefly.hub.store.open import open_store
 from housefly.hub.things.thing import Thing
 from housefly.hub.things_of_room import catalogue_of, surfaces_of, things_of_scene
+from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.wires.devices import Delivered, Placement, decode_reading

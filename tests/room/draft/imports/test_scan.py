@@ -14,7 +14,6 @@ from depth_scan import scan_points, write_ply
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.app.loaded_site import LoadedSite
 from housefly.errors import RoomError
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
@@ -29,6 +28,7 @@ from housefly.room.draft.model import DraftBox, SiteDraft, with_size
 from housefly.room.draft.shapes import room_of_draft
 from housefly.room.draft.site_of_draft import site_of_draft
 from housefly.room.grid import Cell, OccupancyGrid, build_grid
+from housefly.sites.loaded_site import LoadedSite
 
 trimesh = pytest.importorskip("trimesh")
 

@@ -1,0 +1,1 @@
+"""Flights in lock step: pilot and simulated room, tick by tick, faster than real time."""

@@ -1,0 +1,1 @@
+"""Rehearsals: a task is flown in simulation before a person says yes."""
