@@ -16,7 +16,7 @@ import numpy as np
 
 from _ablation import ablations
 from _run import table
-from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
 from housefly.twin.ardrone.body import DRONE_MASS

@@ -23,8 +23,8 @@ import numpy as np
 from _pieces import lines_kept, pieces_done
 from _run import table
 from housefly.config.site import changed
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.oracle import Oracle
-from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Severity
 from housefly.sites.loaded_site import LoadedSite, load_site
 

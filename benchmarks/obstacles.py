@@ -11,7 +11,7 @@ import numpy as np
 from _run import percentile, table
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION

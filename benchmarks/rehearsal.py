@@ -17,11 +17,11 @@ from _run import percentile, table
 from housefly.app import rehearsed_flight
 from housefly.errors import LinkError
 from housefly.hub.api.questions import Question
+from housefly.lab.rehearsal.process import NICENESS
+from housefly.lab.rehearsal.rehearsed_flight import RehearsedSite
+from housefly.lab.rehearsal.rehearser import Rehearser
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.messages import Obstacle
-from housefly.rehearsal.process import NICENESS
-from housefly.rehearsal.rehearsed_flight import RehearsedSite
-from housefly.rehearsal.rehearser import Rehearser
-from housefly.rehearsal.room_now import RoomNow
 from housefly.sites.loaded_site import load_site
 from housefly.tasks.api.values import ParameterValue, RehearsalReport
 from housefly.tasks.document.library import bind, load_library

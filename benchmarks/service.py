@@ -10,7 +10,7 @@ from statistics import mean
 from tempfile import TemporaryDirectory
 
 from _run import table
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.series import collect
 from housefly.record.summary import Summary, summarize_flight

@@ -41,8 +41,8 @@ fault = "F13@20s"
 fault = "mocap.yaw:wrong=0.52"   # the body is defined 30 degrees off
 ```
 
-In a program, `Simulation.inject("mocap:off@20s+1s")` (`lockstep/simulation.py::Simulation`). What
-a fault does to a stream stands in `twin/faults/`; what it does to the drone's body in
+In a program, `Simulation.inject("mocap:off@20s+1s")` (`lab/lockstep/simulation.py::Simulation`).
+What a fault does to a stream stands in `twin/faults/`; what it does to the drone's body in
 `twin/disturbance.py::Disturbances`.
 
 ## Scored on the truth

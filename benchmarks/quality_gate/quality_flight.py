@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import floor
 
 from housefly.geometry import yaw_of
-from housefly.lockstep.simulation import Simulation
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase, PilotStep, Severity
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite

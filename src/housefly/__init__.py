@@ -76,8 +76,8 @@ if TYPE_CHECKING:
     )
     from housefly.hub.client.room_client import RoomClient
     from housefly.lab.identification.result import Identified
+    from housefly.lab.lockstep.simulation import Simulation
     from housefly.lab.tuning.advice import Advice, Judgement
-    from housefly.lockstep.simulation import Simulation
     from housefly.messages import (
         LEVEL,
         Action,
@@ -173,7 +173,7 @@ _MODULES = {
     "app.public.identification": "identify",
     "app.public.launch": "launch",
     "app.public.scene": "PlayedScene play_scene",
-    "lockstep.simulation": "Simulation",
+    "lab.lockstep.simulation": "Simulation",
     "bus.bus": "Bus",
     "bus.topics": (
         "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"

@@ -21,9 +21,6 @@ from remembered_room import a_day_with_grandma
 from task_stage import TaskStage
 
 import housefly
-from housefly.assistants.assistant_reply import MARKED
-from housefly.assistants.assistant_room import FoundRoom
-from housefly.assistants.mcp_server import room_server
 from housefly.bus.topics import TASKS_QUERY
 from housefly.cli import main
 from housefly.config.devices import MqttConfig
@@ -34,6 +31,9 @@ from housefly.hub.query_server import QueryServer
 from housefly.tasks.api.questions import CancelTask, RequestTask, Sentence
 from housefly.tasks.api.values import RequestSurface
 from housefly.tasks.api.values import TaskStage as Stage
+from housefly.tasks.assistants.assistant_reply import MARKED
+from housefly.tasks.assistants.assistant_room import FoundRoom
+from housefly.tasks.assistants.mcp_server import room_server
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.web.console_port import listening
 from housefly.web.process import make_server

@@ -12,8 +12,8 @@ from housefly.app.flight import fly_service
 from housefly.app.people_note import UNSEEN_PEOPLE
 from housefly.cli import main
 from housefly.errors import ConfigError
-from housefly.lockstep.service import fly_lockstep
-from housefly.lockstep.simulation import Simulation
+from housefly.lab.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind
 from housefly.record.truth import read_truth
 from housefly.sites.loaded_site import load_site

@@ -10,7 +10,7 @@ from quick_flights import QUICK
 
 from housefly.config.site import changed
 from housefly.geometry import Vec2
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Event, Order, OrderKind, PilotStep
 from housefly.pilot.assembly import make_pilot
 from housefly.room.distance import half_diagonal

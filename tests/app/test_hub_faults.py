@@ -30,7 +30,7 @@ from housefly.geometry import Vec3, distance
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import Question, SensorsQuestion, TrajectoryQuestion, WhereQuestion
 from housefly.hub.store.run_length import STILL_DISTANCE
-from housefly.lockstep.service_monitor import ServiceMonitor
+from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.room.files import load_room
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from housefly.lockstep.simulation import Simulation
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase
 from housefly.sites.loaded_site import load_site
 

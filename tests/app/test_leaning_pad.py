@@ -7,7 +7,7 @@ from math import cos, degrees, hypot, radians, sin
 
 import pytest
 
-from housefly.lockstep.simulation import Simulation
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase
 from housefly.pilot.behavior import preflight
 from housefly.pilot.behavior.preflight import TILT_ON_PAD_MAX

@@ -22,14 +22,14 @@ from PIL import Image
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.assistants.assistant_reply import MARKED
-from housefly.assistants.assistant_room import FoundRoom
-from housefly.assistants.mcp_server import room_server
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced
 from housefly.record.truth import TrueFlight, read_truth
 from housefly.tasks.api.values import ENDED, TaskStage
+from housefly.tasks.assistants.assistant_reply import MARKED
+from housefly.tasks.assistants.assistant_room import FoundRoom
+from housefly.tasks.assistants.mcp_server import room_server
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.interop, pytest.mark.timeout(400)]
 

@@ -14,7 +14,7 @@ from quick_flights import QUICK
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3
-from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.messages import Event, Order, OrderKind, Phase, PilotStep
 from housefly.pilot.navigator import RoomNavigator
 from housefly.sites.loaded_site import open_site, read_site

@@ -12,7 +12,7 @@ from quick_flights import QUICK
 
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Event, Order, OrderKind, PilotStep
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.room.distance import half_diagonal

@@ -13,7 +13,7 @@ from quick_flights import QUICK
 from housefly.app.people_sight import PeopleSight
 from housefly.clock import SteppedClock
 from housefly.config.site import Site, changed
-from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.messages import Order, OrderKind, Phase, PilotStep, SafetyMode, SightNews
 from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, longest_silence
 from housefly.sites.loaded_site import open_site, read_site

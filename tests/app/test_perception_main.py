@@ -24,7 +24,7 @@ from housefly.errors import ConfigError
 from housefly.hub.api.answers import SensorAnswer, SensorsAnswer
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import SensorsQuestion
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep, SightNews
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps

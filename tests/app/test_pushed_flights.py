@@ -9,7 +9,7 @@ from math import dist
 
 import pytest
 
-from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
 from housefly.twin.ardrone.body import DRONE_MASS

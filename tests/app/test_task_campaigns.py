@@ -7,7 +7,7 @@ import random
 import pytest
 from task_flights import flown
 
-from housefly.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.execution.values import StartClip, StopClip
 from scores.visitor_score import score_visitor

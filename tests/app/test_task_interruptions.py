@@ -11,8 +11,8 @@ import pytest
 from task_flights import premises, scene_of
 
 from housefly.geometry import distance
-from housefly.lockstep.task_flight import TaskFlight, TaskScript
-from housefly.lockstep.task_lockstep import fly_task_lockstep
+from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lab.lockstep.task_lockstep import fly_task_lockstep
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from housefly.geometry import distance
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.truth import TrueFlight, read_truth
 from housefly.sites.loaded_site import load_site

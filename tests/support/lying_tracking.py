@@ -9,7 +9,7 @@ from math import hypot, inf, pi
 from branched import branched
 
 from housefly.geometry import Vec2, quaternion_from_euler
-from housefly.lockstep.simulation import Simulation
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import (
     DroneStatus,
     Order,

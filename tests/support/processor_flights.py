@@ -13,7 +13,7 @@ from housefly.config.site import Site
 from housefly.lab.campaigns.plan import plan_campaign
 from housefly.lab.campaigns.spec import spec_from_tree
 from housefly.lab.experiments.engine import fly_many
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind
 from housefly.pilot.assembly import make_pilot
 from housefly.record.replay import read_steps

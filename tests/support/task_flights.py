@@ -10,8 +10,8 @@ from typing import Any
 
 from quick_flights import QUICK
 
-from housefly.lockstep.task_flight import NO_SCRIPT, TaskFlight, TaskScript
-from housefly.lockstep.task_lockstep import UNIX_BEGIN, fly_task_lockstep
+from housefly.lab.lockstep.task_flight import NO_SCRIPT, TaskFlight, TaskScript
+from housefly.lab.lockstep.task_lockstep import UNIX_BEGIN, fly_task_lockstep
 from housefly.messages import PilotStep
 from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.tasks.api.values import ParameterValue

@@ -20,7 +20,7 @@ from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, ROOM_EVENT_TOPIC
 from housefly.clock import SteppedClock
 from housefly.hub.api.told_events import told_event_of
 from housefly.hub.hub import Hub
-from housefly.lockstep.lockstep_loop import LockstepLoop
+from housefly.lab.lockstep.lockstep_loop import LockstepLoop
 from housefly.messages import (
     Action,
     Command,

@@ -12,7 +12,7 @@ from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.terminal import console
 from housefly.config.site import changed
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary

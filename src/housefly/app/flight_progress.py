@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
 
 from housefly.app.terminal import ProgressDisplay, console
-from housefly.lockstep.service_monitor import STAGES
+from housefly.lab.lockstep.service_monitor import STAGES
 from housefly.messages import Phase, PilotStep
 
 _REFRESH_PERIOD = 0.1

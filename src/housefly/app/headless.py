@@ -24,7 +24,7 @@ from housefly.clock import RealClock
 from housefly.errors import LinkError
 from housefly.geometry import Vec2
 from housefly.hub.store.lock import reserved_store
-from housefly.lockstep.service_monitor import ServiceMonitor
+from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 

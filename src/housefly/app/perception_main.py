@@ -19,7 +19,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
-from housefly.lockstep.lockstep_perception import own_footprint
+from housefly.lab.lockstep.lockstep_perception import own_footprint
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.sight import Sight

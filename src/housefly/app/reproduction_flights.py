@@ -24,11 +24,11 @@ from housefly.lab.identification.pattern import Axis, blocks
 from housefly.lab.identification.plots import step_response
 from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.lab.reproduction.angular_step import fit_step
 from housefly.lab.reproduction.fig11_angles import ALPHA, StepFlight
 from housefly.lab.reproduction.flight import FlightTracks, flight_tracks
 from housefly.lab.reproduction.kept_steps import read_step_flight, write_step_flight
-from housefly.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot

@@ -47,11 +47,11 @@ from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
+from housefly.lab.rehearsal.rehearsal_ahead import tasks_ahead
+from housefly.lab.rehearsal.rehearser import Rehearser
+from housefly.lab.rehearsal.room_now import room_now
 from housefly.messages import PilotStep, RecordingNews, RoomNews, TaskNews, VideoFrame
 from housefly.pilot.behavior.preflight import preflight_refusal
-from housefly.rehearsal.rehearsal_ahead import tasks_ahead
-from housefly.rehearsal.rehearser import Rehearser
-from housefly.rehearsal.room_now import room_now
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.json import task_answer_to_json

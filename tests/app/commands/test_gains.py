@@ -14,7 +14,7 @@ import pytest
 
 from housefly.app.public.gains import judge_gains
 from housefly.cli import main
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind
 from housefly.sites.loaded_site import LoadedSite, load_site
 

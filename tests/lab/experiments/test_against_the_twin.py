@@ -18,7 +18,7 @@ from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan
 from housefly.lab.experiments.planned_flight import planned_flight
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.pilot.navigator import RoomNavigator
 from housefly.sites.loaded_site import LoadedSite, open_site

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.oracle import Oracle
-from housefly.lockstep.simulation import Simulation
 from housefly.messages import Order, OrderKind, Phase
 from housefly.sites.loaded_site import load_site
 

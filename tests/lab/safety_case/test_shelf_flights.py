@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from housefly.lockstep.simulation import Simulation
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import OrderKind
 from housefly.messages.flight import Order
 from housefly.pilot.assembly import make_pilot

@@ -9,7 +9,7 @@ import pytest
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import DEPTH_TOPIC
 from housefly.config.site import changed
-from housefly.lockstep.lockstep_perception import LockstepPerception
+from housefly.lab.lockstep.lockstep_perception import LockstepPerception
 from housefly.messages import DepthImage, Scan
 from housefly.sensors.laser import LaserClient
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site

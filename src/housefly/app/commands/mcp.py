@@ -33,12 +33,12 @@ def _add_arguments(parser: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Serve until the assistant leaves."""
     try:
-        from housefly.assistants.mcp_server import room_server, serve_http
+        from housefly.tasks.assistants.mcp_server import room_server, serve_http
     except ModuleNotFoundError as error:
         if (error.name or "").split(".")[0] not in ("mcp", "mcp_types"):
             raise
         raise MissingPartError("the MCP server", "pip install 'housefly[mcp]'") from error
-    from housefly.assistants.assistant_room import FoundRoom
+    from housefly.tasks.assistants.assistant_room import FoundRoom
 
     _find_announcements()
     server = room_server(FoundRoom(options.site), elicits=not options.console_only)

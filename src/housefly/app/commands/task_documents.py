@@ -80,8 +80,8 @@ def _rehearse(options: Namespace) -> int:
 
 def _rehearsed_offline(site: str, service: str, parameters: dict[str, str]) -> RehearsalReport:
     from housefly.app.compiling import CompiledPart, compile_once
-    from housefly.rehearsal.rehearsed_flight import RehearsedSite
-    from housefly.rehearsal.room_now import RoomNow
+    from housefly.lab.rehearsal.rehearsed_flight import RehearsedSite
+    from housefly.lab.rehearsal.room_now import RoomNow
     from housefly.sites.loaded_site import load_site
     from housefly.tasks.document.library import bind
     from housefly.tasks.document.open_library import OpenLibrary

@@ -16,7 +16,7 @@ from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.app.replaying import recorded_site, verify_recording
 from housefly.errors import ConfigError, RecordingError
 from housefly.geometry import Vec2
-from housefly.lockstep.service import fly_lockstep
+from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import ReplayResult, read_steps

@@ -9,10 +9,10 @@ from math import isfinite, nan
 import numpy as np
 
 from housefly.config.site import changed
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.fault_phase import IN_FLIGHT_FAULT_PHASES, FaultPhase, has_begun
 from housefly.lab.safety_case.oracle import Oracle
 from housefly.lab.safety_case.trial import PersonOrder, TrialKey, TrialResult
-from housefly.lockstep.simulation import Simulation
 from housefly.messages import Inputs, Order, OrderKind, PilotStep
 from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.twin.faults.catalogue import row_of

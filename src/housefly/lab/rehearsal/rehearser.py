@@ -19,15 +19,15 @@ from typing import Any
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.questions import Question
-from housefly.rehearsal.rehearsal_ahead import RENEW_TIME, RehearsedAhead, is_same_room
-from housefly.rehearsal.rehearsal_link import (
+from housefly.lab.rehearsal.rehearsal_ahead import RENEW_TIME, RehearsedAhead, is_same_room
+from housefly.lab.rehearsal.rehearsal_link import (
     MemoryQuestion,
     MemoryReply,
     RehearsalOrder,
     WorkerReady,
     memory_refusal,
 )
-from housefly.rehearsal.room_now import RoomNow
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import ReasonCode, RehearsalReport
 from housefly.tasks.document.task_document import BoundTask
@@ -40,7 +40,7 @@ _OWN_SHARE = 0.8
 """Of that time the worker itself may take this share: it says best why it stops."""
 _START_LIMIT = 180.0
 """A worker that is not ready after so long is started again [s]: it may have to compile."""
-_WORKER = "housefly.rehearsal.process"
+_WORKER = "housefly.lab.rehearsal.process"
 _END_TIME = 2.0
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from housefly.geometry import distance
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.messages import Obstacle, ObstacleKind
 from housefly.pilot.planning.furniture import FURNITURE_SOURCE
-from housefly.rehearsal.room_now import RoomNow
 from housefly.room.tracked import body_pose_of
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.execution.task_room import SeenPerson

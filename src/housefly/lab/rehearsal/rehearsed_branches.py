@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
-from housefly.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState
 from housefly.tasks.document.step_forms import CONDITION_FORMS
 from housefly.tasks.document.steps import (

@@ -23,11 +23,11 @@ from PIL import Image
 
 from housefly.app import flight_approval
 from housefly.app.commands.mcp import MCP_KEY
-from housefly.assistants.assistant_reply import MARKED
-from housefly.assistants.flight_approval import PATIENCE
-from housefly.assistants.mcp_server import INSTRUCTIONS, keyed_app, room_server
 from housefly.tasks.api.questions import CancelTask, ReplyToTask, RequestTask, Sentence
 from housefly.tasks.api.values import Confirm, HouseMode, RequestSurface, TaskStage
+from housefly.tasks.assistants.assistant_reply import MARKED
+from housefly.tasks.assistants.flight_approval import PATIENCE
+from housefly.tasks.assistants.mcp_server import INSTRUCTIONS, keyed_app, room_server
 
 FLIGHT = {"service": "look", "parameters": {"what": "entrance", "dwell": 3, "record": True}}
 Answer = Callable[[str], ElicitResult]
@@ -214,7 +214,9 @@ async def test_a_yes_that_comes_too_late_counts_for_nothing(
 ) -> None:
     now = 0.0
     made = flight_approval.ApprovalBook
-    monkeypatch.setattr("housefly.assistants.mcp_server.ApprovalBook", lambda: made(lambda: now))
+    monkeypatch.setattr(
+        "housefly.tasks.assistants.mcp_server.ApprovalBook", lambda: made(lambda: now)
+    )
 
     def late(_: str) -> ElicitResult:
         nonlocal now
@@ -437,7 +439,7 @@ def test_without_the_package_the_command_says_what_installs_it(
 ) -> None:
     from housefly.cli import main
 
-    for name in [one for one in sys.modules if one.startswith("housefly.assistants.mcp_")]:
+    for name in [one for one in sys.modules if one.startswith("housefly.tasks.assistants.mcp_")]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "mcp.server.mcpserver", None)
     assert main(["mcp"]) == 2

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from housefly.lockstep.lockstep_perception import LockstepPerception
+from housefly.lab.lockstep.lockstep_perception import LockstepPerception
 from housefly.messages import Estimate, Inputs, Obstacle, Order, PilotStep
 from housefly.pilot.assembly import make_pilot
 from housefly.record.truth import ContactRecord

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from housefly.errors import HouseflyError
 from housefly.geometry import distance, wrap_angle
-from housefly.rehearsal.room_now import RoomNow
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.tasks.api.values import Confirm, ParameterValue, RehearsalReport
 from housefly.tasks.document.steps import ConditionKind, StepKind, TaskCondition, TaskStep
 from housefly.tasks.document.task_document import BoundTask

@@ -12,10 +12,15 @@ from task_flights import premises, shipped
 
 from housefly.errors import LinkError
 from housefly.hub.api.questions import Question
+from housefly.lab.rehearsal.rehearsal_ahead import (
+    KEPT_TIME,
+    RehearsedAhead,
+    is_same_room,
+    tasks_ahead,
+)
+from housefly.lab.rehearsal.rehearser import Rehearser
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.messages import Obstacle
-from housefly.rehearsal.rehearsal_ahead import KEPT_TIME, RehearsedAhead, is_same_room, tasks_ahead
-from housefly.rehearsal.rehearser import Rehearser
-from housefly.rehearsal.room_now import RoomNow
 from housefly.tasks.api.values import ParameterValue, ReasonCode, RehearsalReport
 from housefly.tasks.document.library import bind, read_task
 from housefly.tasks.document.task_document import BoundTask

@@ -1,4 +1,4 @@
-"""The rehearsal worker: ``python -m housefly.rehearsal.process DESCRIPTOR``, started by the tasks.
+"""The rehearsal worker: ``python -m housefly.lab.rehearsal.process DESCRIPTOR``; tasks start it.
 
 Loads and compiles everything, says that it is ready, then rehearses one task after the other until
 its parent is gone.
@@ -16,15 +16,15 @@ from typing import Any
 from housefly.errors import HouseflyError, LinkError
 from housefly.geometry import distance
 from housefly.hub.api.questions import Question
-from housefly.pilot.assembly import warm_up
-from housefly.rehearsal.rehearsal_link import (
+from housefly.lab.rehearsal.rehearsal_link import (
     MemoryQuestion,
     MemoryReply,
     RehearsalOrder,
     WorkerReady,
 )
-from housefly.rehearsal.rehearsed_flight import RehearsedSite
-from housefly.rehearsal.room_now import RoomNow
+from housefly.lab.rehearsal.rehearsed_flight import RehearsedSite
+from housefly.lab.rehearsal.room_now import RoomNow
+from housefly.pilot.assembly import warm_up
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.document.library import bind, load_library
 

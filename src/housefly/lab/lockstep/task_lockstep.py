@@ -10,9 +10,9 @@ from typing import Any
 
 from housefly.geometry import Vec3, distance
 from housefly.hub.api.questions import Question
-from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
-from housefly.lockstep.lockstep_task_room import LockstepTaskRoom
-from housefly.lockstep.task_flight import (
+from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.lockstep_task_room import LockstepTaskRoom
+from housefly.lab.lockstep.task_flight import (
     NO_SCRIPT,
     FlightSample,
     TaskFlight,

@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from housefly.geometry import distance
-from housefly.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
-from housefly.lockstep.service_monitor import ServiceMonitor
+from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, PilotStep
 from housefly.record.truth import judged_outcome
 from housefly.sites.loaded_site import LoadedSite

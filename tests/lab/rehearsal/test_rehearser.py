@@ -13,9 +13,9 @@ from task_flights import premises, shipped
 
 from housefly.errors import LinkError, ThingError
 from housefly.hub.api.questions import Question
-from housefly.rehearsal.rehearsal_link import memory_refusal
-from housefly.rehearsal.rehearser import Rehearser
-from housefly.rehearsal.room_now import RoomNow
+from housefly.lab.rehearsal.rehearsal_link import memory_refusal
+from housefly.lab.rehearsal.rehearser import Rehearser
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.tasks.api.values import ReasonCode
 
 PATIENT = 60.0

@@ -10,7 +10,7 @@ import pytest
 from task_flights import flown, premises, scene_of
 
 from housefly.geometry import distance
-from housefly.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.execution.values import (

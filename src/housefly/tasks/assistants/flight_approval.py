@@ -8,11 +8,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from threading import Lock
 
-from housefly.assistants.assistant_room import AssistantRoom
 from housefly.errors import HouseflyError, TaskError
 from housefly.hub.api.questions import WhereQuestion
 from housefly.tasks.api.questions import ServicesQuestion
 from housefly.tasks.api.values import ParameterInfo, ParameterValue, ReasonCode, ServiceInfo
+from housefly.tasks.assistants.assistant_room import AssistantRoom
 
 PATIENCE = 120.0
 """A yes that comes later counts for nothing [s]."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from housefly.lockstep.lockstep_perception import LockstepPerception
+from housefly.lab.lockstep.lockstep_perception import LockstepPerception
 from housefly.messages import Estimate, Inputs, Order, PilotStep
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite

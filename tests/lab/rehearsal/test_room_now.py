@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from task_flights import premises
 
+from housefly.lab.rehearsal.room_now import RoomNow, room_now
 from housefly.messages import (
     Action,
     Command,
@@ -16,7 +17,6 @@ from housefly.messages import (
     PilotStep,
     Telemetry,
 )
-from housefly.rehearsal.room_now import RoomNow, room_now
 from housefly.tasks.live_obstacles import LiveObstacles
 
 THERE = (5.0, 2.0, 1.1)

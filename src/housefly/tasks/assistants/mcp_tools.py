@@ -15,10 +15,6 @@ from mcp.server.mcpserver.resolve import Elicit, Resolve
 from mcp_types import ClientCapabilities, ToolAnnotations
 from pydantic import BaseModel, Field
 
-from housefly.assistants.assistant_reply import marked_reply, refused_reply, task_reply
-from housefly.assistants.assistant_room import AssistantRoom
-from housefly.assistants.flight_approval import ApprovalBook, CheckedFlight, checked_flight
-from housefly.assistants.room_picture import map_legend, map_png, map_text, marked_places
 from housefly.errors import HouseflyError, LinkError, TaskError
 from housefly.hub.api.answers import PictureAnswer
 from housefly.hub.api.questions import (
@@ -48,6 +44,10 @@ from housefly.tasks.api.values import (
     RequestSurface,
     TaskStage,
 )
+from housefly.tasks.assistants.assistant_reply import marked_reply, refused_reply, task_reply
+from housefly.tasks.assistants.assistant_room import AssistantRoom
+from housefly.tasks.assistants.flight_approval import ApprovalBook, CheckedFlight, checked_flight
+from housefly.tasks.assistants.room_picture import map_legend, map_png, map_text, marked_places
 from housefly.tasks.evidence.clip_picture import clip_picture
 
 ASSISTANT = "an assistant"

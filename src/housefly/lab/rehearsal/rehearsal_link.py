@@ -7,7 +7,7 @@ from typing import Any
 
 from housefly.errors import HouseflyError, LinkError, ThingError
 from housefly.hub.api.questions import Question
-from housefly.rehearsal.room_now import RoomNow
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.tasks.document.task_document import BoundTask
 
 

@@ -10,9 +10,9 @@ from typing import Any
 import uvicorn
 from mcp.server.mcpserver import MCPServer
 
-from housefly.assistants.assistant_room import AssistantRoom
-from housefly.assistants.flight_approval import ApprovalBook
-from housefly.assistants.mcp_tools import add_resources, add_room_tools, add_task_tools
+from housefly.tasks.assistants.assistant_room import AssistantRoom
+from housefly.tasks.assistants.flight_approval import ApprovalBook
+from housefly.tasks.assistants.mcp_tools import add_resources, add_room_tools, add_task_tools
 
 INSTRUCTIONS = (
     "A room that knows where everything is, with a small drone that flies errands in it. Ask where"

@@ -1,6 +1,6 @@
 import pytest
 
-from housefly.lockstep.service_monitor import COMPLETED, STAGES, ServiceMonitor
+from housefly.lab.lockstep.service_monitor import COMPLETED, STAGES, ServiceMonitor
 from housefly.messages import (
     Action,
     Command,

@@ -11,11 +11,11 @@ from task_flights import premises, shipped
 
 from housefly.errors import LinkError
 from housefly.hub.api.questions import Question
-from housefly.lockstep.task_flight import TaskFlight
+from housefly.lab.lockstep.task_flight import TaskFlight
+from housefly.lab.rehearsal.rehearsed_flight import RehearsedSite
+from housefly.lab.rehearsal.room_now import RoomNow
 from housefly.messages import Obstacle
 from housefly.record.truth import ContactRecord
-from housefly.rehearsal.rehearsed_flight import RehearsedSite
-from housefly.rehearsal.room_now import RoomNow
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.library import bind, read_task
 from housefly.tasks.execution.task_room import SeenPerson
@@ -236,7 +236,7 @@ def test_only_a_whole_clean_flight_back_to_the_pad_is_a_yes(
     monkeypatch: pytest.MonkeyPatch, flight: TaskFlight, code: ReasonCode
 ) -> None:
     monkeypatch.setattr(
-        "housefly.rehearsal.rehearsed_flight.fly_task_lockstep", lambda *_, **__: flight
+        "housefly.lab.rehearsal.rehearsed_flight.fly_task_lockstep", lambda *_, **__: flight
     )
     report = rehearse("look", subject="tv")
     assert report.code is code and report.may_fly is (code is ReasonCode.OK)

@@ -19,17 +19,17 @@ from housefly.config.site import changed
 from housefly.errors import HouseflyError, TaskError
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.questions import Question
-from housefly.lockstep.task_flight import TaskFlight, TaskScript
-from housefly.lockstep.task_lockstep import fly_task_lockstep
-from housefly.pilot.behavior.way_home import RETURN_RESERVE
-from housefly.rehearsal.rehearsed_branches import (
+from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
+from housefly.lab.lockstep.task_lockstep import fly_task_lockstep
+from housefly.lab.rehearsal.rehearsed_branches import (
     BRANCHES_MAX,
     RehearsedBranch,
     fly_branches,
     longest,
 )
-from housefly.rehearsal.rehearsed_stage import RehearsedStage
-from housefly.rehearsal.room_now import RoomNow
+from housefly.lab.rehearsal.rehearsed_stage import RehearsedStage
+from housefly.lab.rehearsal.room_now import RoomNow
+from housefly.pilot.behavior.way_home import RETURN_RESERVE
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.steps import StepKind, TaskStep
