@@ -14,9 +14,9 @@ from typing import Any
 from unittest.mock import patch
 
 from _run import percentile, table
-from housefly.app import rehearsed_flight
 from housefly.errors import LinkError
 from housefly.hub.api.questions import Question
+from housefly.lab.rehearsal import rehearsed_flight
 from housefly.lab.rehearsal.process import NICENESS
 from housefly.lab.rehearsal.rehearsed_flight import RehearsedSite
 from housefly.lab.rehearsal.rehearser import Rehearser

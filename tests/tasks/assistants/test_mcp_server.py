@@ -21,10 +21,10 @@ from mcp import Client, MCPError, StdioServerParameters
 from mcp_types import ElicitResult, InputRequiredResult
 from PIL import Image
 
-from housefly.app import flight_approval
 from housefly.app.commands.mcp import MCP_KEY
 from housefly.tasks.api.questions import CancelTask, ReplyToTask, RequestTask, Sentence
 from housefly.tasks.api.values import Confirm, HouseMode, RequestSurface, TaskStage
+from housefly.tasks.assistants import flight_approval
 from housefly.tasks.assistants.assistant_reply import MARKED
 from housefly.tasks.assistants.flight_approval import PATIENCE
 from housefly.tasks.assistants.mcp_server import INSTRUCTIONS, keyed_app, room_server
