@@ -38,10 +38,9 @@ def processes(state: Running) -> dict[str, psutil.Process]:
 
 
 def picture_ages(page: Page) -> list[float]:
-    """Read the age of the picture off the console for ten seconds [ms]: tracking, drone and picture
-    stand there in this order.
-    """
-    shown = page.get_by_text(re.compile(r"Hz · \d+ ms")).nth(2)
+    """Read the age of the picture off the console's details for ten seconds [ms]."""
+    page.get_by_role("button", name="Details", exact=True).click()
+    shown = page.locator(".reading", has_text="Picture").locator("dd")
     ages = []
     for _ in range(100):
         ages.append(float(re.findall(r"(\d+) ms", shown.inner_text())[0]))

@@ -97,8 +97,9 @@ def main() -> None:
     for name in wanted:
         sections[name], is_kept = measure(name)
         red += [] if is_kept else [name]
-    body = "\n".join(sections[name] for name in sorted(sections))
-    RESULTS.write_text(f"{HEAD}\n{machine()}\n\n{body}", encoding="utf-8")
+        # At once: what was measured is not lost when a later one fails.
+        body = "\n".join(sections[name] for name in sorted(sections))
+        RESULTS.write_text(f"{HEAD}\n{machine()}\n\n{body}", encoding="utf-8")
     print(f"written: {RESULTS.relative_to(FOLDER.parent)}")
     if red:
         sys.exit(f"not within their limits: {', '.join(red)}")
