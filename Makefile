@@ -39,11 +39,13 @@ help:
 setup: $(VENV)/ready
 setup-dev: $(VENV)/ready-dev
 
-$(VENV)/ready: pyproject.toml requirements/build.txt requirements/run.txt
+$(VENV)/ready: pyproject.toml requirements/installer.txt requirements/build.txt \
+		requirements/run.txt
 	@$(PYTHON) scripts/set-up run
 	@touch $@
 
-$(VENV)/ready-dev: pyproject.toml requirements/build.txt requirements/dev.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json
+$(VENV)/ready-dev: pyproject.toml requirements/installer.txt requirements/build.txt \
+		requirements/dev.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json
 	@$(PYTHON) scripts/set-up dev
 	@touch $@ $(VENV)/ready
 

@@ -118,6 +118,8 @@ def test_a_package_that_somebody_changed_is_not_installed(tmp_path: Path, is_pip
     lock.write_text(f"sample==1.0 \\\n    --hash=sha256:{digest}\n")
     own = {"-r", "requirements/build.txt"}
     how = set_up()
+    if not is_pip and not Path(how.UV[0]).exists():
+        pytest.skip("uv could not be had here: pip installs everything")
     installer = [sys.executable, *how.PIP[1:]] if is_pip else [str(how.UV[0]), *how.UV[1:3]]
     command = [*installer, *(one for one in how.LOCKED if one not in own)]
     command += ["-r", str(lock)]

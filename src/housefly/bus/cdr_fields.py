@@ -6,6 +6,7 @@ from dataclasses import MISSING, fields
 from enum import Enum
 from typing import Any, get_args, get_type_hints
 
+from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from housefly.bus.interfaces import ros_name
@@ -21,8 +22,7 @@ TUPLES = {
 
 
 EnumCodes = dict[Enum, int | str]
-"""What stands for each member on the wire: its number, or its value where an older version wrote
-that as text."""
+"""What stands for each member on the wire: its number, or its value where that is a text."""
 
 
 def fields_of(kind: type[Any], store: Typestore) -> list[tuple[str, Any, EnumCodes | None]]:
@@ -57,7 +57,13 @@ def _enumerated(
     kind = next(iter(get_args(hint)), hint)
     if not (isinstance(kind, type) and issubclass(kind, Enum)):
         return None
-    if "string" in str(description):
+    if _base_type(description) == "string":  # of an older version
         return {member: member.value for member in kind}
     names = {member: f"{name.upper()}_{member.name}" for member in kind}
     return {member: numbers[text] for member, text in names.items() if text in numbers}
+
+
+def _base_type(description: Any) -> str:
+    """Return the plain type of a field, or of the elements of a sequence."""
+    shape, content = description
+    return str(content[0] if shape == Nodetype.BASE else content[0][1][0])

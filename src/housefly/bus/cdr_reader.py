@@ -40,24 +40,19 @@ class _Reading:
 
     def _field(self, description: Any, enum: EnumCodes | None) -> str:
         shape, content = description
+        members = enum and self._source.constant({code: member for member, code in enum.items()})
         if shape == Nodetype.NAME:
             return self._named(content)
         if shape == Nodetype.BASE:
             read = self._base(content[0])
-            if enum is None:
-                return read
-            members = {number: member for member, number in enum.items()}
-            return f"{self._source.constant(members)}[{read}]"
+            return f"{members}[{read}]" if members else read
         element, limit = content
         length = self._source.number("I")
         self._source.flush()
         if limit == 1:
             return self._optional(element, length)
         read = self._sequence(element, length)
-        if enum is None:
-            return read
-        members = {code: member for member, code in enum.items()}
-        return f"tuple(map({self._source.constant(members)}.__getitem__, {read}))"
+        return f"tuple(map({members}.__getitem__, {read}))" if members else read
 
     def _named(self, name: str) -> str:
         order = TUPLES.get(name)

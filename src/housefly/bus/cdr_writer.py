@@ -42,19 +42,16 @@ class _Writing:
 
     def _field(self, description: Any, enum: EnumCodes | None, value: str) -> None:
         shape, content = description
+        codes = enum and self._source.constant(enum)
         if shape == Nodetype.NAME:
             self._named(content, value)
         elif shape == Nodetype.BASE:
-            numbered = value if enum is None else f"{self._source.constant(enum)}[{value}]"
-            self._base(content[0], numbered)
+            self._base(content[0], f"{codes}[{value}]" if codes else value)
         elif content[1] == 1:
             self._optional(content[0], value)
-        elif enum is not None:
-            self._sequence(
-                content[0], f"bytes(map({self._source.constant(enum)}.__getitem__, {value}))"
-            )
         else:
-            self._sequence(content[0], value)
+            numbers = f"bytes(map({codes}.__getitem__, {value}))" if codes else value
+            self._sequence(content[0], numbers)
 
     def _named(self, name: str, value: str) -> None:
         order = TUPLES.get(name)

@@ -54,19 +54,20 @@ def read_steps(path: Path) -> Iterator[PilotStep]:
 
 def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
     schemas: dict[int, Schema] = {}
-    step_channel, types = -1, type_store()
+    step_channel, types, tells_sources = -1, type_store(), True
     for record in _records(file, path):
         if isinstance(record, Schema):
             schemas[record.id] = record
         elif isinstance(record, Channel) and record.topic == STEP_CHANNEL:
             types = _types_of(schemas.get(record.schema_id), path)
+            tells_sources = "source" in dict(types.fielddefs[ros_name("Order")][1])
             step_channel = record.id
         elif isinstance(record, Message) and record.channel_id == step_channel:
             try:
                 step = from_cdr(PilotStep, record.data, types)
             except WireError as error:
                 raise RecordingError(f"{path} is damaged: {error}") from error
-            yield step if _tells_sources(types) else _with_sources(step)
+            yield step if tells_sources else _with_sources(step)
 
 
 def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
@@ -108,20 +109,14 @@ def _is_torn_end(file: BinaryIO) -> bool:
     return not any(piece.strip(b"\0") for piece in iter(lambda: file.read(_PIECE), b""))
 
 
-def _tells_sources(types: Typestore) -> bool:
-    """Return whether the recorded orders tell what gave them."""
-    return "source" in dict(types.fielddefs[ros_name("Order")][1])
-
-
 def _with_sources(step: PilotStep) -> PilotStep:
     """Return a step of an older version, whose tasks showed only in the names of their senders."""
-    if not any(order.sender.startswith("task ") for order in step.inputs.orders):
-        return step
+    given = step.inputs.orders
     orders = tuple(
         replace(order, source=OrderSource.TASK) if order.sender.startswith("task ") else order
-        for order in step.inputs.orders
+        for order in given
     )
-    return replace(step, inputs=replace(step.inputs, orders=orders))
+    return step if orders == given else replace(step, inputs=replace(step.inputs, orders=orders))
 
 
 def _types_of(schema: Schema | None, path: Path) -> Typestore:

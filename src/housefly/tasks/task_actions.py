@@ -121,8 +121,7 @@ class TaskActions:
 
     def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
         sender = task_sender(doing.task.id, doing.task.request.service)
-        order = replace(wanted.order, issued_at=doing.now, sender=sender, source=OrderSource.TASK)
-        self._outlet.order(order)
+        self._outlet.order(replace(wanted.order, issued_at=doing.now, sender=sender))
 
     def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
         self._films = doing.task.id

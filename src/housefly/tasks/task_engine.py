@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from housefly.errors import TaskError
-from housefly.messages import Order, OrderKind
+from housefly.messages import Order, OrderKind, OrderSource
 from housefly.tasks.api.values import (
     ATTENDED,
     HouseMode,
@@ -273,7 +273,7 @@ class TaskEngine:
             record = self._runs.record(task.id)
             has_run = record is not None and record.run is not None
             if has_run and record is not None and task.traits.flies and is_airborne:
-                home = (GiveOrder(Order(OrderKind.HOME)),)
+                home = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),)
                 self._actions.perform(task, record, home, now, unix)
         reports = [
             RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, words) for task in active

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
-from housefly.messages import Order, OrderKind
+from housefly.messages import Order, OrderKind, OrderSource
 from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
@@ -212,7 +212,7 @@ class TaskRuns:
             words = f"a step failed inside ({type(error).__name__}); the log says why"
             record.abandon(ReasonCode.STEP_FAILED, words)
             is_up = task.traits.flies and self._inbox.is_airborne
-            actions = (GiveOrder(Order(OrderKind.HOME)),) if is_up else ()
+            actions = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),) if is_up else ()
         record.steps = run.steps
         self._actions.perform(task, record, actions, inputs.now, inputs.unix)
 

@@ -64,7 +64,7 @@ def test_whoever_moves_out_of_sight_changes_no_picture_and_in_sight_each(
     library: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("MUJOCO_GL", library)
-    if _run(_DRAWS).returncode:
+    if library == "egl" and _run(_DRAWS).returncode:  # the other is installed by the set-up
         pytest.skip(f"{library} does not draw here")
     looked = _run(_LOOKS)
     assert looked.returncode == 0, looked.stderr

@@ -24,7 +24,6 @@ from housefly.messages import (
     Obstacle,
     Order,
     OrderKind,
-    OrderSource,
     Phase,
     PilotStep,
 )
@@ -275,8 +274,7 @@ class _FlownTask:
             self._answer(action)
         if isinstance(action, GiveOrder):
             sender = task_sender(1, self._task.service)
-            order = replace(action.order, issued_at=self._loop.now, sender=sender)
-            return (replace(order, source=OrderSource.TASK),)
+            return (replace(action.order, issued_at=self._loop.now, sender=sender),)
         return ()
 
     def _answer(self, asked: AskPerson) -> None:
