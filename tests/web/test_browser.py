@@ -12,6 +12,7 @@ import av
 import numpy as np
 import pytest
 import pytest_asyncio
+from plan_pixels import drawn_plan
 from playwright.async_api import Browser, Page, expect
 
 from housefly.bus.topics import VIDEO_TOPIC
@@ -84,10 +85,7 @@ def kinds(console: Any) -> list[OrderKind]:
 
 async def click_map(page: Page, x: float, y: float) -> None:
     """Click a world point of the map."""
-    plan = page.locator(".plan-view > svg")
-    scale = float(await plan.get_attribute("data-scale") or 0)
-    u, v = map(float, (await plan.get_attribute("data-origin") or "").split())
-    await plan.click(position={"x": u + x * scale, "y": v - y * scale})
+    await page.mouse.click(*(await drawn_plan(page)).pixel(x, y))
 
 
 async def test_the_token_is_gone_from_the_address_and_a_reload_still_works(

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import pytest_asyncio
 from axe_audit import axe_findings
+from plan_pixels import drawn_plan
 from playwright.async_api import Browser, Page, expect
 
 from housefly.app.views import room_view
@@ -62,14 +63,8 @@ def button(page: Page, name: str) -> Any:
 
 
 async def pixel(page: Page, x: float, y: float) -> tuple[float, float]:
-    """Return where a point of the room [m] is on the screen: home and two places give the scale."""
-    svg = page.locator(".plan-view > svg")
-    scale = float(await svg.get_attribute("data-scale") or 0)
-    box = await svg.bounding_box()
-    home = await page.locator(".room .home").get_attribute("transform")
-    assert box is not None and home is not None
-    u, v = (float(part) for part in home.removeprefix("translate(").removesuffix(")").split())
-    return box["x"] + u + scale * (x - 10.55), box["y"] + v - scale * (y - 1.25)
+    """Return where a point of the room [m] is on the screen."""
+    return (await drawn_plan(page)).pixel(x, y)
 
 
 async def drag(page: Page, a: tuple[float, float], b: tuple[float, float]) -> None:

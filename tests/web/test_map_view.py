@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from plan_pixels import PLAN, drawn_plan
 from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 
 from housefly.app.views import room_view
@@ -34,7 +35,6 @@ FIVE_SIZES = [(390, 844), (844, 390), (768, 1024), (1024, 768), (1440, 900)]
 PHONES = FIVE_SIZES[:2]
 DESKTOP: ViewportSize = {"width": 1440, "height": 900}
 PHONE: ViewportSize = {"width": 390, "height": 844}
-PLAN = ".plan-view > svg"
 ROOM = (7.5, 4.0)
 """The fake pilot's room [m]."""
 
@@ -83,16 +83,12 @@ async def edited(
 
 async def scale(page: Page) -> float:
     """Return how large the room is drawn [px/m]."""
-    return float(await page.locator(PLAN).get_attribute("data-scale") or 0)
+    return (await drawn_plan(page)).scale
 
 
 async def pixel(page: Page, x: float, y: float) -> Vec2:
     """Return where a point of the room [m] is on the screen."""
-    plan = page.locator(PLAN)
-    box, each = await plan.bounding_box(), await scale(page)
-    u, v = map(float, (await plan.get_attribute("data-origin") or "").split())
-    assert box is not None
-    return box["x"] + u + x * each, box["y"] + v - y * each
+    return (await drawn_plan(page)).pixel(x, y)
 
 
 async def wheel(page: Page, at: Vec2, steps: int) -> None:

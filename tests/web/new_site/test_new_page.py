@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from plan_pixels import drawn_plan
 from playwright.async_api import Browser, FilePayload, Page, ViewportSize, expect
 
 from housefly.app.doctor import check_machine
@@ -57,12 +58,7 @@ async def open_step(page: Page, title: str) -> None:
 
 async def pixel(page: Page, at: Point) -> Point:
     """Return where a point of the room [m] is on the screen."""
-    svg = page.locator(".plan svg")
-    scale = float(await svg.get_attribute("data-scale") or 0)
-    u, v = ((await svg.get_attribute("data-origin")) or "").split()
-    box = await svg.bounding_box()
-    assert box is not None
-    return box["x"] + float(u) + scale * at[0], box["y"] + float(v) - scale * at[1]
+    return (await drawn_plan(page, ".plan svg")).pixel(*at)
 
 
 async def drag(page: Page, a: Point, b: Point) -> None:
