@@ -16,7 +16,7 @@ import numpy as np
 
 from _ablation import ablations
 from _run import table
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
 from housefly.twin.ardrone.body import DRONE_MASS
@@ -82,7 +82,7 @@ class _Hovering:
 
     def __init__(self, changes: dict[str, Any]) -> None:
         loaded = load_site("bsen", hub__enabled=False, twin__video=False, **changes)
-        self.loop = LockstepLoop(loaded)
+        self.loop = Simulation(loaded)
         self.place = (*loaded.room.home, loaded.site.map.flight_height)
         self._yaw, self._hovers = loaded.room.home_yaw, False
 
@@ -97,7 +97,7 @@ class _Hovering:
         self.loop.world.disturb(disturbances)
         now = self.loop.now
         orders = (Order(order, issued_at=now),) if order is not None else ()
-        return self.loop.step(orders)
+        return self.loop.step(self.loop.inputs(*orders))
 
 
 def hover_score(disturbed: Callable[[float], Disturbances], changes: dict[str, Any]) -> HoverScore:

@@ -24,7 +24,8 @@ from housefly.hub.room_status import RoomStatus
 from housefly.hub.situation_service import SituationService
 from housefly.hub.store.open import open_store
 from housefly.hub.things_of_room import things_of
-from housefly.messages import Inputs, Observation, Order, OrderKind, RoomEvent
+from housefly.lab.lockstep.pilot_loop import PilotLoop
+from housefly.messages import Observation, Order, OrderKind, RoomEvent
 from housefly.pilot.assembly import make_pilot
 from housefly.room.files import load_room
 from housefly.sites.loaded_site import open_site, read_site
@@ -132,24 +133,20 @@ class Flight:
     def __init__(self) -> None:
         loaded = open_site(changed(read_site("bsen"), twin__visitor_present=True))
         self._world = SimulatedWorld(loaded.site, loaded.room, load_scene("bsen"))
-        self._room = LockstepRoom(self._world, loaded.site)
-        self._pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
+        self._loop = PilotLoop(
+            LockstepRoom(self._world, loaded.site),
+            make_pilot(loaded.site, loaded.room, loaded.grid),
+            RATE,
+        )
         self.airborne = 0
 
     def tick(self, number: int) -> None:
         """Let a hundredth of a second pass."""
-        self._room.advance(1 / RATE)
+        self._loop.advance()
         if number % round(BATTERY_EVERY * RATE) == 0:
             self._world._battery.charge = 1.0
-        orders = (
-            (Order(OrderKind.TAKE_OFF, issued_at=self._room.now, sender="benchmark"),)
-            if number == RATE
-            else ()
-        )
-        outputs = self._pilot.step(
-            self._room.now, Inputs(self._room.sightings(), self._room.telemetry(), orders)
-        )
-        self._room.send(outputs.command)
+        orders = (Order(OrderKind.TAKE_OFF, sender="benchmark"),) if number == RATE else ()
+        self._loop.step(self._loop.inputs(*orders))
         self.airborne += self._world.truth().pose.position[2] > 0.5
 
 

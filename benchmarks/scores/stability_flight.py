@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from housefly.errors import LinkError
-from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
+from housefly.lab.lockstep.pilot_loop import PilotLoop
+from housefly.messages import Order, OrderKind, Phase, SafetyMode
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite
@@ -77,30 +78,28 @@ def hover_swing(loaded: LoadedSite, extra: float = 0.0) -> Swing:
         LinkError: it did not come to hover.
     """
     world = _TiringWorld(loaded.site, loaded.room)
-    room = LockstepRoom(world, loaded.site)
     pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
-    period = 1.0 / loaded.site.control.rate_hz
+    loop = PilotLoop(LockstepRoom(world, loaded.site), pilot, loaded.site.control.rate_hz)
     hovering_at, places, told = inf, list[float](), False
-    while room.now < hovering_at + _PUSH_END + _WINDOW * _WINDOWS:
-        room.advance(period)
-        since = room.now - hovering_at
+    while loop.now < hovering_at + _PUSH_END + _WINDOW * _WINDOWS:
+        loop.advance()
+        since = loop.now - hovering_at
         world.disturb(_PUSH if _PUSH_AT <= since < _PUSH_END else NEUTRAL)
         orders: tuple[Order, ...] = ()
-        if not told and room.now >= _ORDER_AT:
-            orders, told = (Order(OrderKind.TAKE_OFF, issued_at=room.now),), True
-        outputs = pilot.step(room.now, Inputs(room.sightings(), room.telemetry(), orders))
-        room.send(outputs.command, pilot.known_motion)
+        if not told and loop.now >= _ORDER_AT:
+            orders, told = (Order(OrderKind.TAKE_OFF),), True
+        outputs = loop.step(loop.inputs(*orders)).outputs
         if outputs.phase is Phase.HOLDING and hovering_at == inf:
-            hovering_at = room.now
-        if since < _LATE_AT <= since + period:
+            hovering_at = loop.now
+        if since < _LATE_AT <= since + loop.period:
             world.obey_later(extra)
-        if room.now > _GIVE_UP_AFTER and hovering_at == inf:
+        if loop.now > _GIVE_UP_AFTER and hovering_at == inf:
             raise LinkError(f"no hover: {outputs.reason}")
         if since > _PUSH_END:
             places.append(world.truth().pose.position[0])
             if outputs.safety is not SafetyMode.NOMINAL:
                 return Swing(0.0, inf)
-    windows = np.split(np.array(places[: _WINDOWS * round(_WINDOW / period)]), _WINDOWS)
+    windows = np.split(np.array(places[: _WINDOWS * round(_WINDOW / loop.period)]), _WINDOWS)
     return Swing(_spread(windows[1]), _spread(windows[3]))
 
 

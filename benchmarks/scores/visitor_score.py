@@ -13,7 +13,7 @@ from random import Random
 from typing import Any
 
 from housefly.geometry import distance, euler_from_quaternion, heading_to, wrap_angle
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME
+from housefly.lab.lockstep.simulation import SETTLING_TIME
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.lab.lockstep.task_lockstep import fly_task_lockstep
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site

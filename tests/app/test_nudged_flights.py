@@ -14,7 +14,7 @@ from quick_flights import QUICK
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import Event, Order, OrderKind, Phase, PilotStep
 from housefly.pilot.navigator import RoomNavigator
 from housefly.sites.loaded_site import open_site, read_site
@@ -33,7 +33,7 @@ WEST, EAST = (-0.5, 0.0, 0.0), (0.5, 0.0, 0.0)
 class ByHand:
     """A drone in the air, and what became of it; keys are held ten times a second."""
 
-    loop: LockstepLoop
+    loop: Simulation
     events: list[Event] = field(default_factory=list)
     places: list[Vec3] = field(default_factory=list)
     nearest_solid: float = 9.0
@@ -53,7 +53,7 @@ class ByHand:
     def tick(self, orders: tuple[Order, ...] = ()) -> None:
         self.loop.advance()
         # The order is stamped before: it is one control period old when it is read.
-        self.step = self.loop.step(orders)
+        self.step = self.loop.step(self.loop.inputs(*orders))
         self.events.extend(self.step.outputs.events)
         if self.step.outputs.phase is not Phase.HOLDING:
             return
@@ -74,7 +74,7 @@ def in_the_air(people: tuple[PersonScript, ...] = (), **keys: object) -> ByHand:
     site: Site = changed(
         read_site("bsen", **QUICK), twin__visitor_present=False, limits__nudge_speed=0.5, **keys
     )
-    flight = ByHand(LockstepLoop(open_site(site), people=people))
+    flight = ByHand(Simulation(open_site(site), people=people))
     flight.run(SETTLING_TIME)
     flight.tick((flight.order(OrderKind.TAKE_OFF),))
     for _ in range(1500):

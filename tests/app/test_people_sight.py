@@ -13,7 +13,7 @@ from quick_flights import QUICK
 from housefly.app.people_sight import PeopleSight
 from housefly.clock import SteppedClock
 from housefly.config.site import Site, changed
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import Order, OrderKind, Phase, PilotStep, SafetyMode, SightNews
 from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, longest_silence
 from housefly.sites.loaded_site import open_site, read_site
@@ -41,13 +41,13 @@ class Told:
     steps: list[PilotStep] = field(default_factory=list)
 
     def fly(self, site: Site, until: float, ordered_at: float = 2.0 * SETTLING_TIME) -> Told:
-        loop, given = LockstepLoop(open_site(site)), False
+        loop, given = Simulation(open_site(site)), False
         while loop.now < until:
             loop.advance()
             orders: tuple[Order, ...] = ()
             if not given and loop.now >= ordered_at:
                 given, orders = True, (Order(OrderKind.GO, "entrance", issued_at=loop.now),)
-            self.steps.append(loop.step(orders))
+            self.steps.append(loop.step(loop.inputs(*orders)))
         return self
 
     def texts(self, code: str) -> list[str]:

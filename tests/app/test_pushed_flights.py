@@ -9,7 +9,7 @@ from math import dist
 
 import pytest
 
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
+from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
 from housefly.twin.ardrone.body import DRONE_MASS
@@ -41,7 +41,7 @@ class PushedFlight:
 def pushed_flight(load: float, **changes: object) -> PushedFlight:
     """Hold 5 s under a load, a share of the weight; unload, land in a draught of 1 m/s."""
     loaded = load_site("bsen", hub__enabled=False, twin__video=False, **changes)
-    loop, home = LockstepLoop(loaded), loaded.room.home
+    loop, home = Simulation(loaded), loaded.room.home
     height, codes, flight = loaded.site.map.flight_height, set(), PushedFlight()
     loaded_down = Disturbances(payload=Payload(load * DRONE_MASS))
     hovers = False
@@ -58,7 +58,7 @@ def pushed_flight(load: float, **changes: object) -> PushedFlight:
         loop.world.disturb(loaded_down if is_loaded else DRAUGHT if now >= UNLOADED_AT else NEUTRAL)
         due = orders and now >= orders[0][0]
         given = (Order(orders.pop(0)[1], issued_at=now),) if due else ()
-        step = loop.step(given)
+        step = loop.step(loop.inputs(*given))
         codes |= {event.code for event in step.outputs.events if now >= LOADED_AT}
         x, y, z = loop.world.truth().pose.position
         if LOADED_AT + 5.0 <= now < UNLOADED_AT:

@@ -20,7 +20,7 @@ from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, ROOM_EVENT_TOPIC
 from housefly.clock import SteppedClock
 from housefly.hub.api.told_events import told_event_of
 from housefly.hub.hub import Hub
-from housefly.lab.lockstep.lockstep_loop import LockstepLoop
+from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import (
     Action,
     Command,
@@ -105,7 +105,7 @@ class TaskStage:
             self.loaded, room, StepInbox(), self.rehearsals, outlet, self.clock.now, self.wall
         )
         self.service.readiness = TakeOffReadiness(True, "")
-        self.loop: LockstepLoop | None = None
+        self.loop: Simulation | None = None
         self._sequence, self._taken = 0, 0
 
     def wall(self) -> float:
@@ -151,13 +151,13 @@ class TaskStage:
     def fly(self, until: Callable[[], bool], limit: float = 150.0) -> bool:
         """Fly the true pilot in the twin until something holds; return whether it does."""
         if self.loop is None:
-            self.loop = LockstepLoop(self.loaded)
+            self.loop = Simulation(self.loaded)
             self._shift = self.clock.now()
         loop, end = self.loop, self.loop.now + limit
         next_tick, given = loop.now, list[Order]()
         while loop.now < end:
             loop.advance()
-            step = loop.step(tuple(given))
+            step = loop.step(loop.inputs(*given))
             given = []
             self.clock.advance(self._shift + loop.now - self.clock.now())
             self.heard(replace(step, now=self._shift + step.now))

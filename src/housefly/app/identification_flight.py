@@ -11,7 +11,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from pathlib import Path
 
@@ -28,7 +28,8 @@ from housefly.geometry import Vec2, Vec3, distance
 from housefly.lab.identification.box import Box
 from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationManeuver
 from housefly.lab.identification.pattern import Block, largest_excursion
-from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
+from housefly.lab.lockstep.pilot_loop import PilotLoop
+from housefly.messages import DroneStatus, Order, OrderKind, Phase, PilotStep, SafetyMode
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tracking.trackers import tracker_of
@@ -123,24 +124,15 @@ def fly_identification_lockstep(
 
     The drone of the world may differ from the one that the site describes.
     """
-    room = LockstepRoom(world, loaded.site)
     pilot = make_pilot(loaded.site, loaded.room, loaded.grid, flight.maneuver)
-    period = 1.0 / loaded.site.control.rate_hz
-    sequence, order = 0, None
+    loop = PilotLoop(LockstepRoom(world, loaded.site), pilot, loaded.site.control.rate_hz)
+    order = None
     while not flight.outcome:
-        room.advance(period)
-        issued = (
-            (Order(order.kind, goal=order.goal, issued_at=room.now, sender=_SENDER),)
-            if order
-            else ()
-        )
-        inputs = Inputs(room.sightings(), room.telemetry(), issued)
-        outputs = pilot.step(room.now, inputs)
-        room.send(outputs.command, pilot.known_motion)
-        step = PilotStep(sequence, room.now, inputs, outputs)
+        loop.advance()
+        orders = (replace(order, issued_at=loop.now),) if order else ()
+        step = loop.step(loop.inputs(*orders))
         on_step(step)
         order = flight.next_order(step)
-        sequence += 1
     return flight.outcome
 
 

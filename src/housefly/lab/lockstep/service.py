@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from housefly.geometry import distance
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.lab.lockstep.service_monitor import ServiceMonitor
+from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import Order, PilotStep
 from housefly.record.truth import judged_outcome
 from housefly.sites.loaded_site import LoadedSite
@@ -43,24 +43,24 @@ def fly_lockstep(
     Raises:
         ConfigError: a fault of the site that cannot be made in lock step.
     """
-    loop = LockstepLoop(loaded, movables)
-    world = loop.world
-    order_at = loop.now + SETTLING_TIME
+    simulation = Simulation(loaded, movables)
+    world = simulation.world
+    order_at = simulation.now + SETTLING_TIME
     monitor = ServiceMonitor(order_at, loaded.room.home, give_up_after)
     given = False
     truth = TruthLog(world, truth_file, lambda: world.now) if truth_file else None
     with closing(truth) if truth else nullcontext():
         while not monitor.outcome:
-            loop.advance()
+            simulation.advance()
             on_world(world)
             orders: tuple[Order, ...] = ()
-            if not given and loop.now >= order_at:
-                orders, given = (replace(order, issued_at=loop.now),), True
-            step = loop.step(orders)
+            if not given and simulation.now >= order_at:
+                orders, given = (replace(order, issued_at=simulation.now),), True
+            step = simulation.step(simulation.inputs(*orders))
             on_step(step)
             if truth is not None:
                 truth.sample()
             if given:
                 monitor = monitor.updated(step)
     off_pad = distance(world.truth().pose.position[:2], loaded.room.home)
-    return judged_outcome(monitor.outcome, loop.contacts(), off_pad)
+    return judged_outcome(monitor.outcome, simulation.contacts(), off_pad)

@@ -125,8 +125,3 @@ class TaskFlight:
     def actions_of(self, *kinds: type[TaskAction]) -> tuple[TimedAction, ...]:
         """Return the actions of some kinds."""
         return tuple(one for one in self.actions if isinstance(one.action, kinds))
-
-    def seen_between(self, name: str, start: float, end: float) -> float:
-        """Return the share of the samples between two times [s] whose picture shows somebody."""
-        shown = [name in one.picture for one in self.samples if start <= one.at <= end]
-        return sum(shown) / max(1, len(shown))

@@ -10,8 +10,8 @@ from typing import Any
 
 from housefly.geometry import Vec3, distance
 from housefly.hub.api.questions import Question
-from housefly.lab.lockstep.lockstep_loop import SETTLING_TIME, LockstepLoop
 from housefly.lab.lockstep.lockstep_task_room import LockstepTaskRoom
+from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.lab.lockstep.task_flight import (
     NO_SCRIPT,
     FlightSample,
@@ -107,7 +107,7 @@ def fly_task_lockstep(
     Raises:
         ConfigError: a fault of the site that cannot be made in lock step.
     """
-    loop = LockstepLoop(loaded, movables, people, scene, origin_known=drone is not None)
+    loop = Simulation(loaded, movables, people, scene, origin_known=drone is not None)
     hovering = drone if airborne else None
     if drone is not None:
         loop.world.put_drone(*drone)
@@ -129,13 +129,13 @@ def fly_task_lockstep(
         if now - told_at >= _TELL_PERIOD and obstacles:
             told_at, told = now, tuple(replace(one, seen_at=now) for one in obstacles)
             room.obstacles = told
-        step = loop.step(orders, told)
+        step = loop.step(loop.inputs(*orders, obstacles=told))
         on_step(step)
         orders = flown.heard(step)
     return flown.result(distance(loop.world.truth().pose.position[:2], loaded.room.home))
 
 
-def _held(loop: LockstepLoop, hovering: tuple[Vec3, float]) -> tuple[Vec3, float] | None:
+def _held(loop: Simulation, hovering: tuple[Vec3, float]) -> tuple[Vec3, float] | None:
     """Keep the drone in the air until its pilot knows where it is; None once it hovers."""
     if loop.now < SETTLING_TIME:
         loop.world.put_drone(*hovering)
@@ -149,7 +149,7 @@ class _FlownTask:
 
     def __init__(
         self,
-        loop: LockstepLoop,
+        loop: Simulation,
         task: BoundTask,
         script: TaskScript,
         room: LockstepTaskRoom,

@@ -7,16 +7,13 @@ from math import inf
 import numpy as np
 from space_room import bsen_search, bsen_voxels
 
-from housefly.messages.obstacles import Obstacle, ObstacleKind
-from housefly.pilot.planning.space.costs import blindness, height_wish, narrowness, nearness
+from housefly.pilot.planning.space.costs import blindness, height_wish, narrowness
 from housefly.pilot.planning.space.reachability import within_reach
 from housefly.pilot.planning.space.search import CellSearch
-from housefly.pilot.planning.space.solid_rows import live_rows
 from housefly.pilot.planning.space.volumes import (
     Volume,
     VolumeKind,
     in_volume,
-    speed_limit,
     within_volumes,
 )
 from housefly.room.bsen import bsen
@@ -45,8 +42,6 @@ def test_keep_out_closes_keep_in_closes_the_rest_and_slow_closes_nothing() -> No
     assert np.array_equal(within_volumes(voxels, [out]).free(), voxels.free() & ~inside)
     assert np.array_equal(within_volumes(voxels, [kept]).free(), voxels.free() & inside)
     assert np.array_equal(within_volumes(voxels, [slow]).free(), voxels.free())
-    limit = speed_limit([out, kept, slow], voxels, 1.0)
-    assert (limit[inside] == 0.3).all() and (limit[~inside] == 1.0).all()
 
 
 def test_what_is_within_reach_has_a_way_from_home_and_the_rest_has_none() -> None:
@@ -61,18 +56,6 @@ def test_what_is_within_reach_has_a_way_from_home_and_the_rest_has_none() -> Non
         voxels, [Volume(VolumeKind.KEEP_OUT, ((4.0, 0.0), (4.3, 0.0), (4.3, 8.0), (4.0, 8.0)))]
     )
     assert not within_reach(walled, bsen().home).free()[:40].any()
-
-
-def test_a_way_goes_round_people_where_there_is_room() -> None:
-    voxels = bsen_voxels()
-    person = live_rows([Obstacle("p", (7.55, 3.6), 0.25, kind=ObstacleKind.PERSON)], 0.0, 0.0)
-    start, goal = (voxels.voxel_of((x, 4.2, 1.1)) for x in (6.0, 9.2))
-    weights = nearness(voxels, person, 1.0, 6.0)
-    assert weights.max() == 6.0
-    assert weights[20, 40, 11] == 0.0
-    plain = CellSearch(voxels.free()).path(start, goal).cells
-    polite = CellSearch(voxels.free(), weights).path(start, goal).cells
-    assert sum(weights[c] for c in polite) < sum(weights[c] for c in plain)
 
 
 def test_layers_are_nothing_where_there_is_nothing_to_avoid() -> None:

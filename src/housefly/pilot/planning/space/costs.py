@@ -9,7 +9,6 @@ from __future__ import annotations
 import numpy as np
 
 from housefly.numeric import FloatArray
-from housefly.pilot.planning.live import gap
 from housefly.pilot.planning.space.clearance import lower_clearance
 from housefly.pilot.planning.space.solid_rows import BOTTOM, TOP
 from housefly.pilot.planning.space.voxels import VoxelMap
@@ -32,33 +31,6 @@ def narrowness(voxels: VoxelMap, wide: float, gain: float) -> FloatArray:
     slope = max(wide - voxels.keep, 1e-9)
     layer: FloatArray = gain * np.clip((wide - voxels.clearance) / slope, 0.0, 1.0)
     return layer
-
-
-def nearness(voxels: VoxelMap, people: FloatArray, comfort: float, gain: float) -> FloatArray:
-    """Return the layer that grows from 0 at a distance [m] from people to ``gain`` at their bodies.
-
-    Args:
-        voxels: the map.
-        people: their rows (``solid_rows.live_rows``), shape (n, 11).
-        comfort: from the hull to a body [m].
-        gain: of the layer.
-
-    Returns:
-        Shape (nx, ny, nz).
-    """
-    nx, ny, nz = voxels.shape
-    reach = comfort + voxels.hull.radius
-    plan = np.zeros((nx, ny))
-    for row in people:
-        far = reach + float(np.hypot(row[2], row[3]) + row[6] + np.hypot(row[7], row[8]))
-        low = np.floor((row[:2] - far - voxels.origin[:2]) / voxels.resolution).astype(int)
-        high = np.ceil((row[:2] + far - voxels.origin[:2]) / voxels.resolution).astype(int)
-        for i in range(max(0, low[0]), min(nx, high[0] + 1)):
-            for j in range(max(0, low[1]), min(ny, high[1] + 1)):
-                x, y, _ = voxels.middle_of((i, j, 0))
-                apart = max(gap(row, x, y) - voxels.hull.radius, 0.0)
-                plan[i, j] = max(plan[i, j], gain * (1.0 - apart / comfort))
-    return np.repeat(plan[:, :, None], nz, axis=2)
 
 
 def blindness(voxels: VoxelMap, room: Room, gain: float) -> FloatArray:

@@ -82,13 +82,3 @@ def speeds_at(volumes: Iterable[Volume], places: FloatArray) -> FloatArray:
             inside &= (places[:, 2] >= volume.bottom) & (places[:, 2] <= volume.top)
             speeds[inside] = np.minimum(speeds[inside], volume.speed)
     return speeds
-
-
-def speed_limit(volumes: Iterable[Volume], voxels: VoxelMap, speed: float) -> FloatArray:
-    """Return the highest speed in each voxel [m/s], shape (nx, ny, nz)."""
-    limit = np.full(voxels.shape, speed)
-    for volume in volumes:
-        if volume.kind is VolumeKind.SLOW:
-            inside = in_volume(voxels, volume)
-            limit[inside] = np.minimum(limit[inside], volume.speed)
-    return limit
