@@ -7,7 +7,7 @@
 ``handshake``         the acknowledged configuration, and TCP 5559
 ``limits_keeper``     writes our settings, and knows whether they are there
 ``video``             TCP 5555, pictures
-``driver``            all of it as a ``drones.contracts.Drone``
+``driver``            all of it as a ``drones.contract.DroneDriver``
 
 ``wires.ardrone.command_sequencer`` decides what is sent next.
 """

@@ -1,4 +1,4 @@
-"""The AR.Drone 2.0 as a ``Drone``: its four ports and the watchdog over the pilot.
+"""The AR.Drone 2.0 as a ``DroneDriver``: its four ports and the watchdog over the pilot.
 
 A command whose action differs from the one before leaves in the same call. FLY setpoints leave at
 the drone's rate, timed so that a regular pilot's setpoint leaves as soon as it comes; when the
@@ -10,8 +10,18 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Coroutine
 from dataclasses import replace
+from math import radians
 
 from housefly.clock import Clock, RealClock
+from housefly.config.capabilities import (
+    Camera,
+    Capabilities,
+    OwnManoeuvre,
+    OwnMeasurement,
+    SetpointForm,
+    Silence,
+    SilenceAnswer,
+)
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.config.process_log import log_traceback
@@ -31,11 +41,19 @@ from housefly.wires.ardrone.command_sequencer import (
     CommandSequencer,
     Permit,
 )
-from housefly.wires.ardrone.config import VideoChannel
+from housefly.wires.ardrone.config import COM_WATCHDOG_TIME, VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
+CAPABILITIES = Capabilities(
+    setpoints=(SetpointForm.TILT_AND_CLIMB,),
+    manoeuvres=frozenset(OwnManoeuvre),
+    measures=frozenset(OwnMeasurement),
+    light=True,
+    camera=Camera(field_of_view=radians(69.0), width=640, height=360, ahead=0.21),
+    silence=Silence(after=COM_WATCHDOG_TIME, answer=SilenceAnswer.LANDS),
+)
 _FOUND_IN_THE_AIR = "found in the air by a new driver: it only hovers and lands"
 
 
@@ -77,6 +95,11 @@ class ArDrone:
         self._is_known = False
         self._is_leaving = False
         self._tasks: dict[str, asyncio.Task[None]] = {}
+
+    @property
+    def capabilities(self) -> Capabilities:
+        """What an AR.Drone 2.0 can do."""
+        return CAPABILITIES
 
     async def connect(self) -> None:
         """Open the wire and configure the drone; may be called again after a failure.
@@ -187,11 +210,6 @@ class ArDrone:
     def video_connected(self) -> bool:
         """Whether pictures arrive."""
         return self._video.connected
-
-    @property
-    def has_light(self) -> bool:
-        """Whether it can show that its camera is recorded: it has four lights."""
-        return True
 
     def show_recording(self, records: bool) -> None:
         """Blink red while the camera is recorded; goes out 1.5 s after the last time."""
