@@ -18,6 +18,7 @@ from kinematic_world import KinematicWorld
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
+from housefly.drones import failsafe
 from housefly.drones import remote_drone as remote_drone_module
 from housefly.drones.ardrone.driver import CAPABILITIES, ArDrone
 from housefly.drones.driver_messages import TimedCommand, encode_driver_message
@@ -27,7 +28,6 @@ from housefly.drones.remote_drone import RemoteDrone
 from housefly.errors import LinkError
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.wires.ardrone import command_sequencer
 
 pytestmark = pytest.mark.wire
 
@@ -176,7 +176,7 @@ async def test_a_pilot_whose_connection_ends_leaves_a_drone_that_hovers_at_once_
     bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     await bench.fly()
-    monkeypatch.setattr(command_sequencer, "HOVER_AFTER", 60.0)  # nobody waits for silence
+    monkeypatch.setattr(failsafe, "HOVER_AFTER", 60.0)  # nobody waits for silence
     await bench.pilot.close()
     end = time.monotonic() + 1.5
     while not bench.world.asked.hover:

@@ -1,7 +1,7 @@
 """What pilot and driver tell each other over their socket: bytes and back.
 
 Each message is magic, kind, size of its body [bytes], body. A command carries the time at which the
-pilot gave it: what comes late counts for nothing (``wires.ardrone.command_sequencer``).
+pilot gave it: what comes late counts for nothing (``failsafe``).
 """
 
 from __future__ import annotations

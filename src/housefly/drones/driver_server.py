@@ -22,11 +22,11 @@ from housefly.drones.driver_messages import (
     TimedCommand,
     encode_driver_message,
 )
+from housefly.drones.failsafe import LAND_AFTER
 from housefly.drones.private_socket import check_private, is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.wires.ardrone.command_sequencer import LAND_AFTER
 
 if TYPE_CHECKING:
     from housefly.drones.contract import DroneDriver

@@ -21,12 +21,13 @@ from housefly.drones.ardrone import driver as driver_module
 from housefly.drones.ardrone import limits_keeper
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.ardrone.video import VideoLink
+from housefly.drones.brake import BRAKE_TIME_MAX
+from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER
 from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin import contracts as twin
 from housefly.wires.ardrone import at, navdata_options, pave
-from housefly.wires.ardrone.brake import BRAKE_TIME_MAX
-from housefly.wires.ardrone.command_sequencer import HOVER_AFTER, LAND_AFTER, SEND_INTERVAL
+from housefly.wires.ardrone.command_encoder import SEND_INTERVAL
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, encode_navdata
 from housefly.wires.ardrone.pave import (
@@ -135,7 +136,7 @@ async def test_a_watchdog_that_fails_lands_the_drone_although_its_log_takes_no_m
 
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=0.3)
-    monkeypatch.setattr(flight.drone._sequencer, "next_commands", fail)
+    monkeypatch.setattr(flight.drone._failsafe, "decide", fail)
     with full_output():
         await asyncio.sleep(1.0)
     sent = at.parse_datagram(flight.radio.commands[-1]).commands[0].command
@@ -159,7 +160,7 @@ async def test_a_watchdog_that_fails_lands_the_drone_before_it_says_so(flight, m
 
     await flying(flight)
     before = flight.drone._commands.datagrams
-    monkeypatch.setattr(flight.drone._sequencer, "next_commands", fail)
+    monkeypatch.setattr(flight.drone._failsafe, "decide", fail)
     with contextlib.redirect_stderr(Watched()) as said:
         await asyncio.sleep(0.2)
     assert "ZeroDivisionError" in said.getvalue()

@@ -19,7 +19,7 @@ from housefly.drones.ardrone.recording_light import (
 )
 from housefly.messages import Action, DroneStatus, Setpoint
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_sequencer import SEND_INTERVAL
+from housefly.wires.ardrone.command_encoder import SEND_INTERVAL
 
 TICK = 0.035
 STANDARD = STANDARD_LED.animation

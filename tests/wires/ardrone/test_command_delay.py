@@ -12,9 +12,9 @@ from kinematic_world import KinematicWorld
 from housefly.config.profile import Interval, write_profile
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Action, Command, Setpoint
 from housefly.pilot.site_parameters import pilot_parameters
-from housefly.twin.lockstep import LockstepRoom
 from housefly.wires.ardrone.command_delay import (
     reaction_delay,
     sending_delay,

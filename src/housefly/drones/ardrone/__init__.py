@@ -9,5 +9,5 @@
 ``video``             TCP 5555, pictures
 ``driver``            all of it as a ``drones.contract.DroneDriver``
 
-``wires.ardrone.command_sequencer`` decides what is sent next.
+``drones.failsafe`` decides what the drone is told, ``wires.ardrone.command_encoder`` how.
 """

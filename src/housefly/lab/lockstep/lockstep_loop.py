@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from housefly.lab.lockstep.lockstep_perception import LockstepPerception
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Estimate, Inputs, Obstacle, Order, PilotStep
 from housefly.pilot.assembly import make_pilot
 from housefly.record.truth import ContactRecord
 from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.faults.injector import FaultInjector
-from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.movable import Movable
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.people.script import PersonScript

@@ -11,7 +11,7 @@ from math import floor
 
 from housefly.config.site import Site
 from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
-from housefly.wires.ardrone.command_sequencer import REPEAT_AFTER, SEND_INTERVAL_MIN
+from housefly.wires.ardrone.command_encoder import REPEAT_AFTER, SEND_INTERVAL_MIN
 
 _DATAGRAMS = 400
 """Sent until the pattern of ticks and datagrams counts as known."""

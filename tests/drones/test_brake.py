@@ -9,9 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.geometry import GRAVITY
-from housefly.messages import LEVEL, DroneStatus, KnownMotion, Telemetry
-from housefly.wires.ardrone.brake import (
+from housefly.drones.brake import (
     AT_REST_SPEED,
     BRAKE_TIME_MAX,
     KNOWN_FOR,
@@ -20,6 +18,8 @@ from housefly.wires.ardrone.brake import (
     braking_setpoint,
     sinking_setpoint,
 )
+from housefly.geometry import GRAVITY
+from housefly.messages import LEVEL, DroneStatus, KnownMotion, Telemetry
 
 TILT_MAX = 0.21
 STEP = 0.01

@@ -1,7 +1,7 @@
 """The simulated room without the wires, on a stepped clock.
 
-Rates, delays and habits are those of the wires: the driver's own command sequencer decides what the
-drone hears and when. Faults befall the same streams as on the wires.
+Rates, delays and habits are those of the wires: the driver's own failsafe and encoder decide what
+the drone hears and when. Faults befall the same streams as on the wires.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import replace
 from math import inf, isfinite, nan
 
 from housefly.config.site import Site
+from housefly.drones.failsafe import Failsafe
 from housefly.errors import ConfigError
 from housefly.messages import (
     Command,
@@ -36,10 +37,10 @@ from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_sequencer import (
+from housefly.wires.ardrone.command_encoder import (
     REPEAT_AFTER,
     SEND_INTERVAL_MIN,
-    CommandSequencer,
+    CommandEncoder,
 )
 from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
@@ -123,7 +124,8 @@ class LockstepRoom:
             )
         )
         maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
-        self._sequencer = CommandSequencer(maxima, world.now, watched=guarded)
+        self._failsafe = Failsafe(world.now, limits.tilt_max, watched=guarded)
+        self._encoder = CommandEncoder(maxima)
         self._sent_at = world.now
         self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
@@ -198,7 +200,7 @@ class LockstepRoom:
 
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
-        action_changed = self._sequencer.update(command, self.now, issued_at, motion)
+        action_changed = self._failsafe.update(command, self.now, issued_at, motion)
         if action_changed or self.now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit()
 
@@ -212,7 +214,9 @@ class LockstepRoom:
         """Send what would be one datagram."""
         self._sent_at = self.now
         self._number += 1
-        commands = self._sequencer.next_commands(self.now, self.telemetry())
+        report = self.telemetry()
+        told = self._failsafe.decide(self.now, report)
+        commands = self._encoder.encoded(told, self.now, report)
         datagram = (self._number, commands)
         self._commands_under_way.extend(self._uplink.sent(datagram, self.faults.schedule, self.now))
         self._deliver()
