@@ -70,6 +70,7 @@ reports = st.builds(
 cameras = st.builds(
     Camera,
     field_of_view=st.floats(0.1, 3.1),
+    field_of_view_up=st.floats(0.1, 3.1),
     width=st.integers(16, 8192),
     height=st.integers(16, 8192),
     ahead=st.floats(-1.0, 1.0),

@@ -16,11 +16,12 @@ from full_disk import full_output
 from kinematic_world import KinematicWorld
 
 from housefly.clock import RealClock
+from housefly.config.airframe import airframe_named
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones import failsafe
 from housefly.drones import remote_drone as remote_drone_module
-from housefly.drones.ardrone.driver import CAPABILITIES, ArDrone
+from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_messages import TimedCommand, encode_driver_message
 from housefly.drones.driver_server import DriverServer
 from housefly.drones.private_socket import is_own_user
@@ -136,7 +137,9 @@ async def test_the_light_is_lit_through_the_socket_and_goes_out_when_nobody_says
     bench: Bench,
 ) -> None:
     await bench.pilot.connect()
-    await bench.until(lambda: bench.pilot.capabilities == CAPABILITIES, Action.IDLE)
+    await bench.until(
+        lambda: bench.pilot.capabilities == airframe_named("ardrone").capabilities, Action.IDLE
+    )
     for _ in range(4):
         bench.pilot.show_recording(True)
         await bench.until(lambda: bench.world.truth().leds == 2, Action.IDLE)

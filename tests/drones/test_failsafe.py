@@ -6,12 +6,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER, Failsafe
 from housefly.messages import Action, Command, DroneStatus, KnownMotion, Setpoint, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES
 
 AIRBORNE = tuple(AIRBORNE_STATUSES)
 TILT_MAX = 0.2
+ARDRONE = airframe_named("ardrone")
+WITHOUT_HOVER = ARDRONE.model_copy(
+    update={"capabilities": ARDRONE.capabilities.model_copy(update={"manoeuvres": frozenset()})}
+)
 
 
 def report(status: DroneStatus, at: float, height: float = 1.0) -> Telemetry:
@@ -23,7 +28,7 @@ def told(failsafe: Failsafe, now: float, status: DroneStatus) -> Action:
 
 
 def seen_standing(*, hovers: bool = True) -> Failsafe:
-    failsafe = Failsafe(0.0, TILT_MAX, hovers=hovers)
+    failsafe = Failsafe(0.0, TILT_MAX, ARDRONE if hovers else WITHOUT_HOVER)
     failsafe.decide(0.0, report(DroneStatus.LANDED, 0.0))
     return failsafe
 
@@ -32,7 +37,7 @@ def seen_standing(*, hovers: bool = True) -> Failsafe:
 def test_a_drone_that_is_found_in_the_air_is_only_held_landed_or_cut(
     status: DroneStatus, action: Action
 ) -> None:
-    failsafe = Failsafe(0.0, TILT_MAX)
+    failsafe = Failsafe(0.0, TILT_MAX, ARDRONE)
     failsafe.update(Command(action, Setpoint(theta=0.1)), 0.01)
     kept = (Action.HOVER, Action.LAND, Action.CUT, Action.IDLE)
     assert told(failsafe, 0.02, status) in kept

@@ -56,6 +56,7 @@ class Camera(Section):
     """The drone's camera: fixed to a level drone, looking ahead, square pixels, no distortion."""
 
     field_of_view: float = quantity(..., 0.1, 3.1, "rad", "horizontal")
+    field_of_view_up: float = quantity(..., 0.1, 3.1, "rad", "vertical")
     width: int = Field(ge=16, le=8192, description="of a picture [px]")
     height: int = Field(ge=16, le=8192, description="of a picture [px]")
     ahead: float = quantity(..., -1.0, 1.0, "m", "how far before the drone's middle it sits")

@@ -12,8 +12,8 @@ from __future__ import annotations
 from enum import Enum
 from math import isfinite
 
+from housefly.config.airframe import Airframe
 from housefly.drones.brake import (
-    BRAKE_TIME_MAX,
     ON_FLOOR,
     SINK_TIME_MAX,
     AttitudeSpeed,
@@ -46,7 +46,7 @@ class Failsafe:
     Args:
         now: of the first command [s].
         tilt_max: as below.
-        hovers: whether the drone hovers by itself; one that does not sinks level in silence.
+        airframe: of the drone; one that does not hover by itself sinks level in silence.
         watched: False repeats the last command for ever; for negative controls only.
 
     Attributes:
@@ -55,11 +55,11 @@ class Failsafe:
     """
 
     def __init__(
-        self, now: float, tilt_max: float, *, hovers: bool = True, watched: bool = True
+        self, now: float, tilt_max: float, airframe: Airframe, *, watched: bool = True
     ) -> None:
         self.tilt_max = tilt_max
         self.permit: Permit | None = None
-        self._hovers, self._watched = hovers, watched
+        self._hovers, self._watched = airframe.capabilities.hovers, watched
         self._command = Command(Action.IDLE)
         self._commanded_at = now
         self._order, self._ordered_at = 0, now
@@ -69,7 +69,7 @@ class Failsafe:
         self._refused_at: float | None = None
         self._braking_since: float | None = None
         self._sinking_since: float | None = None
-        self._speed = AttitudeSpeed()
+        self._speed = AttitudeSpeed(airframe)
 
     def update(
         self,
@@ -167,7 +167,7 @@ class Failsafe:
         if self._braking_since is None:
             self._braking_since = now
         setpoint = None
-        if now - self._braking_since <= BRAKE_TIME_MAX:
+        if now - self._braking_since <= self._speed.brake.time_max:
             setpoint = braking_setpoint(now, report, self._speed, self.tilt_max)
         if setpoint is None:
             self._braking_since = float("-inf")

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.drones.brake import SINK_TIME_MAX
 from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER, Failsafe, Permit
 from housefly.messages import (
@@ -28,6 +29,7 @@ from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 from housefly.wires.ardrone.emergency_button import PRESS_TIME_MAX
 
 AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
+ARDRONE = airframe_named("ardrone")
 MAXIMA = Maxima(0.2, 0.7, 1.75)
 LAND = at.Ref(at.RefBits.LAND)
 TAKE_OFF = at.Ref(at.RefBits.TAKE_OFF)
@@ -44,7 +46,7 @@ class Commands:
     """What leaves for a drone that was seen to stand before."""
 
     def __init__(self, maxima: Maxima, now: float, *, watched: bool = True) -> None:
-        self.failsafe = Failsafe(now, maxima.tilt, watched=watched)
+        self.failsafe = Failsafe(now, maxima.tilt, ARDRONE, watched=watched)
         self.failsafe.permit = Permit.ALL
         self.update, self.abandon = self.failsafe.update, self.failsafe.abandon
         self._encoder = CommandEncoder(maxima)

@@ -15,13 +15,13 @@ import pytest
 from full_disk import full_output
 
 from housefly.clock import RealClock
+from housefly.config.airframe import airframe_named
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone import driver as driver_module
 from housefly.drones.ardrone import limits_keeper
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.ardrone.video import VideoLink
-from housefly.drones.brake import BRAKE_TIME_MAX
 from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER
 from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
@@ -39,6 +39,7 @@ from housefly.wires.ardrone.pave import (
 
 pytestmark = [pytest.mark.wire, pytest.mark.usefixtures("fresh_log")]
 
+ARDRONE = airframe_named("ardrone")
 FORWARD = Setpoint(theta=0.1)
 
 
@@ -122,7 +123,7 @@ async def test_a_pilot_that_falls_silent_lets_it_hover_and_then_land(flight) -> 
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=0.3)
     assert not flight.world.asked.hover
-    await flight.silence(HOVER_AFTER + BRAKE_TIME_MAX + 0.1)
+    await flight.silence(HOVER_AFTER + ARDRONE.brake.time_max + 0.1)
     assert flight.world.asked.hover and status(flight) is DroneStatus.FLYING
     await flight.silence(LAND_AFTER)
     assert status(flight) in (DroneStatus.LANDING, DroneStatus.LANDED)

@@ -10,18 +10,9 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Coroutine
 from dataclasses import replace
-from math import radians
 
 from housefly.clock import Clock, RealClock
-from housefly.config.capabilities import (
-    Camera,
-    Capabilities,
-    OwnManoeuvre,
-    OwnMeasurement,
-    SetpointForm,
-    Silence,
-    SilenceAnswer,
-)
+from housefly.config.capabilities import Capabilities
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.config.process_log import log_traceback
@@ -40,19 +31,11 @@ from housefly.wires.ardrone.command_encoder import (
     SEND_INTERVAL_MIN,
     CommandEncoder,
 )
-from housefly.wires.ardrone.config import COM_WATCHDOG_TIME, VideoChannel
+from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
-CAPABILITIES = Capabilities(
-    setpoints=(SetpointForm.TILT_AND_CLIMB,),
-    manoeuvres=frozenset(OwnManoeuvre),
-    measures=frozenset(OwnMeasurement),
-    light=True,
-    camera=Camera(field_of_view=radians(69.0), width=640, height=360, ahead=0.21),
-    silence=Silence(after=COM_WATCHDOG_TIME, answer=SilenceAnswer.LANDS),
-)
 _FOUND_IN_THE_AIR = "found in the air by a new driver: it only hovers and lands"
 
 
@@ -88,9 +71,7 @@ class ArDrone:
         self._limits = LimitsKeeper(
             limits, self._configurator, self._navdata, full_navdata=full_navdata
         )
-        self._failsafe = Failsafe(
-            self._clock.now(), self._limits.maxima.tilt, hovers=CAPABILITIES.hovers
-        )
+        self._failsafe = Failsafe(self._clock.now(), self._limits.maxima.tilt, config.airframe)
         self._encoder = CommandEncoder(self._limits.maxima)
         self._sent_at = float("-inf")
         self._told: tuple[Telemetry, Telemetry] | None = None
@@ -99,7 +80,7 @@ class ArDrone:
     @property
     def capabilities(self) -> Capabilities:
         """What an AR.Drone 2.0 can do."""
-        return CAPABILITIES
+        return self._config.airframe.capabilities
 
     async def connect(self) -> None:
         """Open the wire and configure the drone; may be called again after a failure.

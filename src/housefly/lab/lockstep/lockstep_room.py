@@ -124,7 +124,7 @@ class LockstepRoom:
             )
         )
         maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
-        self._failsafe = Failsafe(world.now, limits.tilt_max, watched=guarded)
+        self._failsafe = Failsafe(world.now, limits.tilt_max, site.drone.airframe, watched=guarded)
         self._encoder = CommandEncoder(maxima)
         self._sent_at = world.now
         self._emergency_held = False

@@ -1,0 +1,152 @@
+"""The constants of one model of drone, with where each comes from: ``airframes/<model>.toml``.
+
+What is one drone's and not ours stands there. A table of such a file gives a ``source`` for all of
+its numbers, or each number as ``{ value = ..., source = "..." }``; a number without one is refused.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, ValidationError
+
+from housefly.config.capabilities import Capabilities
+from housefly.config.section import Section, quantity
+from housefly.errors import ConfigError
+
+FOLDER = Path(__file__).parent / "airframes"
+_SOURCED = {"value", "source"}
+
+
+class BodyConstants(Section):
+    """Mass and hull."""
+
+    mass: float = quantity(..., 0.01, 10.0, "kg", "as it flies, with hull and battery")
+    hull_length: float = quantity(..., 0.05, 2.0, "m", "longer side of the hull")
+    hull_width: float = quantity(..., 0.05, 2.0, "m", "shorter side of the hull")
+    hull_height: float = quantity(..., 0.02, 1.0, "m", "of the hull, planner space")
+    standing_height: float = quantity(
+        ..., 0.0, 1.0, "m", "height of its middle above the floor when it stands"
+    )
+
+
+class ResponseConstants(Section):
+    """How it follows what it is asked for; a site and a drone profile may know better."""
+
+    attitude_lag: float = quantity(
+        ..., 0.5, 50.0, "1/s", "lambda of paper eq. (22): pole of the attitude response"
+    )
+    attitude_gain: float = quantity(
+        ..., 0.2, 2.0, "1", "c / lambda of paper eq. (22): achieved over commanded angle"
+    )
+    drag: float = quantity(..., 0.0, 5.0, "1/s", "linear drag over mass")
+    command_delay: float = quantity(..., 0.0, 0.5, "s", "from command to first reaction")
+    climb_lag: float = quantity(..., 0.2, 50.0, "1/s", "pole of the climb rate response")
+    sink_gain: float = quantity(
+        ...,
+        0.5,
+        3.0,
+        "1",
+        "what the drone makes of a commanded sinking, over what was commanded (an AR.Drone's stick"
+        " sinks twice as fast as it climbs); counts with estimation.lift_wander",
+    )
+    yaw_lag: float = quantity(..., 0.2, 50.0, "1/s", "pole of the yaw rate response")
+
+
+class BrakeConstants(Section):
+    """How it is brought to rest when nobody else steers any more."""
+
+    gain: float = quantity(..., 0.1, 20.0, "1/s", "deceleration per speed, still well damped")
+    lead: float = quantity(
+        ..., 0.0, 2.0, "s", "the present attitude goes on accelerating for so long: delay and lag"
+    )
+    time_max: float = quantity(..., 0.0, 5.0, "s", "longest time before its own hover takes over")
+    rest_speed: float = quantity(
+        ..., 0.0, 1.0, "m/s", "slower than this, lead included, its own hover holds better"
+    )
+    attitude_lag: float = quantity(..., 0.01, 2.0, "s", "it leans as it was asked to this late")
+
+
+class Airframe(Section):
+    """One model of drone.
+
+    Attributes:
+        name: as its maker calls it.
+        capabilities: what it can do.
+        body, response, brake: its constants.
+    """
+
+    name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
+    capabilities: Capabilities
+    body: BodyConstants
+    response: ResponseConstants
+    brake: BrakeConstants
+
+
+def airframe_names() -> tuple[str, ...]:
+    """Return the models that are known, by the names of their files."""
+    return tuple(sorted(path.stem for path in FOLDER.glob("*.toml")))
+
+
+@lru_cache
+def airframe_named(model: str) -> Airframe:
+    """Return the airframe of a model; raises ConfigError as ``airframe_in`` does."""
+    return airframe_in(FOLDER / f"{model}.toml")
+
+
+def airframe_in(path: Path) -> Airframe:
+    """Read and check an airframe file.
+
+    Raises:
+        ConfigError: it cannot be read; a number has no source; or the key, its value, what is
+            allowed, and the unit.
+    """
+    try:
+        tree = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ConfigError("airframe", f"cannot be read: {error}", str(path)) from error
+    values = _sourced(tree, (), path, is_sourced=False)
+    try:
+        return Airframe.model_validate(values)
+    except ValidationError as error:
+        # not loaded where all is well: the driver's process is kept small
+        from housefly.config.validation import dotted, explain
+
+        first = error.errors()[0]
+        raise ConfigError(dotted(first["loc"]), explain(first, Airframe), str(path)) from error
+
+
+def _sourced(tree: dict[str, Any], at: tuple[str, ...], path: Path, *, is_sourced: bool) -> Any:
+    """Return a table without its sources, once each of its numbers has one."""
+    if tree.keys() == _SOURCED:
+        _check_source(tree["source"], at, path)
+        return tree["value"]
+    if "source" in tree:
+        _check_source(tree["source"], at, path)
+        is_sourced = True
+    values: dict[str, Any] = {}
+    for key, value in tree.items():
+        if key == "source":
+            continue
+        if isinstance(value, dict):
+            value = _sourced(value, (*at, key), path, is_sourced=is_sourced)
+        elif not is_sourced and isinstance(value, int | float):
+            raise ConfigError(
+                ".".join((*at, key)),
+                f'has no source; allowed: {{ value = {value}, source = "where it is from" }}, or'
+                " one source for its whole table",
+                str(path),
+            )
+        values[key] = value
+    return values
+
+
+def _check_source(source: Any, at: tuple[str, ...], path: Path) -> None:
+    if not isinstance(source, str) or not source.strip():
+        key = ".".join((*at, "source"))
+        raise ConfigError(
+            key, f"is {source!r}; allowed: words that say where it is from", str(path)
+        )
