@@ -54,7 +54,7 @@ def test_what_is_wrong_is_named_with_its_value_what_is_allowed_and_the_unit(
 def test_a_number_that_is_from_nowhere_is_refused(tmp_path: Path) -> None:
     mass = 'mass = { value = 0.436, source = "Douthwaite, ARdrone.m; with indoor hull" }'
     assert mass in GOOD
-    with pytest.raises(ConfigError, match="body.mass: has no source"):
+    with pytest.raises(ConfigError, match=r"body\.mass: has no source"):
         airframe_in(written(tmp_path, GOOD.replace(mass, "mass = 0.436")))
     empty = mass.replace("Douthwaite, ARdrone.m; with indoor hull", " ")
     with pytest.raises(ConfigError, match=r"body.mass.source: is ' '"):

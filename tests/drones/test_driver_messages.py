@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.capabilities import (
-    Camera,
     Capabilities,
+    OnboardCamera,
     OwnManoeuvre,
     OwnMeasurement,
     SetpointForm,
@@ -68,7 +68,7 @@ reports = st.builds(
     notes=words,
 )
 cameras = st.builds(
-    Camera,
+    OnboardCamera,
     field_of_view=st.floats(0.1, 3.1),
     field_of_view_up=st.floats(0.1, 3.1),
     width=st.integers(16, 8192),

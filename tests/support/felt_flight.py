@@ -93,7 +93,7 @@ def judged(flight: FeltFlight, seconds: float) -> Judgement:
     """Return what the monitor says of a flight of so many seconds."""
     rng, monitor = (
         np.random.default_rng(flight.seed),
-        TrackingMonitor(OdometryTolerance(0.002, flight.way_error)),
+        TrackingMonitor(OdometryTolerance(0.002, flight.way_error), drag=0.58),
     )
     judgement, past = Judgement(), [0.0] * (_DELAY_TICKS + 1)
     x = psi = next_seen = next_told = 0.0

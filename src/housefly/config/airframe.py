@@ -70,13 +70,52 @@ class BrakeConstants(Section):
     attitude_lag: float = quantity(..., 0.01, 2.0, "s", "it leans as it was asked to this late")
 
 
+class TakeOffConstants(Section):
+    """How its own take-off climbs, which nobody steers, and how one that is given up ends."""
+
+    climb_rate: float = quantity(..., 0.05, 5.0, "m/s", "usual")
+    climb_rate_min: float = quantity(..., 0.05, 5.0, "m/s", "the least to count on")
+    steerable_height: float = quantity(..., 0.1, 5.0, "m", "it can be steered from here on")
+    steerable_height_min: float = quantity(..., 0.1, 5.0, "m", "it may be from here on")
+    give_up_time: float = quantity(
+        ..., 0.0, 20.0, "s", "one that is given up stands again after this"
+    )
+    give_up_time_per_height: float = quantity(..., 0.0, 20.0, "s/m", "... and this for every metre")
+
+
+class LandingConstants(Section):
+    """How its own landing goes, which nobody steers."""
+
+    touchdown_time: float = quantity(
+        ..., 0.1, 30.0, "s", "from flight height no longer than this until it stands"
+    )
+    sink_rate: float = quantity(..., 0.05, 3.0, "m/s", "near the floor")
+    turn_time: float = quantity(
+        ..., 0.0, 5.0, "s", "out of a climb near the floor it still rises for so long ..."
+    )
+    turn_rise: float = quantity(..., 0.0, 2.0, "m", "... and so far ...")
+    turn_sink_rate: float = quantity(..., 0.05, 3.0, "m/s", "... and then sinks slowly")
+
+
+class BatteryConstants(Section):
+    """Its battery."""
+
+    endurance: float = quantity(..., 30.0, 7200.0, "s", "flight time of a full battery, as rated")
+
+
+class SonarConstants(Section):
+    """Its own measurement of the height above what is below."""
+
+    floor_reading_max: float = quantity(..., 0.0, 1.0, "m", "on the floor it tells less than this")
+
+
 class Airframe(Section):
     """One model of drone.
 
     Attributes:
         name: as its maker calls it.
         capabilities: what it can do.
-        body, response, brake: its constants.
+        body, response, brake, take_off, landing, battery, sonar: its constants.
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
@@ -84,6 +123,10 @@ class Airframe(Section):
     body: BodyConstants
     response: ResponseConstants
     brake: BrakeConstants
+    take_off: TakeOffConstants
+    landing: LandingConstants
+    battery: BatteryConstants
+    sonar: SonarConstants
 
 
 def airframe_names() -> tuple[str, ...]:

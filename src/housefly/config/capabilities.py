@@ -52,7 +52,7 @@ class Silence(Section):
     answer: SilenceAnswer = Field(description="what it does then")
 
 
-class Camera(Section):
+class OnboardCamera(Section):
     """The drone's camera: fixed to a level drone, looking ahead, square pixels, no distortion."""
 
     field_of_view: float = quantity(..., 0.1, 3.1, "rad", "horizontal")
@@ -85,7 +85,7 @@ class Capabilities(Section):
     light: bool = Field(
         default=False, description="whether it can show that its camera is recorded"
     )
-    camera: Camera | None = Field(default=None, description="its camera; left out: none")
+    camera: OnboardCamera | None = Field(default=None, description="its camera; left out: none")
     silence: Silence = Field(description="what it does by itself when it hears nothing")
 
     @property

@@ -440,7 +440,7 @@ class Pilot:
             return spot
         push = self._estimator.disturbance
         brake = self._params.estimator.model.hover_drag
-        x, y = landing_drift(push, height, brake)
+        x, y = landing_drift(push, height, brake, self._settings.airframe)
         return spot[0] - x, spot[1] - y
 
     def _blind_override(self, now: float, assessment: GateAssessment) -> Override | None:

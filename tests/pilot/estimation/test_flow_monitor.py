@@ -60,7 +60,10 @@ def said(
         speed: true, forward [m/s].
         yaw: its heading [rad].
     """
-    rng, monitor = np.random.default_rng(3), TrackingMonitor(OdometryTolerance(0.003, 0.001))
+    rng, monitor = (
+        np.random.default_rng(3),
+        TrackingMonitor(OdometryTolerance(0.003, 0.001), drag=0.58),
+    )
     told: list[tuple[float, TrackingConsistency]] = []
     way, next_seen, past = 0.0, 0.0, [speed(0.0)] * (DELAY_TICKS + 1)
     for n in range(round(seconds / TICK)):

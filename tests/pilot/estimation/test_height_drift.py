@@ -32,7 +32,10 @@ def first_drift(
     seed: int = 0,
 ) -> float:
     """Return the lie [m] at which the gate lands a drone at these heights; nan for never."""
-    monitor, rng = TrackingMonitor(OdometryTolerance(0.002, 0.05)), np.random.default_rng(seed)
+    monitor, rng = (
+        TrackingMonitor(OdometryTolerance(0.002, 0.05), drag=0.58),
+        np.random.default_rng(seed),
+    )
     since, reading, next_ping = np.inf, 0.0, 0.0
     for t in np.arange(0.0, seconds, TICK).tolist():
         if t >= next_ping:

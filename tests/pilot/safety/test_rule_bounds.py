@@ -6,7 +6,7 @@ from dataclasses import fields, replace
 from math import inf
 
 import pytest
-from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
+from gate_flight import AIRFRAME, FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
 from housefly.geometry import GRAVITY, stopping_distance
 from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode
@@ -22,7 +22,6 @@ from housefly.pilot.safety.drone_rules import (
     LATE_LAND,
     LATE_STEPS_MAX,
     LOW_HEIGHT,
-    OWN_LOW_HEIGHT,
     STILL_SPEED,
     descent_time,
     lies_on_floor,
@@ -75,7 +74,7 @@ BUDGET = {field.name for field in fields(EnergyBudget)}
 KNOWN = {field.name for field in fields(TrackingConsistency)}
 LATE_LANDING = LIMITS.landing_timeout + 1.0
 LATEST_LANDING = LIMITS.landing_timeout + descent_time(
-    RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE)
+    RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE, AIRFRAME)
 )
 
 
@@ -90,7 +89,7 @@ def context(**changes: object) -> RuleContext:
         now = replace(now, consistency=TrackingConsistency(**known))  # type: ignore[arg-type]
     seen = replace(FLOWN, energy=replace(NO_ENERGY, **of(BUDGET)))  # type: ignore[arg-type]
     seen = replace(seen, **changes)  # type: ignore[arg-type]
-    return RuleContext(now, seen, LIMITS, FENCE)
+    return RuleContext(now, seen, LIMITS, FENCE, AIRFRAME)
 
 
 def placed(x: float = 0.0, z: float = 0.0, **changes: object) -> RuleContext:
@@ -227,9 +226,9 @@ def test_who_lands_untracked_counts_as_up_by_its_sonar_and_until_a_descent_has_h
             context(pose_age=inf, telemetry=report, landing_for=landing_for, phase=Phase.LANDING),
         )
 
-    assert untracked(OWN_LOW_HEIGHT, LATEST_LANDING + 60.0)
-    assert not untracked(0.9 * OWN_LOW_HEIGHT, LATEST_LANDING)
-    assert untracked(0.9 * OWN_LOW_HEIGHT, 0.999 * LATEST_LANDING)
+    assert untracked(AIRFRAME.sonar.floor_reading_max, LATEST_LANDING + 60.0)
+    assert not untracked(0.9 * AIRFRAME.sonar.floor_reading_max, LATEST_LANDING)
+    assert untracked(0.9 * AIRFRAME.sonar.floor_reading_max, 0.999 * LATEST_LANDING)
 
 
 def test_a_landing_counts_from_its_first_moment() -> None:
@@ -273,7 +272,7 @@ def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None
 
 
 def test_nothing_observed_breaks_no_rule() -> None:
-    seen = RuleContext(FINE, FlightObservations(), LIMITS, FENCE)
+    seen = RuleContext(FINE, FlightObservations(), LIMITS, FENCE, AIRFRAME)
     assert not [code for code in RULES if broken(code, seen)]
 
 
@@ -322,4 +321,4 @@ def test_nothing_is_assumed_of_a_step_that_says_nothing() -> None:
     bare = GateInputs(0.0, DroneStatus.FLYING, 0.9, 0.0, 0.0, None, False, False)
     assert bare.home_time == bare.late == 0.0 and bare.has_way_home
     assert not bare.faults and bare.consistency == NOTHING_KNOWN and bare.silence == NO_SILENCE
-    assert Gate(LIMITS, FENCE).standing_height == 0.0
+    assert Gate(LIMITS, FENCE, AIRFRAME).standing_height == 0.0

@@ -19,7 +19,7 @@ from housefly.pilot.estimation.climb_odometry import ClimbOdometry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
-from housefly.pilot.estimation.flow_monitor import USUAL_DRAG, FlowMonitor
+from housefly.pilot.estimation.flow_monitor import FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
 from housefly.pilot.estimation.lean_watch import LeanWatch
 from housefly.pilot.estimation.onboard_odometry import (
@@ -78,7 +78,7 @@ class TrackingMonitor:
         lean: whether the attitude that the drone reports stands still, and how it leans then.
     """
 
-    def __init__(self, tolerance: OdometryTolerance, drag: float = USUAL_DRAG) -> None:
+    def __init__(self, tolerance: OdometryTolerance, drag: float) -> None:
         self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
         self._odometry = NO_ODOMETRY

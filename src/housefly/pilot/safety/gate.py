@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import dist, hypot, inf, isfinite
 
+from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages.flight import Event, Phase, Severity
@@ -209,10 +210,12 @@ class Gate:
         self,
         limits: LimitsConfig,
         fence: Geofence,
+        airframe: Airframe,
         rules: tuple[SafetyRule, ...] = SAFETY_RULES,
     ) -> None:
         self._limits = limits
         self._fence = fence
+        self._airframe = airframe
         self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
         self._waiting = frozenset(rule.code for rule in rules if rule.waits)
         self._observer = FlightObserver(limits)
@@ -329,7 +332,7 @@ class Gate:
         seen = self._observer.observe(inputs, self._held, self.landing, self.landing_waits)
         self._standing_height = seen.standing_height
         self._gauge_stuck = seen.energy.gauge_stuck
-        return RuleContext(inputs, seen, self._limits, self._fence)
+        return RuleContext(inputs, seen, self._limits, self._fence, self._airframe)
 
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
         counted = [counts(context) for counts in COUNTED.values()]
