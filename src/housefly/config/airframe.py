@@ -107,6 +107,19 @@ class SonarConstants(Section):
     """Its own measurement of the height above what is below."""
 
     floor_reading_max: float = quantity(..., 0.0, 1.0, "m", "on the floor it tells less than this")
+    range_min: float = quantity(
+        ..., 0.0, 1.0, "m", "nothing nearer is measured: a lower height says that something is near"
+    )
+    beam_radius: float = quantity(
+        ..., 0.0, 2.0, "m", "it may find something so far around the drone's middle"
+    )
+    noise: float = quantity(..., 0.0, 0.5, "m", "a reading may be off by this")
+    ping_time: float = quantity(
+        ..., 0.001, 1.0, "s", "reports repeat what it measured last; it measures this often"
+    )
+    climb_rate_max: float = quantity(
+        ..., 0.1, 20.0, "m/s", "the drone climbs or sinks no faster: faster is the floor below"
+    )
 
 
 class Airframe(Section):

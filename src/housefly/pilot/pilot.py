@@ -223,6 +223,7 @@ class Pilot:
             self._params.estimator,
             settings.body,
             now,
+            settings.airframe.sonar,
             odometry_error=settings.odometry_error,
             trusting=not settings.guarded,
         )

@@ -8,6 +8,7 @@ from math import atan, cos, inf, pi, sin
 import numpy as np
 import pytest
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
@@ -62,7 +63,7 @@ def said(
     """
     rng, monitor = (
         np.random.default_rng(3),
-        TrackingMonitor(OdometryTolerance(0.003, 0.001), drag=0.58),
+        TrackingMonitor(OdometryTolerance(0.003, 0.001), 0.58, airframe_named("ardrone").sonar),
     )
     told: list[tuple[float, TrackingConsistency]] = []
     way, next_seen, past = 0.0, 0.0, [speed(0.0)] * (DELAY_TICKS + 1)

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.displacement import OdometryTolerance
@@ -21,6 +22,8 @@ TICK = 0.01
 LINK = 0.004
 """From drone to pilot [s]."""
 DRAG = 0.58
+SONAR = airframe_named("ardrone").sonar
+TOLERANCE = OdometryTolerance(0.005, 0.04)
 
 
 @given(st.lists(st.floats(0.0, 0.4), min_size=1, max_size=80))
@@ -75,7 +78,10 @@ def worst_drift(stall: float, *, tells_time: bool) -> float:
     """Return the largest drift [m] that is seen while the drone's world stands still every 3 s;
     inf where the drone's own speed is not believed any more.
     """
-    monitor, capture = TrackingMonitor(OdometryTolerance(0.005, 0.04), DRAG), CaptureClock()
+    monitor, capture = (
+        TrackingMonitor(TOLERANCE, DRAG, SONAR),
+        CaptureClock(),
+    )
     lost, x, worst = 0.0, 0.0, 0.0
     for n in range(1800):
         lost += stall if n and n % 300 == 0 else 0.0

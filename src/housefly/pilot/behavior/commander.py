@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import (
@@ -24,7 +25,7 @@ from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.found_below import FoundBelow
-from housefly.pilot.behavior.height_gap import BEAM_RADIUS, SonarMonitor
+from housefly.pilot.behavior.height_gap import SonarMonitor
 from housefly.pilot.behavior.mission import (
     STAY,
     Mission,
@@ -58,14 +59,19 @@ class Commander:
     """
 
     def __init__(
-        self, limits: LimitsConfig, navigator: Navigator, frames: FramesKnown = FRAMES_NOT_NEEDED
+        self,
+        limits: LimitsConfig,
+        navigator: Navigator,
+        airframe: Airframe,
+        frames: FramesKnown = FRAMES_NOT_NEEDED,
     ) -> None:
         self._limits = limits
         self._frames = frames
         self._navigator = navigator
         home = navigator.home()
         self.origin = OriginMonitor(home.goal or (0.0, 0.0), home.yaw or 0.0)
-        self.sonar = SonarMonitor()
+        self._airframe = airframe
+        self.sonar = SonarMonitor(airframe.sonar)
         self.found = FoundBelow()
         self.insists = False
         self.answers: tuple[OrderAnswer, ...] = ()
@@ -369,7 +375,8 @@ class Commander:
         What it shows is remembered, because a landing is tried; but for what the map shows.
         """
         if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
-            if not self._navigator.people.is_above_furniture(place, BEAM_RADIUS):
+            beam = self._airframe.sonar.beam_radius
+            if not self._navigator.people.is_above_furniture(place, beam):
                 self.found.show(vehicle.position, vehicle.now)
             return self.sonar.words
         return "something was found below here" if self.found.is_near(place) else ""

@@ -35,7 +35,7 @@ class MissionManager:
         paper: bool,
         frames: FramesKnown = FRAMES_NOT_NEEDED,
     ) -> None:
-        self._commander = Commander(limits, navigator, frames)
+        self._commander = Commander(limits, navigator, airframe, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)
         self._passing = PassingMonitor(self._commander, navigator)
         self._off_course = OffCourseMonitor(self._commander, limits, paper)
