@@ -122,13 +122,25 @@ class SonarConstants(Section):
     )
 
 
+class LinkConstants(Section):
+    """When its driver sends commands."""
+
+    interval: float = quantity(..., 0.001, 1.0, "s", "time between commands that suits it")
+    interval_min: float = quantity(
+        ..., 0.0, 1.0, "s", "a setpoint leaves at once when the last command is this old"
+    )
+    repeat_after: float = quantity(
+        ..., 0.001, 1.0, "s", "the command in force is repeated when no new one came for so long"
+    )
+
+
 class Airframe(Section):
     """One model of drone.
 
     Attributes:
         name: as its maker calls it.
         capabilities: what it can do.
-        body, response, brake, take_off, landing, battery, sonar: its constants.
+        body, response, brake, take_off, landing, battery, sonar, link: its constants.
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
@@ -140,6 +152,7 @@ class Airframe(Section):
     landing: LandingConstants
     battery: BatteryConstants
     sonar: SonarConstants
+    link: LinkConstants
 
 
 def airframe_names() -> tuple[str, ...]:

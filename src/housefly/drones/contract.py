@@ -113,6 +113,16 @@ class DroneDriver(Drone, Protocol):
         """
         ...
 
+    @property
+    def firmware(self) -> str:
+        """The version of its firmware as it reports it, or "" before that is known."""
+        ...
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is not as it should be with the drone's settings, in words."""
+        ...
+
     def abandon(self) -> None:
         """Note that the pilot is gone: a flying drone brakes now, and lands soon."""
         ...

@@ -26,6 +26,7 @@ from housefly.twin.ardrone.leds import Leds
 from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, OnboardSensors
 from housefly.twin.clearance import UNBOUNDED, Clearance
+from housefly.twin.command_delay import simulated_command_delay
 from housefly.twin.contact_log import Contact
 from housefly.twin.contracts import (
     FlightState,
@@ -51,7 +52,6 @@ from housefly.twin.physics import Physics
 from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
 from housefly.twin.sonar_beam import SonarBeam
-from housefly.wires.ardrone.command_delay import simulated_command_delay
 from housefly.wires.ardrone.conversions import Stick
 
 _WEIGHT = DRONE_MASS * GRAVITY

@@ -24,9 +24,8 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_encoder import TRIM_TIME, CommandEncoder
+from housefly.wires.ardrone.command_encoder import PRESS_TIME_MAX, TRIM_TIME, CommandEncoder
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
-from housefly.wires.ardrone.emergency_button import PRESS_TIME_MAX
 
 AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 ARDRONE = airframe_named("ardrone")

@@ -27,7 +27,6 @@ from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin import contracts as twin
 from housefly.wires.ardrone import at, navdata_options, pave
-from housefly.wires.ardrone.command_encoder import SEND_INTERVAL
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, encode_navdata
 from housefly.wires.ardrone.pave import (
@@ -88,7 +87,7 @@ async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the
     heard = len(flight.radio.commands)
     before = time.monotonic()
     await flight.hold(Action.FLY, FORWARD, seconds=1.0)
-    expected = (time.monotonic() - before) / SEND_INTERVAL
+    expected = (time.monotonic() - before) / ARDRONE.link.interval
     assert 0.4 * expected < len(flight.radio.commands) - heard < 1.2 * expected
     flight.drone.send(Command(Action.FLY, FORWARD))
     flight.drone.send(Command(Action.HOVER))

@@ -1,8 +1,7 @@
 """AR.Drone 2.0 driver; ``driver.ArDrone`` is what others use.
 
-``sequence_numbers``  pure: sequence numbers of commands, and when they restart
 ``settings``          what is written into the drone's configuration, and what a full stick means
-``link``              UDP 5556, commands
+``link``              UDP 5556, commands with their sequence numbers
 ``telemetry``         UDP 5554, reports
 ``handshake``         the acknowledged configuration, and TCP 5559
 ``limits_keeper``     writes our settings, and knows whether they are there

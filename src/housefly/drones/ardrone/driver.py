@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Coroutine
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from housefly.clock import Clock, RealClock
 from housefly.config.capabilities import Capabilities
@@ -26,13 +27,12 @@ from housefly.drones.failsafe import Failsafe, Permit
 from housefly.errors import LinkError
 from housefly.messages import Command, DroneStatus, KnownMotion, Telemetry, VideoFrame
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_encoder import (
-    REPEAT_AFTER,
-    SEND_INTERVAL_MIN,
-    CommandEncoder,
-)
+from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT
+
+if TYPE_CHECKING:
+    from housefly.drones.contract import DroneDriver
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
@@ -136,7 +136,7 @@ class ArDrone:
         """
         now = self._clock.now()
         action_changed = self._failsafe.update(command, now, issued_at, motion)
-        if action_changed or now - self._sent_at >= SEND_INTERVAL_MIN:
+        if action_changed or now - self._sent_at >= self._config.airframe.link.interval_min:
             self._transmit(now)
 
     def abandon(self) -> None:
@@ -171,6 +171,11 @@ class ArDrone:
     def configuration(self) -> dict[str, str]:
         """What the drone reported of its configuration, texts by key; empty before ``connect``."""
         return self._limits.texts
+
+    @property
+    def firmware(self) -> str:
+        """The version of its firmware as it reported it; "" before ``connect``."""
+        return self._limits.texts.get("general:num_version_soft", "")
 
     @property
     def problem(self) -> str:
@@ -231,15 +236,16 @@ class ArDrone:
         self._failsafe.tilt_max = self._limits.maxima.tilt
 
     async def _repeat(self) -> None:
+        after = self._config.airframe.link.repeat_after
         while True:
             now = self._clock.now()
-            if now - self._sent_at >= REPEAT_AFTER:
+            if now - self._sent_at >= after:
                 try:
                     self._transmit(now)
                 except Exception:
                     self._commands.send(at.Ref(at.RefBits.LAND), at.Pcmd())
                     log_traceback()
-            await asyncio.sleep(max(0.001, self._sent_at + REPEAT_AFTER - self._clock.now()))
+            await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
 
     def _transmit(self, now: float) -> None:
         if not self._commands.is_open:
@@ -260,3 +266,7 @@ class ArDrone:
     def _start(self, name: str, work: Callable[[], Coroutine[None, None, None]]) -> None:
         if name not in self._tasks:
             self._tasks[name] = asyncio.create_task(work(), name=name)
+
+
+if TYPE_CHECKING:
+    _MEETS_THE_CONTRACT: type[DroneDriver] = ArDrone

@@ -37,11 +37,7 @@ from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_encoder import (
-    REPEAT_AFTER,
-    SEND_INTERVAL_MIN,
-    CommandEncoder,
-)
+from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
@@ -126,7 +122,7 @@ class LockstepRoom:
         maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
         self._failsafe = Failsafe(world.now, limits.tilt_max, site.drone.airframe, watched=guarded)
         self._encoder = CommandEncoder(maxima)
-        self._sent_at = world.now
+        self._sent_at, self._link = world.now, site.drone.airframe.link
         self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
         self._downlink = PacketStream(FaultComponent.TELEMETRY, _REPORTS)
@@ -152,10 +148,10 @@ class LockstepRoom:
         """Let the world run while commands are repeated at the driver's rate."""
         end = self.now + seconds
         self._disturb()
-        while (beat := min(self._sent_at + REPEAT_AFTER, self._next_arrival())) <= end:
+        while (beat := min(self._sent_at + self._link.repeat_after, self._next_arrival())) <= end:
             self._world.advance(max(0.0, beat - self.now))
             self._deliver()
-            if self._sent_at + REPEAT_AFTER <= self.now:
+            if self._sent_at + self._link.repeat_after <= self.now:
                 self._transmit()
         self._world.advance(max(0.0, end - self.now))
 
@@ -201,7 +197,7 @@ class LockstepRoom:
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
         action_changed = self._failsafe.update(command, self.now, issued_at, motion)
-        if action_changed or self.now - self._sent_at >= SEND_INTERVAL_MIN:
+        if action_changed or self.now - self._sent_at >= self._link.interval_min:
             self._transmit()
 
     def _disturb(self) -> None:

@@ -14,23 +14,17 @@ from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.messages.steering import Instruction
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.conversions import Maxima, pcmd_from_setpoint
-from housefly.wires.ardrone.emergency_button import EmergencyButton
 
-SEND_INTERVAL = 0.030
-"""Time between datagrams that the drone's makers recommend [s]."""
-SEND_INTERVAL_MIN = 0.027
-"""A setpoint leaves at once when the last datagram is this old [s]: 3 ms early does not wait."""
-REPEAT_AFTER = 0.035
-"""Without a new command the one in force is repeated after this long [s].
-
-The drone complains after 50 ms.
-"""
 TRIM_TIME = 0.1
 """How long flat trim is repeated before take-off [s]."""
 TRIM_TILT_MAX = radians(1.5)
 """A drone that leans more than this is not trimmed [rad]: it would take the lean of its pad for
 level, and take off along it.
 """
+PRESS_TIME_MAX = 1.0
+"""Longest press of the emergency button [s]; later reports could make it press twice."""
+_RELEASE_TIME_MIN = 0.15
+"""Shortest pause between two presses [s]."""
 _GROUNDED = frozenset({DroneStatus.LANDED, DroneStatus.EMERGENCY})
 
 _HOVER = at.Pcmd()
@@ -109,3 +103,45 @@ class CommandEncoder:
             return (_PRESS,)
         self._button.release(now)
         return (_LAND,)
+
+
+class EmergencyButton:
+    """The emergency bit: held until the drone changes, then released before the next press.
+
+    It is a toggle that acts on its rising edge. It is therefore held until a report shows the
+    wanted state, however many datagrams are lost, and then released; a second press needs a report
+    newer than the release.
+    """
+
+    def __init__(self) -> None:
+        self._pressed_at: float | None = None
+        self._released_at: float | None = None
+
+    def release(self, now: float) -> None:
+        """Let go; does nothing when the button is not held."""
+        if self._pressed_at is not None:
+            self._pressed_at, self._released_at = None, now
+
+    def hold(self, now: float, report_at: float | None) -> bool:
+        """Return whether the bit is set now.
+
+        Args:
+            now: [s].
+            report_at: arrival of the newest report that asks for a press [s].
+        """
+        if self._pressed_at is not None:
+            if now - self._pressed_at < PRESS_TIME_MAX:
+                return True
+            self.release(now)
+        elif self._released_at is None or (
+            report_at is not None and report_at - self._released_at > _RELEASE_TIME_MIN
+        ):
+            self._pressed_at = now
+            return True
+        return False
+
+    def reset(self, now: float) -> None:
+        """Let the next press not wait for a report, unless the button was held just now."""
+        self.release(now)
+        if self._released_at is not None and now - self._released_at > _RELEASE_TIME_MIN:
+            self._released_at = None
