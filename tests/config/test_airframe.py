@@ -10,6 +10,7 @@ from housefly.config.airframe import FOLDER, airframe_in, airframe_named, airfra
 from housefly.config.drone import DroneConfig
 from housefly.config.site import Site, site_from_tree
 from housefly.errors import ConfigError
+from housefly.pilot.behavior.braking import REFERENCE_BRAKING
 
 GOOD = (FOLDER / "ardrone.toml").read_text(encoding="utf-8")
 
@@ -70,3 +71,8 @@ def test_what_a_site_says_of_its_drone_wins_over_the_airframe() -> None:
 def test_a_model_that_nobody_knows_is_refused_by_name(kind: str) -> None:
     with pytest.raises(ConfigError, match=r"drone.kind: is .*; allowed: ardrone"):
         site_from_tree({"drone": {"kind": kind}})
+
+
+@pytest.mark.parametrize("name", airframe_names())
+def test_every_drone_brakes_as_hard_as_a_reference_does_that_is_to_stop(name: str) -> None:
+    assert airframe_named(name).braking.deceleration >= REFERENCE_BRAKING

@@ -16,6 +16,7 @@ from pydantic import Field, ValidationError
 from housefly.config.capabilities import Capabilities
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
+from housefly.geometry import stopping_distance
 
 FOLDER = Path(__file__).parent / "airframes"
 _SOURCED = {"value", "source"}
@@ -68,6 +69,24 @@ class BrakeConstants(Section):
         ..., 0.0, 1.0, "m/s", "slower than this, lead included, its own hover holds better"
     )
     attitude_lag: float = quantity(..., 0.01, 2.0, "s", "it leans as it was asked to this late")
+
+
+class BrakingConstants(Section):
+    """How it comes to rest in the pilot's hands."""
+
+    deceleration: float = quantity(
+        ..., 0.1, 20.0, "m/s^2", "how hard it can be counted on to brake"
+    )
+    reaction_time: float = quantity(
+        ..., 0.0, 2.0, "s", "from the cause, or the order, to braking: what distances allow for"
+    )
+    coast_time: float = quantity(
+        ..., 0.0, 5.0, "s", "told to stay, it comes to rest this far ahead at its speed"
+    )
+
+    def way_to_rest(self, speed: float) -> float:
+        """Return how far it flies on from a speed [m/s] when it is to stop [m]."""
+        return stopping_distance(speed, self.deceleration, self.reaction_time)
 
 
 class TakeOffConstants(Section):
@@ -140,13 +159,14 @@ class Airframe(Section):
     Attributes:
         name: as its maker calls it.
         capabilities: what it can do.
-        body, response, brake, take_off, landing, battery, sonar, link: its constants.
+        body, response, braking, brake, take_off, landing, battery, sonar, link: its constants.
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
     capabilities: Capabilities
     body: BodyConstants
     response: ResponseConstants
+    braking: BrakingConstants
     brake: BrakeConstants
     take_off: TakeOffConstants
     landing: LandingConstants

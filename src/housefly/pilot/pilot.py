@@ -359,7 +359,9 @@ class Pilot:
         if estimate is None or self._params.is_paper or not (assessment.kept and guidance.active):
             self._kept = None
             return guidance
-        kept = self._kept = self._kept or KeptPlace.of(estimate)
+        kept = self._kept = self._kept or KeptPlace.of(
+            estimate, self._settings.airframe.braking.coast_time
+        )
         return kept.guidance(guidance)
 
     def _mission_guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
@@ -424,7 +426,7 @@ class Pilot:
         landing, here, height = self._landing, estimate.position[:2], estimate.position[2]
         is_ordered = assessment.mode is not SafetyMode.LAND or self._missions.state.stopped
         if landing is None:
-            rest = coasted(here, estimate.velocity[:2])
+            rest = coasted(here, estimate.velocity[:2], self._settings.airframe.braking.coast_time)
             beside = None if is_ordered else self._map.clear_floor(here, height)
             return SteeredLanding(here if beside else rest, height, now, beside or rest)
         may_move = landing.moves < MOVES_MAX and landing.sinks(now, here)

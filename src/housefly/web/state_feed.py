@@ -11,9 +11,10 @@ from math import dist, hypot, inf
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import Clock
+from housefly.config.airframe import Airframe
 from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
-from housefly.geometry import Vec2, stopping_distance
+from housefly.geometry import Vec2
 from housefly.messages import (
     LinkStatus,
     Path,
@@ -23,7 +24,6 @@ from housefly.messages import (
     Sighting,
     TrajectoryPoint,
 )
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
 from housefly.web.hand_motion import hand_motion_words
@@ -182,9 +182,9 @@ class StateFeed:
         with self._lock:
             if self._step is None:
                 return None
-            endurance = self.drone.airframe.battery.endurance
+            airframe = self.drone.airframe
             told = _state(
-                self._step, self._heard_at, home_s, self._path_number, self._bodies(), endurance
+                self._step, self._heard_at, home_s, self._path_number, self._bodies(), airframe
             )
             link = self._link.link if self._link else None
             return replace(told, height_std=link.height_std if link else None)
@@ -272,9 +272,10 @@ def _state(
     home_s: float,
     path: int,
     others: tuple[OtherBody, ...],
-    endurance: float,
+    airframe: Airframe,
 ) -> StateMessage:
     telemetry, out = step.inputs.telemetry, step.outputs
+    endurance = airframe.battery.endurance
     estimate = out.estimate
     return StateMessage(
         sequence=step.sequence,
@@ -304,8 +305,6 @@ def _state(
         waypoint=out.waypoint,
         others=others,
         stopping_distance=(
-            stopping_distance(hypot(*estimate.velocity), BRAKING_DECELERATION, REACTION_TIME)
-            if estimate
-            else None
+            airframe.braking.way_to_rest(hypot(*estimate.velocity)) if estimate else None
         ),
     )

@@ -8,9 +8,9 @@ from math import inf
 import pytest
 from gate_flight import AIRFRAME, FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
-from housefly.geometry import GRAVITY, stopping_distance
+from housefly.geometry import GRAVITY
 from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED, REACTION_TIME
+from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -298,23 +298,25 @@ def test_who_flies_towards_any_side_of_the_room_leaves_it_by_the_way_it_needs_to
     fence, speed = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5), 1.0
     place, velocity = [0.0, 0.0], [0.0, 0.0]
     place[axis], velocity[axis] = 1.5 * side, speed * side
-    way = stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
-    inside = fence.leaving((*place, 1.0), (*velocity, 0.0))  # type: ignore[arg-type]
+    way = AIRFRAME.braking.way_to_rest(speed)
+    inside = fence.leaving((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert inside == pytest.approx(1.5 + way - 2.0)
-    away = fence.leaving((*place, 1.0), (*(-v for v in velocity), 0.0))  # type: ignore[arg-type]
+    away = fence.leaving((*place, 1.0), (*(-v for v in velocity), 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert away <= 0.0
     place[axis] = 3.0 * side  # outside already: only what comes on top
-    beyond = fence.leaving((*place, 1.0), (*velocity, 0.0))  # type: ignore[arg-type]
+    beyond = fence.leaving((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert beyond == pytest.approx(way)
 
 
 def test_who_rises_leaves_the_room_by_its_ceiling() -> None:
     fence = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5)
-    way = stopping_distance(0.5, BRAKING_DECELERATION, REACTION_TIME)
-    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, 0.5)) == pytest.approx(2.4 + way - 2.5)
-    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, 0.5)) == pytest.approx(way)
-    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, -0.5)) == 0.0
-    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, -0.5)) == 0.0
+    way = AIRFRAME.braking.way_to_rest(0.5)
+    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(
+        2.4 + way - 2.5
+    )
+    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(way)
+    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
+    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
 
 
 def test_nothing_is_assumed_of_a_step_that_says_nothing() -> None:

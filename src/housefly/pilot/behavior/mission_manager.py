@@ -36,7 +36,7 @@ class MissionManager:
         frames: FramesKnown = FRAMES_NOT_NEEDED,
     ) -> None:
         self._commander = Commander(limits, navigator, airframe, frames)
-        self._collisions = CollisionMonitor(self._commander, navigator)
+        self._collisions = CollisionMonitor(self._commander, navigator, airframe.braking)
         self._passing = PassingMonitor(self._commander, navigator)
         self._off_course = OffCourseMonitor(self._commander, limits, paper)
         self._faster = FasterWayMonitor(self._commander, navigator)

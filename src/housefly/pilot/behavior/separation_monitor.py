@@ -17,7 +17,7 @@ from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED
+from housefly.pilot.behavior.braking import EVASION_SPEED, REFERENCE_BRAKING
 from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
@@ -231,7 +231,7 @@ class SeparationMonitor:
             apart = people.nearest(places[-1], n * STEP) - self._people.hull
             share = speed_share(apart, config.slow_distance, config.comfort_distance)
             rate = min(wanted, share)
-            scale = scale_advanced(scale, rows, TICK, rate, BRAKING_DECELERATION, STEP)
+            scale = scale_advanced(scale, rows, TICK, rate, REFERENCE_BRAKING, STEP)
         target = (reference.target.x, reference.target.y)
         if distance(target, places[0]) > _SAME:
             return None  # the task is newer than the reference

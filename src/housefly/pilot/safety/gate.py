@@ -12,12 +12,11 @@ from math import dist, hypot, inf, isfinite
 
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import Vec2, stopping_distance
+from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
 from housefly.numeric import clipped
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
@@ -297,8 +296,7 @@ class Gate:
         place = now.position[:2]
         if self._kept_from is None:
             speed = hypot(*now.velocity[:2]) if now.velocity else 0.0
-            way = stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
-            self._kept_from = place, way + KEPT_SLACK
+            self._kept_from = place, self._airframe.braking.way_to_rest(speed) + KEPT_SLACK
         begun, reach = self._kept_from
         return dist(place, begun) <= reach
 
