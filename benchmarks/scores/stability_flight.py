@@ -13,8 +13,8 @@ from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.disturbance import NEUTRAL, Disturbances
+from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
 
 _PUSH = Disturbances(wind=(0.4, 0.0, 0.0))

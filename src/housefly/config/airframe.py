@@ -51,8 +51,8 @@ class ResponseConstants(Section):
         0.5,
         3.0,
         "1",
-        "what the drone makes of a commanded sinking, over what was commanded (an AR.Drone's stick"
-        " sinks twice as fast as it climbs); counts with estimation.lift_wander",
+        "what the drone makes of a commanded sinking, over what was commanded; counts with"
+        " estimation.lift_wander",
     )
     yaw_lag: float = quantity(..., 0.2, 50.0, "1/s", "pole of the yaw rate response")
 

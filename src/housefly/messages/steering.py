@@ -137,8 +137,7 @@ class KnownMotion:
 class Command:
     """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
 
-    HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude,
-    which drifts.
+    HOVER asks for the drone's own hover; FLY with LEVEL means level attitude, which drifts.
     """
 
     action: Action
