@@ -67,10 +67,10 @@ GUARDS = (
     ),
     BrokenGuard(
         "the driver's watchdog",
-        "housefly.wires.ardrone.command_sequencer",
-        "CommandSequencer._is_silent",
+        "housefly.drones.failsafe",
+        "Failsafe._is_silent",
         lambda self, now: False,
-        ("tests/wires/ardrone/test_command_sequencer.py",),
+        ("tests/drones/ardrone/test_commands.py",),
     ),
 )
 

@@ -20,7 +20,7 @@ from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
+from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick
 

@@ -12,8 +12,8 @@ import mujoco
 from housefly.config.site import Site, changed
 from housefly.room.files import load_room
 from housefly.room.model import Room
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.physics import _SUBSTEPS, Physics
+from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick
 

@@ -24,7 +24,7 @@ from housefly.lab.tuning.question import question_of
 from housefly.lab.tuning.site_lines import site_lines
 from housefly.pilot.estimation.estimator_state import EstimatorKind
 from housefly.sites.loaded_site import LoadedSite, load_site
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
+from housefly.twin.simulated_body import CONTROL_PERIOD
 from scores.stability_flight import hover_swing, nearest_periods
 
 STEP = 0.02

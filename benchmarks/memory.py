@@ -24,12 +24,12 @@ from housefly.hub.room_status import RoomStatus
 from housefly.hub.situation_service import SituationService
 from housefly.hub.store.open import open_store
 from housefly.hub.things_of_room import things_of
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.lab.lockstep.pilot_loop import PilotLoop
 from housefly.messages import Observation, Order, OrderKind, RoomEvent
 from housefly.pilot.assembly import make_pilot
 from housefly.room.files import load_room
 from housefly.sites.loaded_site import open_site, read_site
-from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.people import load_scene
 from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.twin.world import SimulatedWorld

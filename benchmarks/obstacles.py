@@ -9,12 +9,11 @@ from math import hypot
 import numpy as np
 
 from _run import percentile, table
-from housefly.config.site import changed
+from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep
 from housefly.perception.laser_tracker import LaserTracker
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
 from housefly.sensors.laser import scan_of
@@ -153,8 +152,9 @@ def planning(loaded: LoadedSite, count: int) -> tuple[list[float], list[float], 
 
 def main() -> None:
     done = stops()
+    braking = Site().drone.airframe.braking
     allowed = [
-        stopping_distance(stop.speed, BRAKING_DECELERATION, 0.1) + 0.3 * stop.speed for stop in done
+        stopping_distance(stop.speed, braking.deceleration, 0.1) + 0.3 * stop.speed for stop in done
     ]
     hull = half_diagonal(0.517, 0.451)
     print("### Obstacles\n")

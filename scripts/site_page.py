@@ -10,6 +10,7 @@ from typing import Any, get_args
 
 from pydantic.fields import FieldInfo
 
+from housefly.config.drone import DroneConfig
 from housefly.config.section import Section
 from housefly.config.site import Site
 
@@ -90,7 +91,9 @@ def _table(title: str, fields: dict[str, FieldInfo], meaning: str = "") -> str:
 def _default(found: FieldInfo) -> str:
     if found.is_required():
         return "-"
-    value = found.get_default(call_default_factory=False)
+    # a default that depends on the drone is shown for the default drone
+    given = DroneConfig().model_dump(include={"kind"})
+    value = found.get_default(call_default_factory=True, validated_data=given)
     if isinstance(value, bool):
         return "`true`" if value else "`false`"
     if isinstance(value, str):

@@ -7,6 +7,7 @@ import ast
 import re
 import shlex
 from functools import cache
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -160,10 +161,11 @@ def stated_values() -> list[tuple[str, str, str]]:
 
 
 def constant_of(name: str) -> float | None:
-    """Return the number that a key of the site file has by default, or a constant of a module."""
-    section, _, key = name.partition(".")
-    if re.fullmatch(r"\w+\.\w+", name) and section in Site.model_fields:
-        value = getattr(getattr(Site(), section), key)
+    """Return the number that a key of the site file has by default, or a constant of its airframe
+    (``drone.airframe.brake.gain``) or of a module.
+    """
+    if re.fullmatch(r"\w+(\.\w+)+", name) and name.partition(".")[0] in Site.model_fields:
+        value = attrgetter(name)(Site())
         return float(value) if isinstance(value, int | float) else None
     file, _, constant = name.partition("::")
     path = file_of(file) if constant else None

@@ -158,6 +158,19 @@ def test_a_sensor_of_ones_own_is_heard() -> None:
     )
 
 
+@pytest.mark.wire
+def test_a_drone_of_ones_own_is_flown_and_comes_down_without_its_pilot() -> None:
+    assert_in_order(
+        run("13_add_a_drone.py"),
+        "Kite hovers by itself: no",
+        "told TAKE_OFF, is flying at 1.0 m",
+        "told FLY, is flying",
+        "the pilot is gone",
+        "told LAND, is landed at 0.0 m",
+        "it stands, and its driver has left",
+    )
+
+
 @pytest.mark.slow
 def test_the_room_is_asked_what_happened_in_it() -> None:
     output = run("12_ask_the_room.py")

@@ -8,14 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from housefly.errors import LinkError
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.lab.lockstep.pilot_loop import PilotLoop
 from housefly.messages import Order, OrderKind, Phase, SafetyMode
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.disturbance import NEUTRAL, Disturbances
-from housefly.twin.lockstep import LockstepRoom
+from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
 
 _PUSH = Disturbances(wind=(0.4, 0.0, 0.0))

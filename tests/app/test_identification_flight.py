@@ -150,8 +150,8 @@ def test_a_fault_in_the_middle_of_a_step_ends_the_test_and_lands_the_drone(
 def broken_flight(
     loaded: LoadedSite, fault: str, monkeypatch: pytest.MonkeyPatch
 ) -> tuple[str, list[PilotStep], IdentificationManeuver]:
+    from housefly.lab.lockstep.lockstep_room import LockstepRoom
     from housefly.messages import Order, OrderKind
-    from housefly.twin.lockstep import LockstepRoom
 
     plan = blocks(4, loaded.site.limits.tilt_max)
     box = find_box(loaded.grid, loaded.room.home, 0.62, loaded.site.map.flight_height)

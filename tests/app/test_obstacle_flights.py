@@ -10,11 +10,11 @@ from math import dist, hypot
 import pytest
 from quick_flights import QUICK
 
+from housefly.config.airframe import airframe_named
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Event, Order, OrderKind, PilotStep
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.room.distance import half_diagonal
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.movable import Movable
@@ -138,9 +138,10 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_of_being_seen(fl
     at = story.told("way_blocked")
     start, speed = next((place, speed) for now, place, speed in story.steps if now >= at - 1e-6)
     stop = next(place for now, place, s in story.steps if now > at and s < 0.1)
+    braking = airframe_named("ardrone").braking
     assert (
         hypot(stop[0] - start[0], stop[1] - start[1])
-        < stopping_distance(speed, BRAKING_DECELERATION, 0.1) + 0.3 * speed
+        < stopping_distance(speed, braking.deceleration, 0.1) + 0.3 * speed
     )
     # What is as large as a person is kept a person's distance from: back off first, then around.
     assert story.told("making_way") - at < 0.3

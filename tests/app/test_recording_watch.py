@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.app.recording_watch import NEWS_AGE_MAX, NO_LIGHT, RecordingWatch
+from housefly.config.capabilities import Capabilities
 from housefly.messages import RecordingNews
 
 
@@ -13,7 +14,8 @@ class Lamp:
     """What a drone was told; the rest of a drone is not asked for."""
 
     def __init__(self, has_light: bool = True) -> None:
-        self.has_light = has_light
+        able = {"setpoints": ["velocity"], "silence": {"after": 0.5, "answer": "lands"}}
+        self.capabilities = Capabilities.model_validate({**able, "light": has_light})
         self.told: list[bool] = []
 
     def show_recording(self, records: bool) -> None:

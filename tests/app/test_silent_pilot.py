@@ -8,10 +8,10 @@ from math import hypot
 
 import pytest
 
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Inputs, Order, OrderKind, Telemetry
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site
-from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
 
 STOPPING_DISTANCE_MAX = 0.6
@@ -47,7 +47,7 @@ def way_to_rest(moment: float, *, gone: bool = False, flow: bool = True) -> floa
         outputs = pilot.step(room.now, Inputs(room.sightings(), room.telemetry(), orders))
         room.send(outputs.command, pilot.known_motion)
     if gone:
-        room._sequencer.abandon()
+        room._failsafe.abandon()
     (x, y, _), (vx, vy, _) = world.truth().pose.position, world.truth().velocity
     assert hypot(vx, vy) > 0.1, "nothing to brake"
     way = 0.0

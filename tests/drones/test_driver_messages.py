@@ -8,6 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.capabilities import (
+    Capabilities,
+    OnboardCamera,
+    OwnManoeuvre,
+    OwnMeasurement,
+    SetpointForm,
+    Silence,
+    SilenceAnswer,
+)
 from housefly.drones.driver_messages import (
     DriverMessage,
     DriverStatus,
@@ -58,8 +67,32 @@ reports = st.builds(
     hears_us=st.booleans(),
     notes=words,
 )
+cameras = st.builds(
+    OnboardCamera,
+    field_of_view=st.floats(0.1, 3.1),
+    field_of_view_up=st.floats(0.1, 3.1),
+    width=st.integers(16, 8192),
+    height=st.integers(16, 8192),
+    ahead=st.floats(-1.0, 1.0),
+)
+abilities = st.builds(
+    Capabilities,
+    setpoints=st.lists(st.sampled_from(SetpointForm), min_size=1).map(tuple),
+    manoeuvres=st.frozensets(st.sampled_from(OwnManoeuvre)),
+    measures=st.frozensets(st.sampled_from(OwnMeasurement)),
+    arms=st.booleans(),
+    external_pose_rate=st.none() | st.floats(0.1, 1000.0),
+    light=st.booleans(),
+    camera=st.none() | cameras,
+    silence=st.builds(Silence, after=st.floats(0.0, 60.0), answer=st.sampled_from(SilenceAnswer)),
+)
 states = st.builds(
-    DriverStatus, st.booleans(), st.booleans(), numbers, st.text(max_size=50), st.booleans()
+    DriverStatus,
+    st.booleans(),
+    st.booleans(),
+    numbers,
+    st.text(max_size=50),
+    st.none() | abilities,
 )
 lights = st.builds(LightOrder, st.booleans())
 pictures = st.builds(

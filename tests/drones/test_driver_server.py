@@ -16,8 +16,10 @@ from full_disk import full_output
 from kinematic_world import KinematicWorld
 
 from housefly.clock import RealClock
+from housefly.config.airframe import airframe_named
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
+from housefly.drones import failsafe
 from housefly.drones import remote_drone as remote_drone_module
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_messages import TimedCommand, encode_driver_message
@@ -27,7 +29,6 @@ from housefly.drones.remote_drone import RemoteDrone
 from housefly.errors import LinkError
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.wires.ardrone import command_sequencer
 
 pytestmark = pytest.mark.wire
 
@@ -136,7 +137,9 @@ async def test_the_light_is_lit_through_the_socket_and_goes_out_when_nobody_says
     bench: Bench,
 ) -> None:
     await bench.pilot.connect()
-    await bench.until(lambda: bench.pilot.has_light, Action.IDLE)
+    await bench.until(
+        lambda: bench.pilot.capabilities == airframe_named("ardrone").capabilities, Action.IDLE
+    )
     for _ in range(4):
         bench.pilot.show_recording(True)
         await bench.until(lambda: bench.world.truth().leds == 2, Action.IDLE)
@@ -176,7 +179,7 @@ async def test_a_pilot_whose_connection_ends_leaves_a_drone_that_hovers_at_once_
     bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     await bench.fly()
-    monkeypatch.setattr(command_sequencer, "HOVER_AFTER", 60.0)  # nobody waits for silence
+    monkeypatch.setattr(failsafe, "HOVER_AFTER", 60.0)  # nobody waits for silence
     await bench.pilot.close()
     end = time.monotonic() + 1.5
     while not bench.world.asked.hover:

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from housefly.geometry import GRAVITY
 from housefly.messages.sensing import Estimate
 from housefly.messages.steering import KnownMotion
-from housefly.pilot.behavior.braking import COAST_TIME
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.kept_place import HOVER_PUSH_MAX, KeptPlace, known_motion, sinking
 from housefly.pilot.step import Guidance
@@ -21,8 +20,8 @@ ESTIMATE = Estimate(1.0, (2.0, 3.0, 1.4), (0.5, -0.2, 0.1), 0.7, 0.01, 0.001)
 
 
 def test_a_drone_that_is_held_on_its_way_is_kept_where_it_comes_to_rest() -> None:
-    kept = KeptPlace.of(ESTIMATE).guidance(FOLLOWING)
-    assert (kept.x, kept.y) == (2.0 + COAST_TIME * 0.5, 3.0 - COAST_TIME * 0.2)
+    kept = KeptPlace.of(ESTIMATE, 0.4).guidance(FOLLOWING)
+    assert (kept.x, kept.y) == (2.0 + 0.4 * 0.5, 3.0 - 0.4 * 0.2)
     assert (kept.height, kept.yaw, kept.kept) == (1.4, 0.7, True)
     assert kept.following and kept.speed_factor == 0.0, "the reference comes to rest meanwhile"
 

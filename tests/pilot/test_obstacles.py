@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import stopping_distance
 from housefly.messages import (
     DroneStatus,
@@ -26,7 +27,6 @@ from housefly.messages import (
 from housefly.pilot import navigator
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.pilot.behavior import mission_signals
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.pilot.planning import live
 from housefly.pilot.planning.obstacles import FREED_AFTER
 from housefly.room.distance import half_diagonal
@@ -35,6 +35,7 @@ Fly = Callable[..., Any]
 HULL = half_diagonal(0.517, 0.451)
 PATIENCE = 6.0
 """Shorter than the pilot's own, so that the test is over sooner [s]."""
+BRAKING = airframe_named("ardrone").braking
 LATENCY = 0.1
 """From a decision of the pilot to the drone's attitude [s]: command delay and tracking latency."""
 
@@ -118,8 +119,8 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_and_soon_has_a_n
     flight.until(lambda o: flight.speed < 0.1, 2.0)
     stopped_at = flight.now
     way = hypot(flight.body.x - start[0], flight.body.y - start[1])
-    assert way < stopping_distance(speed, BRAKING_DECELERATION, LATENCY) + 0.3 * speed
-    assert stopped_at - at < 2.0 * speed / BRAKING_DECELERATION + 0.3
+    assert way < stopping_distance(speed, BRAKING.deceleration, LATENCY) + 0.3 * speed
+    assert stopped_at - at < 2.0 * speed / BRAKING.deceleration + 0.3
     flight.until(lambda o: not o.reason, 0.3)
 
 

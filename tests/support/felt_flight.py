@@ -8,6 +8,7 @@ from math import cos, exp, inf, isnan, pi, sin, sqrt
 
 import numpy as np
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.displacement import OdometryTolerance
@@ -16,6 +17,7 @@ from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
 from housefly.pilot.safety.tracking_rules import DRIFT_LAND, DRIFT_LASTS, DRIFT_WARN
 
 TICK = 0.01
+_SONAR = airframe_named("ardrone").sonar
 _DELAY_TICKS = 4
 _KEEP = exp(-TICK / FLOW_BIAS_TIME)
 
@@ -93,7 +95,7 @@ def judged(flight: FeltFlight, seconds: float) -> Judgement:
     """Return what the monitor says of a flight of so many seconds."""
     rng, monitor = (
         np.random.default_rng(flight.seed),
-        TrackingMonitor(OdometryTolerance(0.002, flight.way_error)),
+        TrackingMonitor(OdometryTolerance(0.002, flight.way_error), 0.58, _SONAR),
     )
     judgement, past = Judgement(), [0.0] * (_DELAY_TICKS + 1)
     x = psi = next_seen = next_told = 0.0

@@ -9,6 +9,7 @@ import numpy as np
 from fuzz_target import FuzzTarget, pieces
 
 from housefly.bus.stop import STOP_MAGIC, StopToken, verified
+from housefly.config.airframe import airframe_named
 from housefly.drones.ardrone.telemetry import NavdataReports
 from housefly.drones.driver_messages import (
     DriverStatus,
@@ -112,7 +113,7 @@ def _driver_seeds() -> Iterable[bytes]:
     for message in (
         TimedCommand(Command(Action.FLY, Setpoint(0.1, 0.2, 0.3, 0.4)), 5.0),
         report,
-        DriverStatus(True, False, 200.0, "silent"),
+        DriverStatus(True, False, 200.0, "silent", airframe_named("ardrone").capabilities),
         VideoFrame(b"\0\0\1\x65", True, 640, 360, 3, 1.0, 2.0),
     ):
         yield b"\xff" + encode_driver_message(message)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from gate_flight import AIRFRAME
+
 from housefly.config.limits import LimitsConfig
 from housefly.messages import Action, Command, SafetyMode
 from housefly.pilot.control.steering import ControlOutput
@@ -21,7 +23,7 @@ class GateBench:
         fence: Geofence,
         rules: tuple[SafetyRule, ...] = SAFETY_RULES,
     ) -> None:
-        self._gate = Gate(limits, fence, rules)
+        self._gate = Gate(limits, fence, AIRFRAME, rules)
         self._limits = CommandLimits(
             limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max
         )

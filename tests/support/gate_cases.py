@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from math import inf, nan
 
-from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT
+from gate_flight import AIRFRAME, FENCE, FINE, HERE, LIMITS, REPORT
 
 from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode, Setpoint
 from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, PeopleSilence
@@ -239,7 +239,7 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
 
 def assessed(change: Change, seconds: float) -> list[tuple[float, GateAssessment]]:
     """Return what a gate finds in the time after the change, on top of a flight that is fine."""
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     gate.assess(replace(STOOD, now=-TICK))
     found = []
     for n in range(round((SETTLED + seconds) / TICK)):

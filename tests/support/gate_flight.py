@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from housefly.config.airframe import airframe_named
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Phase, Reference, Setpoint, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.rules import SAFETY_RULES
 
+AIRFRAME = airframe_named("ardrone")
 LIMITS = LimitsConfig()
 FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.3)
 RULES = {rule.code: rule for rule in SAFETY_RULES}

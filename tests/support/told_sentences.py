@@ -14,6 +14,7 @@ from random import Random
 from typing import NamedTuple
 
 from fake_room import EXAMPLE_CHECKS, example_room
+from gate_flight import AIRFRAME
 
 from housefly.app.disk_space import DiskSpace
 from housefly.config.limits import LimitsConfig
@@ -119,7 +120,7 @@ def _broken(height: float, pose_age: float, blow: tuple[float, float, float]) ->
         home_time=20.0,
         silence=PeopleSilence(pose_age),
     )
-    return RuleContext(now, _SEEN, LIMITS, Geofence((0.0, 0.0, 10.0, 5.0), 2.3))
+    return RuleContext(now, _SEEN, LIMITS, Geofence((0.0, 0.0, 10.0, 5.0), 2.3), AIRFRAME)
 
 
 def checks() -> list[PreflightCheck]:

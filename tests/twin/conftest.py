@@ -7,15 +7,14 @@ from dataclasses import dataclass
 from math import radians
 
 import pytest
+from empty_hall import empty_hall
 
 from housefly.config.site import Site, changed
-from housefly.geometry import Vec2, Vec3, quaternion_from_euler
-from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
+from housefly.geometry import Vec3, quaternion_from_euler
+from housefly.room.model import Room, Shape, Solid, TrackingCamera
 from housefly.twin.contracts import FlightState
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick
-
-HOME: Vec2 = (2.0, 2.5)
 
 
 @dataclass
@@ -59,18 +58,7 @@ class Hand:
 @pytest.fixture
 def make_room() -> Callable[..., Room]:
     """Return a maker of rooms 12 m by 5 m with nothing in them unless asked."""
-
-    def make(
-        solids: tuple[Solid, ...] = (),
-        cameras: tuple[TrackingCamera, ...] = (),
-        visitor: Vec2 | None = None,
-    ) -> Room:
-        place = Place("home", HOME, (3.0, 2.5, 1.0))
-        return Room(
-            "hall", (0.0, 0.0, 12.0, 5.0), 2.6, solids, (place,), cameras, HOME, 0.0, visitor
-        )
-
-    return make
+    return empty_hall
 
 
 @pytest.fixture

@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.geometry import Vec3, quaternion_from_euler
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.disturbance import CeilingFan, Disturbances, Payload, Tether
 from housefly.twin.external_forces import ExternalForces, downwash_at
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 
-DRAG = 0.58
+DRAG, MASS = 0.58, 0.436
 PLACES = st.tuples(*[st.floats(-5.0, 5.0)] * 3)
 SPEEDS = st.tuples(*[st.floats(-2.0, 2.0)] * 3)
 
@@ -29,7 +29,7 @@ def test_a_tether_pulls_towards_its_anchor_and_only_when_taut(
     place: Vec3, velocity: Vec3, anchor: Vec3, length: float, stiffness: float
 ) -> None:
     tied = Disturbances(tether=Tether(anchor, length, stiffness))
-    force, torque = ExternalForces(1, DRAG).step(tied, at(place, velocity))
+    force, torque = ExternalForces(1, DRAG, MASS).step(tied, at(place, velocity))
     towards = tuple(b - a for a, b in zip(place, anchor, strict=True))
     reach = hypot(*towards)
     assert torque == (0.0, 0.0, 0.0)
@@ -53,13 +53,15 @@ def test_the_air_below_a_fan_falls_no_faster_farther_out(near: float, far: float
 @given(st.floats(0.0, 0.5))
 def test_gusts_do_not_blow_through_the_floor(height: float) -> None:
     rough = Disturbances(gust=1.0, gust_time=0.5)
-    free, near = (ExternalForces(1, DRAG)._wind(rough, at((0.0, 0.0, z))) for z in (1.0, height))
+    free, near = (
+        ExternalForces(1, DRAG, MASS)._wind(rough, at((0.0, 0.0, z))) for z in (1.0, height)
+    )
     assert near[:2] == free[:2]
     assert near[2] == pytest.approx(2.0 * height * free[2])
 
 
 def test_gusts_have_the_size_and_the_memory_that_is_asked() -> None:
-    forces = ExternalForces(1, DRAG)
+    forces = ExternalForces(1, DRAG, MASS)
     rough = Disturbances(gust=1.0, gust_time=0.5)
     speeds = np.array([forces._wind(rough, at((0.0, 0.0, 1.0))) for _ in range(60_000)])
     assert speeds.std(axis=0) == pytest.approx([1.0, 1.0, 0.5], rel=0.15)
@@ -71,7 +73,7 @@ def test_gusts_have_the_size_and_the_memory_that_is_asked() -> None:
 def test_a_load_ahead_of_the_middle_turns_the_nose_down_and_less_when_the_drone_leans() -> None:
     carried = Disturbances(payload=Payload(0.05, (0.1, 0.0, 0.0)))
     level, leaning = (
-        ExternalForces(1, DRAG).step(carried, at((0.0, 0.0, 1.0), theta=theta))
+        ExternalForces(1, DRAG, MASS).step(carried, at((0.0, 0.0, 1.0), theta=theta))
         for theta in (0.0, 0.5)
     )
     assert level.torque == pytest.approx((0.0, 0.05 * 9.81 * 0.1, 0.0), abs=1e-3)

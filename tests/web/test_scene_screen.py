@@ -9,6 +9,7 @@ import pytest
 from pilot_states import fault, flying, looking, ready, silent
 from playwright.async_api import Browser, FloatRect, Page, expect
 
+from housefly.config.drone import DroneConfig
 from housefly.messages import OrderKind, Phase
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
@@ -127,7 +128,7 @@ async def test_whoever_watches_reads_it_in_large_and_has_stop_and_land(
 async def test_without_a_drone_there_is_a_map_no_order_and_the_way_to_add_one_at_every_size(
     chromium: Browser, serving: Callable[..., Any], loopback: str
 ) -> None:
-    async with serving(loopback, has_drone=False) as console:
+    async with serving(loopback, drone=DroneConfig(enabled=False)) as console:
         page = await (await chromium.new_context()).new_page()
         await page.goto(console.link)
         await expect(page.locator(".headline")).to_contain_text("Watching the room")

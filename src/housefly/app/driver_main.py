@@ -16,7 +16,7 @@ from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
-from housefly.drones.ardrone.driver import ArDrone
+from housefly.drones import driver_of
 from housefly.drones.driver_server import DriverServer
 
 
@@ -33,7 +33,7 @@ def main() -> None:
 async def _run(runtime: Runtime) -> None:
     site, clock = json.loads(runtime.site_file.read_text(encoding="utf-8")), RealClock()
     drone, limits = DroneConfig(**site["drone"]), LimitsConfig(**site["limits"])
-    server = DriverServer(ArDrone(drone, limits, clock), runtime.driver_socket, clock)
+    server = DriverServer(driver_of(drone, limits, clock), runtime.driver_socket, clock)
     loop = asyncio.get_running_loop()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         loop.add_signal_handler(number, server.leave)

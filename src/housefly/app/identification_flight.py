@@ -28,13 +28,13 @@ from housefly.geometry import Vec2, Vec3, distance
 from housefly.lab.identification.box import Box
 from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationManeuver
 from housefly.lab.identification.pattern import Block, largest_excursion
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.lab.lockstep.pilot_loop import PilotLoop
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, PilotStep, SafetyMode
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tracking.trackers import tracker_of
 from housefly.twin.contracts import TwinWorld
-from housefly.twin.lockstep import LockstepRoom
 
 _START_TIMEOUT = 30.0
 """Longest time until drone and tracking answer [s]."""

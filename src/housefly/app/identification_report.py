@@ -8,7 +8,7 @@ from housefly.app.terminal import console, new_table
 from housefly.config.profile import CONSTANTS
 from housefly.lab.identification.result import Identified
 from housefly.sites.loaded_site import LoadedSite
-from housefly.wires.ardrone.command_delay import sending_delay
+from housefly.twin.command_delay import sending_delay
 
 
 def print_constants(found: Identified, loaded: LoadedSite) -> None:
@@ -23,10 +23,12 @@ def print_constants(found: Identified, loaded: LoadedSite) -> None:
         table.add_row(key, f"{interval.value:.3g}", span, known.unit, f"{present:.3g}{inside}")
     console.print(table)
     assert found.tilt is not None
+    site = loaded.site
+    sending = sending_delay(site.control.rate_hz, site.drone.airframe.link)
     console.print(
         f"left over: {1000 * found.tilt.angle_noise:.1f} mrad in angle,"
         f" {1000 * found.tilt.place_noise:.1f} mm in position; in the delay, "
-        f"{1000 * sending_delay(loaded.site.control.rate_hz):.0f} ms are waiting for a datagram"
+        f"{1000 * sending:.0f} ms are waiting for a datagram"
     )
 
 

@@ -46,7 +46,7 @@ from housefly.bus.topics import (
 from housefly.clock import RealClock
 from housefly.config.frame_check import frames_known
 from housefly.config.process_log import log_traceback
-from housefly.drones.contracts import Drone
+from housefly.drones.contract import Drone
 from housefly.errors import LinkError
 from housefly.messages import (
     Action,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from housefly.drones.contracts import Drone
+from housefly.drones.contract import Drone
 from housefly.messages import RecordingNews
 
 NEWS_AGE_MAX = 1.5
@@ -39,7 +39,9 @@ class RecordingWatch:
     @property
     def note(self) -> str:
         """That a drone without a light is recorded, in words, or ""."""
-        return NO_LIGHT if self.records and not self._drone.has_light else ""
+        known = self._drone.capabilities
+        has_light = known is not None and known.light
+        return NO_LIGHT if self.records and not has_light else ""
 
     def heard(self, news: RecordingNews) -> None:
         """Take in what the recorder says; what is older than the newest does not count."""

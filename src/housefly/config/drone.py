@@ -1,17 +1,40 @@
-"""The drone: driver, address, and the constants of its airframe."""
+"""The drone: model, address, and the constants of its airframe that a site may know better."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
-from housefly.config.section import Section, quantity
+from housefly.config.airframe import Airframe, airframe_named, airframe_names
+from housefly.config.section import Section
 
 TWIN_ODOMETRY_ERROR = 0.001
 """The simulated drone's flow has the right scale."""
 REAL_ODOMETRY_ERROR = 0.05
 """What an unmeasured drone is given."""
+
+
+def _of_airframe(part: str, constant: str) -> Any:
+    """Declare a constant that the airframe gives unless the site does, with the same bounds."""
+    declared = Airframe.model_fields[part].annotation.model_fields[constant]  # type: ignore[union-attr]
+    bounds = {
+        side: getattr(item, side)
+        for item in declared.metadata
+        for side in ("ge", "le")
+        if hasattr(item, side)
+    }
+
+    def given_by(fields: dict[str, Any]) -> Any:
+        return getattr(getattr(airframe_named(fields["kind"]), part), constant)
+
+    return Field(
+        default_factory=given_by,
+        **bounds,
+        allow_inf_nan=False,
+        description=declared.description,
+        json_schema_extra=declared.json_schema_extra,
+    )
 
 
 class DroneConfig(Section):
@@ -21,31 +44,22 @@ class DroneConfig(Section):
         default=True,
         description="whether there is one; false: the room sees, remembers and answers, no flight",
     )
-    kind: Literal["ardrone"] = Field(default="ardrone", description="driver")
+    kind: str = Field(
+        default="ardrone", description="model: its driver, and the airframe with its constants"
+    )
     address: str = Field(
         default="127.0.0.1", description="IP address; a real AR.Drone 2.0 is 192.168.1.1"
     )
-    hull_length: float = quantity(0.517, 0.05, 2.0, "m", "longer side of the hull")
-    hull_width: float = quantity(0.451, 0.05, 2.0, "m", "shorter side of the hull")
-    hull_height: float = quantity(0.13, 0.02, 1.0, "m", "of the hull, planner space")
-    attitude_lag: float = quantity(
-        7.0, 0.5, 50.0, "1/s", "lambda of paper eq. (22): pole of the attitude response"
-    )
-    attitude_gain: float = quantity(
-        1.0, 0.2, 2.0, "1", "c / lambda of paper eq. (22): achieved over commanded angle"
-    )
-    drag: float = quantity(0.58, 0.0, 5.0, "1/s", "linear drag over mass")
-    command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction")
-    climb_lag: float = quantity(1.4, 0.2, 50.0, "1/s", "pole of the climb rate response")
-    sink_gain: float = quantity(
-        2.0,
-        0.5,
-        3.0,
-        "1",
-        "what the drone makes of a commanded sinking, over what was commanded (an AR.Drone's stick"
-        " sinks twice as fast as it climbs); counts with estimation.lift_wander",
-    )
-    yaw_lag: float = quantity(25.0, 0.2, 50.0, "1/s", "pole of the yaw rate response")
+    hull_length: float = _of_airframe("body", "hull_length")
+    hull_width: float = _of_airframe("body", "hull_width")
+    hull_height: float = _of_airframe("body", "hull_height")
+    attitude_lag: float = _of_airframe("response", "attitude_lag")
+    attitude_gain: float = _of_airframe("response", "attitude_gain")
+    drag: float = _of_airframe("response", "drag")
+    command_delay: float = _of_airframe("response", "command_delay")
+    climb_lag: float = _of_airframe("response", "climb_lag")
+    sink_gain: float = _of_airframe("response", "sink_gain")
+    yaw_lag: float = _of_airframe("response", "yaw_lag")
     profile: str = Field(
         default="",
         description=(
@@ -64,3 +78,15 @@ class DroneConfig(Section):
         json_schema_extra={"unit": "1"},
     )
     has_video: bool = Field(default=True, description="whether to open the camera stream")
+
+    @property
+    def airframe(self) -> Airframe:
+        """The constants of its model; those that the site may give itself are above."""
+        return airframe_named(self.kind)
+
+    @field_validator("kind")
+    @classmethod
+    def _known(cls, kind: str) -> str:
+        if kind not in (known := airframe_names()):
+            raise ValueError(f"is {kind!r}; allowed: {', '.join(known)}")
+        return kind

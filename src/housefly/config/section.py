@@ -8,8 +8,8 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, Field
 
 
-def quantity(default: float, low: float, high: float, unit: str, meaning: str) -> Any:
-    """Declare a number with its default, inclusive range, unit and one-line meaning."""
+def quantity(default: Any, low: float, high: float, unit: str, meaning: str) -> Any:
+    """Declare a number: default (``...``: it must be given), inclusive range, unit, meaning."""
     return Field(
         default,
         ge=low,

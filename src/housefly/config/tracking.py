@@ -13,6 +13,9 @@ MocapWire = Literal["vicon", "natnet", "vrpn"]
 BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn": "vrpn"}
 """Types of PyPI motioncapture whose protocol the twin serves."""
 
+DRONE_BODY = "ardrone"
+"""What the drone is called among the tracked bodies unless a site says otherwise."""
+
 
 class TrackingConfig(Section):
     """The motion capture system and where it answers."""
@@ -43,7 +46,7 @@ class TrackingConfig(Section):
         pattern="^[a-z_]{1,40}$",
         description="type that motioncapture is asked for when kind is bridge",
     )
-    body: str = Field(default="ardrone", description="name of the drone among the tracked bodies")
+    body: str = Field(default=DRONE_BODY, description="name of the drone among the tracked bodies")
     visitor: str = Field(
         default="visitor", description="name of the person at the door among the tracked bodies"
     )

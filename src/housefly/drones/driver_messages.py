@@ -1,7 +1,7 @@
 """What pilot and driver tell each other over their socket: bytes and back.
 
 Each message is magic, kind, size of its body [bytes], body. A command carries the time at which the
-pilot gave it: what comes late counts for nothing (``wires.ardrone.command_sequencer``).
+pilot gave it: what comes late counts for nothing (``failsafe``).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import isfinite
 
+from housefly.config.capabilities import Capabilities
 from housefly.errors import WireError
 from housefly.messages import (
     Action,
@@ -29,7 +30,7 @@ _MAGIC = b"HFd1"
 _HEADER = struct.Struct("<4sBI")
 _COMMAND = struct.Struct("<B5d???4d")
 _TELEMETRY = struct.Struct("<Bdd4d3d???3d?d")
-_LINK = struct.Struct("<???d")
+_LINK = struct.Struct("<??d")
 _LIGHT = struct.Struct("<?")
 _VIDEO = struct.Struct("<?HHIdd")
 _BODY_MAX = 1_100_000
@@ -67,14 +68,14 @@ class DriverStatus:
         connected, video_connected: whether reports arrive, and pictures.
         telemetry_rate_hz: reports per second.
         problem: what is wrong, in words, or "".
-        has_light: whether the drone can show that its camera is recorded.
+        capabilities: what the drone can do; None before that is known.
     """
 
     connected: bool = False
     video_connected: bool = False
     telemetry_rate_hz: float = 0.0
     problem: str = ""
-    has_light: bool = False
+    capabilities: Capabilities | None = None
 
 
 DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame | LightOrder
@@ -195,14 +196,26 @@ def _words(data: bytes) -> tuple[tuple[DroneFault, ...], tuple[str, ...]]:
 
 
 def _status_bytes(status: DriverStatus) -> bytes:
-    flags = status.connected, status.video_connected, status.has_light
-    return _LINK.pack(*flags, status.telemetry_rate_hz) + status.problem.encode()
+    link = _LINK.pack(status.connected, status.video_connected, status.telemetry_rate_hz)
+    return link + _health_bytes(status.problem, status.capabilities)
 
 
 def _status(body: bytes) -> DriverStatus:
-    connected, video_connected, has_light, rate_hz = _LINK.unpack_from(body)
-    problem = body[_LINK.size :].decode()
-    return DriverStatus(connected, video_connected, rate_hz, problem, has_light)
+    connected, video_connected, rate_hz = _LINK.unpack_from(body)
+    return DriverStatus(connected, video_connected, rate_hz, *_health(body[_LINK.size :]))
+
+
+@lru_cache(maxsize=16)
+def _health_bytes(problem: str, capabilities: Capabilities | None) -> bytes:
+    """Return what seldom changes of a driver's health."""
+    able = None if capabilities is None else capabilities.model_dump(mode="json")
+    return json.dumps([problem, able]).encode()
+
+
+@lru_cache(maxsize=16)
+def _health(data: bytes) -> tuple[str, Capabilities | None]:
+    problem, able = json.loads(data)
+    return str(problem), None if able is None else Capabilities.model_validate(able)
 
 
 def _video_bytes(frame: VideoFrame) -> bytes:

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import asyncio
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from housefly.clock import Clock
 from housefly.config.process_log import log_traceback
-from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_messages import (
     DriverMessage,
     DriverStatus,
@@ -22,11 +22,14 @@ from housefly.drones.driver_messages import (
     TimedCommand,
     encode_driver_message,
 )
+from housefly.drones.failsafe import LAND_AFTER
 from housefly.drones.private_socket import check_private, is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.wires.ardrone.command_sequencer import LAND_AFTER
+
+if TYPE_CHECKING:
+    from housefly.drones.contract import DroneDriver
 
 LANDING_TIMEOUT = 25.0
 """Longest time from the wish to end to the end, however long the drone takes to land [s]."""
@@ -54,7 +57,7 @@ class DriverServer:
         clock: for ages.
     """
 
-    def __init__(self, drone: ArDrone, path: Path, clock: Clock) -> None:
+    def __init__(self, drone: DroneDriver, path: Path, clock: Clock) -> None:
         self._drone, self._path, self._clock = drone, path, clock
         self._pilot: _PilotLink | None = None
         self._leaving = asyncio.Event()
@@ -157,7 +160,7 @@ class DriverServer:
             drone.video_connected,
             drone.telemetry_rate_hz,
             drone.problem,
-            drone.has_light,
+            drone.capabilities,
         )
 
     def _on_report(self) -> None:

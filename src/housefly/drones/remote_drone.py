@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from housefly.clock import Clock, RealClock
+from housefly.config.capabilities import Capabilities
 from housefly.drones.driver_messages import (
     DriverStatus,
     LightOrder,
@@ -33,7 +34,7 @@ _BACKLOG_MAX = 1024
 
 
 class RemoteDrone(asyncio.Protocol):
-    """Implements ``drones.contracts.Drone`` over the socket of a ``DriverServer``.
+    """Implements ``drones.contract.Drone`` over the socket of a ``DriverServer``.
 
     Args:
         path: of the socket.
@@ -80,9 +81,9 @@ class RemoteDrone(asyncio.Protocol):
         self._write(TimedCommand(command, self._clock.now(), motion))
 
     @property
-    def has_light(self) -> bool:
-        """Whether it can show that its camera is recorded, as far as the driver is reached."""
-        return self._status.has_light
+    def capabilities(self) -> Capabilities | None:
+        """What the drone can do; None while the driver is not reached."""
+        return self._status.capabilities
 
     def show_recording(self, records: bool) -> None:
         """Blink while the camera is recorded, where the drone can; to be said again and again."""

@@ -137,12 +137,28 @@ class KnownMotion:
 class Command:
     """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
 
-    HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude,
-    which drifts.
+    HOVER asks for the drone's own hover; FLY with LEVEL means level attitude, which drifts.
     """
 
     action: Action
     setpoint: Setpoint = LEVEL
+
+
+@dataclass(frozen=True, slots=True)
+class Instruction:
+    """What a driver tells its drone now, once the watchdog over the pilot has had its word.
+
+    Attributes:
+        command: to encode; a take-off only while one may begin or is under way.
+        order: how many orders of another kind than the one before the pilot has given.
+        ordered_at: when the newest of these came [s].
+        lands_all: whatever may be in the air has to land, also where nobody knows whether it is.
+    """
+
+    command: Command
+    order: int
+    ordered_at: float
+    lands_all: bool
 
 
 class SafetyMode(Enum):

@@ -50,6 +50,7 @@ def make_pilot(
     params = pilot_parameters(is_paper, site.drone, site.control, site.limits, site.estimation)
     settings = PilotSettings(
         parameters=params,
+        airframe=site.drone.airframe,
         body=site.tracking.body,
         home=room.home,
         flight_height=site.map.flight_height,
@@ -65,10 +66,13 @@ def make_pilot(
         ),
     )
     navigator = RoomNavigator(site, room, grid)
-    missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper, frames)
+    missions = MissionManager(
+        site.limits, navigator, site.drone.airframe, params.tolerances.position, is_paper, frames
+    )
     ceiling = min(site.limits.height_max + CEILING_SLACK, room.height - CEILING_CLEARANCE)
     fence = Geofence(extent_of(grid), ceiling)
-    gate = Gate(site.limits, fence, rules=SAFETY_RULES if guarded else ORDER_RULES)
+    rules = SAFETY_RULES if guarded else ORDER_RULES
+    gate = Gate(site.limits, fence, site.drone.airframe, rules)
     return Pilot(settings, navigator, missions, gate, maneuver)
 
 

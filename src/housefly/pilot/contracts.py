@@ -6,6 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Protocol
 
+from housefly.config.airframe import Airframe
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order, OrderAnswer
@@ -31,6 +32,7 @@ class PilotSettings:
 
     Attributes:
         parameters: of the compiled step.
+        airframe: of the drone.
         body: name of the drone in the tracking system.
         home: the pad [m].
         flight_height: z_ref [m].
@@ -45,6 +47,7 @@ class PilotSettings:
     """
 
     parameters: PilotParameters
+    airframe: Airframe
     body: str
     home: Vec2
     flight_height: float

@@ -27,10 +27,10 @@ class KeptPlace:
     yaw: float
 
     @classmethod
-    def of(cls, estimate: Estimate) -> KeptPlace:
-        """Return where a drone comes to rest that brakes now."""
+    def of(cls, estimate: Estimate, coast_time: float) -> KeptPlace:
+        """Return where a drone comes to rest that brakes now, by its coast time [s]."""
         x, y, z = estimate.position
-        return cls(coasted((x, y), estimate.velocity[:2]), z, estimate.yaw)
+        return cls(coasted((x, y), estimate.velocity[:2], coast_time), z, estimate.yaw)
 
     def guidance(self, mission: Guidance) -> Guidance:
         """Return the guidance of a drone that is kept here; a path comes to rest meanwhile."""

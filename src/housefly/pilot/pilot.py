@@ -223,6 +223,7 @@ class Pilot:
             self._params.estimator,
             settings.body,
             now,
+            settings.airframe.sonar,
             odometry_error=settings.odometry_error,
             trusting=not settings.guarded,
         )
@@ -358,7 +359,9 @@ class Pilot:
         if estimate is None or self._params.is_paper or not (assessment.kept and guidance.active):
             self._kept = None
             return guidance
-        kept = self._kept = self._kept or KeptPlace.of(estimate)
+        kept = self._kept = self._kept or KeptPlace.of(
+            estimate, self._settings.airframe.braking.coast_time
+        )
         return kept.guidance(guidance)
 
     def _mission_guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
@@ -423,7 +426,7 @@ class Pilot:
         landing, here, height = self._landing, estimate.position[:2], estimate.position[2]
         is_ordered = assessment.mode is not SafetyMode.LAND or self._missions.state.stopped
         if landing is None:
-            rest = coasted(here, estimate.velocity[:2])
+            rest = coasted(here, estimate.velocity[:2], self._settings.airframe.braking.coast_time)
             beside = None if is_ordered else self._map.clear_floor(here, height)
             return SteeredLanding(here if beside else rest, height, now, beside or rest)
         may_move = landing.moves < MOVES_MAX and landing.sinks(now, here)
@@ -440,7 +443,7 @@ class Pilot:
             return spot
         push = self._estimator.disturbance
         brake = self._params.estimator.model.hover_drag
-        x, y = landing_drift(push, height, brake)
+        x, y = landing_drift(push, height, brake, self._settings.airframe)
         return spot[0] - x, spot[1] - y
 
     def _blind_override(self, now: float, assessment: GateAssessment) -> Override | None:

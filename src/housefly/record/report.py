@@ -36,7 +36,7 @@ def write_report(
         (
             "Speed, way to a stop, uncertainty",
             _figure(
-                stopping_svg(flight),
+                stopping_svg(flight, site.drone.airframe.braking),
                 "How far the drone flies on when it brakes as hard as it can be counted on, after"
                 " the time to react; and how sure the filter is of the place.",
             ),

@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from housefly.config.airframe import BrakingConstants
 from housefly.messages import TrajectoryPoint
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.record import svg
 from housefly.record.series import FlightSeries
 
@@ -62,10 +62,10 @@ def height_svg(flight: FlightSeries) -> str:
         return svg.to_svg(figure, "Height along the planned curves, with their speed, and as flown")
 
 
-def stopping_svg(flight: FlightSeries) -> str:
+def stopping_svg(flight: FlightSeries, braking: BrakingConstants) -> str:
     """Return speed, the way to a stop from it, and one sigma of the place, over time."""
     elapsed = flight.time - flight.time[0] if flight.time.size else flight.time
-    stop = flight.speed**2 / (2.0 * BRAKING_DECELERATION) + flight.speed * REACTION_TIME
+    stop = flight.speed**2 / (2.0 * braking.deceleration) + flight.speed * braking.reaction_time
     strips = (
         ("speed [m/s]", flight.speed),
         ("way to a stop, reaction included [m]", stop),

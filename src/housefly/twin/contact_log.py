@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 from housefly.geometry import Vec3, distance
 from housefly.numeric import running_sum
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.people.motion import PersonMotion
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 from housefly.twin.solids import SolidKind, SolidOwner
 from housefly.twin.touch import TouchPoint
 

@@ -1,6 +1,6 @@
 """What the twin's servers may ask of the simulated world.
 
-``twin.world`` implements ``TwinWorld``; the servers and ``twin.lockstep`` use it. World frame and
+``twin.world`` implements ``TwinWorld``; the servers and lock step use it. World frame and
 body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone``
 and the server.
 """

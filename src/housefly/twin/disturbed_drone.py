@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from housefly.config.site import Site
 from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, Battery
-from housefly.twin.ardrone.inner_loops import MOTORS_OFF, Wrench
 from housefly.twin.ardrone.motors import achieved_wrench
-from housefly.twin.ardrone.onboard_sensors import BodyState, SensorReading
 from housefly.twin.ardrone.sensor_faults import FaultySensors
 from housefly.twin.disturbance import NEUTRAL, Disturbances
 from housefly.twin.external_forces import ExternalForces
 from housefly.twin.physics import Physics
+from housefly.twin.simulated_body import MOTORS_OFF, BodyState, SensorReading, Wrench
 
 _STRONG = (1.0, 1.0, 1.0, 1.0)
 
@@ -27,7 +26,9 @@ class DisturbedDrone:
     def __init__(self, site: Site, physics: Physics, battery: Battery) -> None:
         self._physics, self._battery = physics, battery
         self._sensors = FaultySensors(site.twin.seed)
-        self._forces = ExternalForces(site.twin.seed, site.drone.drag)
+        self._forces = ExternalForces(
+            site.twin.seed, site.drone.drag, site.drone.airframe.body.mass
+        )
         self._by = NEUTRAL
 
     @property

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from housefly.config.site import Site
 from housefly.room.model import Room
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.clearance import UNBOUNDED, Clearance, ClearanceMeter
 from housefly.twin.contact_log import Contact, ContactLog
 from housefly.twin.people.motion import PersonMotion
 from housefly.twin.physics import Physics
 from housefly.twin.picture_segments import PictureSegments
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 from housefly.twin.solids import owners_of_geoms
 from housefly.twin.touch import touch_points
 

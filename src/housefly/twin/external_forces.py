@@ -12,9 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from housefly.geometry import GRAVITY, Vec3, rotate
-from housefly.twin.ardrone.body import DRONE_MASS
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.disturbance import CeilingFan, Disturbances, Payload, Tether
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 
 _SEED_KEY = 7741
 """Keeps the gusts apart from all other noise of the same seed."""
@@ -41,11 +40,12 @@ class ExternalForces:
     Args:
         seed: of the site.
         drag: deceleration over air speed [1/s].
+        mass: of the drone [kg].
     """
 
-    def __init__(self, seed: int, drag: float) -> None:
+    def __init__(self, seed: int, drag: float, mass: float) -> None:
         self._random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(_SEED_KEY,)))
-        self._drag = drag * DRONE_MASS
+        self._drag, self._mass = drag * mass, mass
         self._gust = np.zeros(3)
 
     def step(self, disturbances: Disturbances, body: BodyState) -> ExternalForce:
@@ -54,7 +54,7 @@ class ExternalForces:
         fx, fy, fz = self._drag * wx, self._drag * wy, _LIFT_PER_AIR_SPEED * wz
         torque = (0.0, 0.0, 0.0)
         if disturbances.tether is not None:
-            px, py, pz = _pull(disturbances.tether, body)
+            px, py, pz = _pull(disturbances.tether, body, self._mass)
             fx, fy, fz = fx + px, fy + py, fz + pz
         if disturbances.payload is not None:
             torque = _load_torque(disturbances.payload, body)
@@ -88,7 +88,7 @@ def downwash_at(fan: CeilingFan, position: Vec3) -> float:
     return share * fan.downwash
 
 
-def _pull(tether: Tether, body: BodyState) -> Vec3:
+def _pull(tether: Tether, body: BodyState, mass: float) -> Vec3:
     """Return the force of a line [N]; none while it is slack."""
     away = tuple(end - own for end, own in zip(tether.anchor, body.position, strict=True))
     reach = hypot(*away)
@@ -96,7 +96,7 @@ def _pull(tether: Tether, body: BodyState) -> Vec3:
         return 0.0, 0.0, 0.0
     x, y, z = (part / reach for part in away)
     towards = x * body.velocity[0] + y * body.velocity[1] + z * body.velocity[2]
-    damping = 2.0 * _TETHER_DAMPING * sqrt(tether.stiffness * DRONE_MASS)
+    damping = 2.0 * _TETHER_DAMPING * sqrt(tether.stiffness * mass)
     force = max(0.0, tether.stiffness * (reach - tether.length) - damping * towards)
     return force * x, force * y, force * z
 

@@ -18,8 +18,6 @@ from housefly.messages import Pose
 from housefly.numeric import running_sum
 from housefly.room.model import Room
 from housefly.twin.ardrone.body import BODY, DRONE_MASS, INERTIA, STANDING_HEIGHT
-from housefly.twin.ardrone.inner_loops import Wrench
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.contracts import AWAY_Z
 from housefly.twin.disturbance import Payload
 from housefly.twin.external_forces import ExternalForce
@@ -28,6 +26,7 @@ from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.people.bodies import PERSON_PREFIX
 from housefly.twin.people.script import PersonScript
 from housefly.twin.scene_mjcf import scene_mjcf
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState, Wrench
 
 _SUBSTEPS = 2
 """Physics steps per control period: 2.5 ms, enough for a soft hull to hit a wall at full speed."""

@@ -21,11 +21,11 @@ from housefly.room.tracked import untracked
 from housefly.twin.ardrone.battery import Battery, BatteryGauge
 from housefly.twin.ardrone.body import DRONE_MASS, STANDING_HEIGHT
 from housefly.twin.ardrone.firmware import WATCHDOG_AFTER, Firmware
-from housefly.twin.ardrone.inner_loops import MOTORS_OFF, Wrench
 from housefly.twin.ardrone.leds import Leds
 from housefly.twin.ardrone.motors import motor_duties
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, OnboardSensors
+from housefly.twin.ardrone.onboard_sensors import OnboardSensors
 from housefly.twin.clearance import UNBOUNDED, Clearance
+from housefly.twin.command_delay import simulated_command_delay
 from housefly.twin.contact_log import Contact
 from housefly.twin.contracts import (
     FlightState,
@@ -50,8 +50,8 @@ from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
 from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
+from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, Wrench
 from housefly.twin.sonar_beam import SonarBeam
-from housefly.wires.ardrone.command_delay import simulated_command_delay
 from housefly.wires.ardrone.conversions import Stick
 
 _WEIGHT = DRONE_MASS * GRAVITY

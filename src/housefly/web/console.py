@@ -183,7 +183,7 @@ class Console:
             task_subject=self._task_subject(),
             hand_motion=self.feed.hand_motion,
             told_last=self.feed.last_status,
-            has_drone=self.feed.has_drone,
+            has_drone=self.feed.drone.enabled,
         )
 
     def _task_subject(self) -> str:

@@ -124,7 +124,7 @@ async def run_web(
             hosts=exposure.names,
             secret=os.environ.get(SECRET_VARIABLE, ""),
             drone_body=site.tracking.body,
-            has_drone=site.drone.enabled,
+            drone=site.drone,
             furniture=site.furniture,
             coverage=lambda: coverage_view(
                 load_room(site.room.model, folder), site.map.flight_height

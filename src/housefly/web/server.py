@@ -30,7 +30,9 @@ from starlette.middleware import Middleware
 
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
+from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
+from housefly.config.tracking import DRONE_BODY
 from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
 from housefly.web.bell_routes import BellRoutes
@@ -77,8 +79,8 @@ def create_app(
     *,
     hosts: frozenset[str] = LOOPBACK_NAMES,
     secret: str = "",
-    drone_body: str = "ardrone",
-    has_drone: bool = True,
+    drone_body: str = DRONE_BODY,
+    drone: DroneConfig | None = None,
     furniture: tuple[FurnitureConfig, ...] = (),
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
@@ -107,7 +109,7 @@ def create_app(
         secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty
             makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
-        has_drone: whether there is one.
+        drone: the drone, or that there is none; None for the usual one.
         furniture: furniture that the tracking system sees.
         clock: the server's clock; real time by default.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
@@ -132,7 +134,7 @@ def create_app(
     board = TaskFeed(bus, clock)
     kept = FlightLogWriter(flights, site_name) if flights else None
     keep_event = memory.keep_event if memory else _forget
-    feed = StateFeed(clock, drone_body, furniture, keep_event, kept, has_drone)
+    feed = StateFeed(clock, drone_body, furniture, keep_event, kept, drone or DroneConfig())
     console = Console(feed, link, auth, clock, audit, board, memory, guest_address)
     video = VideoRelay(bus, privacy, board.mode)
     layer = CoverageLayer(coverage) if coverage else None

@@ -11,8 +11,10 @@ from math import dist, hypot, inf
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import Clock
+from housefly.config.airframe import Airframe
+from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
-from housefly.geometry import Vec2, stopping_distance
+from housefly.geometry import Vec2
 from housefly.messages import (
     LinkStatus,
     Path,
@@ -22,7 +24,6 @@ from housefly.messages import (
     Sighting,
     TrajectoryPoint,
 )
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
 from housefly.web.hand_motion import hand_motion_words
@@ -36,8 +37,6 @@ from housefly.web.server_messages import (
 )
 from housefly.web.stop_latch import StopLatch
 
-_RATED_ENDURANCE = 720.0
-"""Flight time of a full battery [s]: an AR.Drone 2.0 is rated 12 minutes on 1000 mAh."""
 _EVENTS_KEPT = 300
 _TRAIL_KEPT = 600
 _TRAIL_STEP = 0.04
@@ -64,7 +63,7 @@ class StateFeed:
         furniture: the tracked bodies that are furniture.
         keep_event: is told each line of the event log; must return at once.
         flights: hears each step, and keeps the flights.
-        has_drone: whether there is a drone at all.
+        drone: the drone, or that there is none.
     """
 
     clock: Clock
@@ -72,7 +71,7 @@ class StateFeed:
     furniture: tuple[FurnitureConfig, ...] = ()
     keep_event: Callable[[EventView], None] = lambda event: None
     flights: FlightListener | None = None
-    has_drone: bool = True
+    drone: DroneConfig = field(default_factory=DroneConfig)
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _step: PilotStep | None = None
     _heard_at: float = 0.0
@@ -183,7 +182,10 @@ class StateFeed:
         with self._lock:
             if self._step is None:
                 return None
-            told = _state(self._step, self._heard_at, home_s, self._path_number, self._bodies())
+            airframe = self.drone.airframe
+            told = _state(
+                self._step, self._heard_at, home_s, self._path_number, self._bodies(), airframe
+            )
             link = self._link.link if self._link else None
             return replace(told, height_std=link.height_std if link else None)
 
@@ -265,17 +267,23 @@ class StateFeed:
 
 
 def _state(
-    step: PilotStep, heard_at: float, home_s: float, path: int, others: tuple[OtherBody, ...]
+    step: PilotStep,
+    heard_at: float,
+    home_s: float,
+    path: int,
+    others: tuple[OtherBody, ...],
+    airframe: Airframe,
 ) -> StateMessage:
     telemetry, out = step.inputs.telemetry, step.outputs
+    endurance = airframe.battery.endurance
     estimate = out.estimate
     return StateMessage(
         sequence=step.sequence,
         heard_at=heard_at,
         status=telemetry.status if telemetry else None,
         battery=telemetry.battery if telemetry else None,
-        battery_return=home_s / _RATED_ENDURANCE,
-        flight_s=telemetry.battery * _RATED_ENDURANCE if telemetry else None,
+        battery_return=home_s / endurance,
+        flight_s=telemetry.battery * endurance if telemetry else None,
         telemetry_age=step.now - telemetry.received_at if telemetry else None,
         faults=tuple(fault.value for fault in telemetry.faults) if telemetry else (),
         notes=telemetry.notes if telemetry else (),
@@ -297,8 +305,6 @@ def _state(
         waypoint=out.waypoint,
         others=others,
         stopping_distance=(
-            stopping_distance(hypot(*estimate.velocity), BRAKING_DECELERATION, REACTION_TIME)
-            if estimate
-            else None
+            airframe.braking.way_to_rest(hypot(*estimate.velocity)) if estimate else None
         ),
     )

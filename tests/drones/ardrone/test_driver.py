@@ -15,18 +15,18 @@ import pytest
 from full_disk import full_output
 
 from housefly.clock import RealClock
+from housefly.config.airframe import airframe_named
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone import driver as driver_module
 from housefly.drones.ardrone import limits_keeper
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.ardrone.video import VideoLink
+from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER
 from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin import contracts as twin
 from housefly.wires.ardrone import at, navdata_options, pave
-from housefly.wires.ardrone.brake import BRAKE_TIME_MAX
-from housefly.wires.ardrone.command_sequencer import HOVER_AFTER, LAND_AFTER, SEND_INTERVAL
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, encode_navdata
 from housefly.wires.ardrone.pave import (
@@ -38,6 +38,7 @@ from housefly.wires.ardrone.pave import (
 
 pytestmark = [pytest.mark.wire, pytest.mark.usefixtures("fresh_log")]
 
+ARDRONE = airframe_named("ardrone")
 FORWARD = Setpoint(theta=0.1)
 
 
@@ -86,7 +87,7 @@ async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the
     heard = len(flight.radio.commands)
     before = time.monotonic()
     await flight.hold(Action.FLY, FORWARD, seconds=1.0)
-    expected = (time.monotonic() - before) / SEND_INTERVAL
+    expected = (time.monotonic() - before) / ARDRONE.link.interval
     assert 0.4 * expected < len(flight.radio.commands) - heard < 1.2 * expected
     flight.drone.send(Command(Action.FLY, FORWARD))
     flight.drone.send(Command(Action.HOVER))
@@ -121,7 +122,7 @@ async def test_a_pilot_that_falls_silent_lets_it_hover_and_then_land(flight) -> 
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=0.3)
     assert not flight.world.asked.hover
-    await flight.silence(HOVER_AFTER + BRAKE_TIME_MAX + 0.1)
+    await flight.silence(HOVER_AFTER + ARDRONE.brake.time_max + 0.1)
     assert flight.world.asked.hover and status(flight) is DroneStatus.FLYING
     await flight.silence(LAND_AFTER)
     assert status(flight) in (DroneStatus.LANDING, DroneStatus.LANDED)
@@ -135,7 +136,7 @@ async def test_a_watchdog_that_fails_lands_the_drone_although_its_log_takes_no_m
 
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=0.3)
-    monkeypatch.setattr(flight.drone._sequencer, "next_commands", fail)
+    monkeypatch.setattr(flight.drone._failsafe, "decide", fail)
     with full_output():
         await asyncio.sleep(1.0)
     sent = at.parse_datagram(flight.radio.commands[-1]).commands[0].command
@@ -159,7 +160,7 @@ async def test_a_watchdog_that_fails_lands_the_drone_before_it_says_so(flight, m
 
     await flying(flight)
     before = flight.drone._commands.datagrams
-    monkeypatch.setattr(flight.drone._sequencer, "next_commands", fail)
+    monkeypatch.setattr(flight.drone._failsafe, "decide", fail)
     with contextlib.redirect_stderr(Watched()) as said:
         await asyncio.sleep(0.2)
     assert "ZeroDivisionError" in said.getvalue()

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.drones.ardrone.echo_filter import EchoFilter
+from housefly.drones.ardrone.telemetry import EchoFilter
 
 REPORT_PERIOD, REPORTS_PER_ECHO = 0.005, 8
 

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.drones.ardrone.recording_light import (
     LED_INTERVAL_MIN,
     LIGHT_TIMEOUT,
@@ -19,7 +20,6 @@ from housefly.drones.ardrone.recording_light import (
 )
 from housefly.messages import Action, DroneStatus, Setpoint
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_sequencer import SEND_INTERVAL
 
 TICK = 0.035
 STANDARD = STANDARD_LED.animation
@@ -82,7 +82,8 @@ async def test_the_drone_blinks_while_it_is_said_and_commands_keep_their_cadence
     numbers = [command.sequence for one in parsed for command in one]
     assert numbers == sorted(numbers)
     moves = sum(any(isinstance(one.command, at.Pcmd) for one in each) for each in parsed)
-    assert moves >= 0.5 * 2.0 / SEND_INTERVAL, "as many setpoints as without a light"
+    usual = 2.0 / airframe_named("ardrone").link.interval
+    assert moves >= 0.5 * usual, "as many setpoints as without a light"
     assert flight.server.counters.stale_commands == 0
     assert flight.server.counters.malformed == 0
 

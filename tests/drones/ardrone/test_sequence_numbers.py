@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.drones.ardrone.sequence_numbers import SESSION_TIMEOUT, SequenceNumbers
+from housefly.drones.ardrone.link import SESSION_TIMEOUT, SequenceNumbers
 
 
 class StrictDrone:

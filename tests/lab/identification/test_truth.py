@@ -22,7 +22,7 @@ from housefly.lab.identification.truth import missed_constants, simulated_truth
 from housefly.pilot.control.model import Constants
 from housefly.twin.ardrone.body import INERTIA
 from housefly.twin.ardrone.inner_loops import InnerLoops, LoopReferences
-from housefly.twin.ardrone.onboard_sensors import SensorReading
+from housefly.twin.simulated_body import SensorReading
 
 
 def found(truth: dict[str, float], key: str = "", by: float = 0.0) -> Identified:

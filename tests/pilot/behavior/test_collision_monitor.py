@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import pytest
 
+from housefly.config.airframe import airframe_named
 from housefly.messages import DroneStatus, Estimate, Event, OrderOutcome, Path, Phase
 from housefly.messages.flight import OrderKind
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor, braking_distance
@@ -27,6 +28,7 @@ from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 PATH = Path(((0.0, 0.0), (4.0, 0.0), (4.0, 3.0)), 7.0, 0.5)
 FOLLOWING = TrackingTask(profile=cast(Any, object()), path=PATH)
 PATIENCES = (0.0, 0.5, 1.0, 2.0, 4.0, 4.0)
+BRAKING = airframe_named("ardrone").braking
 TICK = 1 / 64
 
 
@@ -66,7 +68,7 @@ class Watch:
     def __init__(self) -> None:
         self.ways, self.now, self.said = ScriptedWays(), 10.0, list[Event]()
         both = cast(Any, self.ways)
-        self.monitor = CollisionMonitor(both, both)
+        self.monitor = CollisionMonitor(both, both, BRAKING)
 
     def vehicle(self, speed: float = 0.0, climb: float = 0.0) -> VehicleStatus:
         estimate = Estimate(self.now, (1.0, 0.0, 1.0), (speed, 0.0, climb), 0.0, 0.0, 0.01)
@@ -87,7 +89,9 @@ def watch() -> Watch:
 
 
 def test_it_brakes_at_its_stopping_distance_and_three_tenths() -> None:
-    assert [braking_distance(speed) for speed in (0.0, 1.0, 2.0)] == pytest.approx([0.3, 1.1, 2.9])
+    assert [braking_distance(speed, BRAKING) for speed in (0.0, 1.0, 2.0)] == pytest.approx(
+        [0.3, 1.1, 2.9]
+    )
 
 
 def test_a_block_far_ahead_is_gone_around_and_told_once_in_two_seconds(watch: Watch) -> None:
@@ -108,7 +112,7 @@ def test_a_block_far_ahead_is_gone_around_and_told_once_in_two_seconds(watch: Wa
 def test_one_at_its_braking_distance_stops_it_at_once_and_so_does_one_without_a_way_around(
     watch: Watch,
 ) -> None:
-    watch.ways.blocked_at, watch.ways.refusal = braking_distance(1.0), None
+    watch.ways.blocked_at, watch.ways.refusal = braking_distance(1.0, BRAKING), None
     assert [event.text for event in watch.fly(speed=1.0)] == [
         "chair is in the way, 1.1 m ahead: stopping"
     ]

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from housefly.config.airframe import airframe_named
 from housefly.config.limits import LimitsConfig
 from housefly.messages import Phase
 from housefly.pilot.behavior.commander import Commander
@@ -15,7 +16,7 @@ from housefly.pilot.behavior.mission_tables import Signal
 def applied(state: MissionState, signal: Signal, now: float) -> MissionState:
     """Return the state of a commander after a signal, which needs no map."""
     nowhere: Any = SimpleNamespace(home=lambda: Mission(goal=(0.0, 0.0)))
-    commander = Commander(LimitsConfig(), nowhere)
+    commander = Commander(LimitsConfig(), nowhere, airframe_named("ardrone"))
     commander._state = state
     assert commander.apply(signal, now) == (commander.state.phase is not state.phase)
     return commander.state

@@ -7,6 +7,7 @@ from math import nan
 
 import pytest
 
+from housefly.config.airframe import airframe_named
 from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.pilot.behavior.height_gap import (
     AGREEMENT_TIME,
@@ -14,7 +15,6 @@ from housefly.pilot.behavior.height_gap import (
     GAP_TIME,
     HEIGHT_GAP_MAX,
     LOW_MAX,
-    RANGE_MIN,
     STUCK_WAY,
     WAY_STEP,
     ShownEverywhere,
@@ -22,6 +22,7 @@ from housefly.pilot.behavior.height_gap import (
 )
 from housefly.pilot.behavior.mission import VehicleStatus
 
+SONAR = airframe_named("ardrone").sonar
 PERIOD = 0.05
 FLYING, LANDED = DroneStatus.FLYING, DroneStatus.LANDED
 Feel = Callable[..., float]
@@ -29,7 +30,7 @@ Feel = Callable[..., float]
 
 @pytest.fixture
 def monitor() -> SonarMonitor:
-    return SonarMonitor()
+    return SonarMonitor(SONAR)
 
 
 @pytest.fixture
@@ -68,7 +69,7 @@ def test_what_is_nearer_than_the_sonar_measures_is_found_no_lower_than_that(
     feel: Feel, told: float
 ) -> None:
     feel(1.1)
-    assert feel(*[told] * LONG) == pytest.approx(1.1 - RANGE_MIN)
+    assert feel(*[told] * LONG) == pytest.approx(1.1 - SONAR.range_min)
 
 
 def test_it_seems_so_at_once_and_is_sure_a_little_later(feel: Feel, monitor: SonarMonitor) -> None:

@@ -12,7 +12,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.bus.codec import from_cdr, to_cdr
-from housefly.geometry import Vec3, stopping_distance
+from housefly.config.airframe import airframe_named
+from housefly.geometry import Vec3
 from housefly.messages import (
     Inputs,
     Obstacle,
@@ -24,7 +25,6 @@ from housefly.messages import (
     SafetyMode,
 )
 from housefly.pilot.assembly import make_pilot
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.behavior.nudging import NUDGE_LIFETIME
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
@@ -78,7 +78,7 @@ def test_it_moves_while_a_key_is_held_and_rests_where_it_is_let_go(hovering: Any
     let_go = here(hovering)
     assert let_go[0] - start[0] > 1.4
     said = [hovering.step() for _ in range(300)]
-    longest = NUDGE_LIFETIME * 0.5 + stopping_distance(0.5, BRAKING_DECELERATION, REACTION_TIME)
+    longest = NUDGE_LIFETIME * 0.5 + airframe_named("ardrone").braking.way_to_rest(0.5)
     assert dist(let_go, here(hovering)) < longest and hovering.speed < 0.03
     assert abs(hovering.body.y - start[1]) < 0.05 and abs(hovering.body.z - start[2]) < 0.05
     assert said[-1].phase is Phase.HOLDING and said[-1].safety is SafetyMode.NOMINAL

@@ -4,8 +4,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.pilot.control.landing_aim import AIM_MAX, OWN_SINK, STANDING, landing_drift
+from housefly.config.airframe import airframe_named
+from housefly.pilot.control.landing_aim import AIM_MAX, landing_drift
 
+AIRFRAME = airframe_named("ardrone")
 BRAKE = 2.08
 pushes = st.floats(-0.6, 0.6)
 
@@ -16,18 +18,20 @@ def test_the_drift_is_that_of_a_drone_that_brakes_and_is_pushed(
 ) -> None:
     speed = way = 0.0
     dt = 1e-4
-    for _ in range(round((height - STANDING) / OWN_SINK / dt)):
+    for _ in range(
+        round((height - AIRFRAME.body.standing_height) / AIRFRAME.landing.sink_rate / dt)
+    ):
         way += dt * speed
         speed += dt * (1.0 - BRAKE * speed)
-    drift = landing_drift((x, y), height, BRAKE)
+    drift = landing_drift((x, y), height, BRAKE, AIRFRAME)
     wanted = [min(max(push * way, -AIM_MAX), AIM_MAX) for push in (x, y)]
     assert drift == pytest.approx(wanted, abs=1e-4)
 
 
 def test_in_still_air_and_on_the_floor_there_is_none() -> None:
-    assert landing_drift((0.0, 0.0), 0.3, BRAKE) == (0.0, 0.0)
-    assert landing_drift((0.5, 0.5), 0.05, BRAKE) == (0.0, 0.0)
+    assert landing_drift((0.0, 0.0), 0.3, BRAKE, AIRFRAME) == (0.0, 0.0)
+    assert landing_drift((0.5, 0.5), 0.05, BRAKE, AIRFRAME) == (0.0, 0.0)
 
 
 def test_a_storm_does_not_send_the_drone_away() -> None:
-    assert landing_drift((5.0, -5.0), 0.5, BRAKE) == (AIM_MAX, -AIM_MAX)
+    assert landing_drift((5.0, -5.0), 0.5, BRAKE, AIRFRAME) == (AIM_MAX, -AIM_MAX)

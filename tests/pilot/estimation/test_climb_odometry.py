@@ -6,23 +6,23 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.pilot.estimation.climb_odometry import (
-    CLIMB_MAX,
-    PING_TIME,
     READING_GAP,
-    SONAR_NOISE,
     STUCK_TIME,
     ClimbOdometry,
 )
 
+SONAR = airframe_named("ardrone").sonar
+PING_TIME = SONAR.ping_time
 PERIOD = 0.02
-STEP_MIN = CLIMB_MAX * PING_TIME + SONAR_NOISE
+STEP_MIN = SONAR.climb_rate_max * PING_TIME + SONAR.noise
 """A step of the floor that is lower may be a climb [m]."""
 
 
 def felt(*heights: float, period: float = PERIOD) -> ClimbOdometry:
     """Return the odometry of a drone whose sonar read so; it began above the floor."""
-    odometry = ClimbOdometry().updated(0.0, heights[0]).over_floor()
+    odometry = ClimbOdometry(SONAR).updated(0.0, heights[0]).over_floor()
     for n, height in enumerate(heights[1:], 1):
         odometry = odometry.updated(period * n, height)
     return odometry

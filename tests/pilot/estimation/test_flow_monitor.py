@@ -8,6 +8,7 @@ from math import atan, cos, inf, pi, sin
 import numpy as np
 import pytest
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
@@ -60,7 +61,10 @@ def said(
         speed: true, forward [m/s].
         yaw: its heading [rad].
     """
-    rng, monitor = np.random.default_rng(3), TrackingMonitor(OdometryTolerance(0.003, 0.001))
+    rng, monitor = (
+        np.random.default_rng(3),
+        TrackingMonitor(OdometryTolerance(0.003, 0.001), 0.58, airframe_named("ardrone").sonar),
+    )
     told: list[tuple[float, TrackingConsistency]] = []
     way, next_seen, past = 0.0, 0.0, [speed(0.0)] * (DELAY_TICKS + 1)
     for n in range(round(seconds / TICK)):

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.displacement import OdometryTolerance
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
@@ -32,7 +33,10 @@ def first_drift(
     seed: int = 0,
 ) -> float:
     """Return the lie [m] at which the gate lands a drone at these heights; nan for never."""
-    monitor, rng = TrackingMonitor(OdometryTolerance(0.002, 0.05)), np.random.default_rng(seed)
+    monitor, rng = (
+        TrackingMonitor(OdometryTolerance(0.002, 0.05), 0.58, airframe_named("ardrone").sonar),
+        np.random.default_rng(seed),
+    )
     since, reading, next_ping = np.inf, 0.0, 0.0
     for t in np.arange(0.0, seconds, TICK).tolist():
         if t >= next_ping:

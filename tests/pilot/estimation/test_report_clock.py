@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.displacement import OdometryTolerance
-from housefly.pilot.estimation.flow_monitor import USUAL_DRAG
 from housefly.pilot.estimation.onboard_odometry import FLOW_DELAY
 from housefly.pilot.estimation.report_clock import OFFSET_WINDOW, ReportClock
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
@@ -21,6 +21,9 @@ from housefly.tracking.capture_clock import CaptureClock
 TICK = 0.01
 LINK = 0.004
 """From drone to pilot [s]."""
+DRAG = 0.58
+SONAR = airframe_named("ardrone").sonar
+TOLERANCE = OdometryTolerance(0.005, 0.04)
 
 
 @given(st.lists(st.floats(0.0, 0.4), min_size=1, max_size=80))
@@ -68,14 +71,17 @@ def speed(t: float) -> float:
 def lean(t: float) -> float:
     """Return the pitch that flies so, against drag [rad]."""
     faster = 0.3 * pi * cos(0.5 * pi * t) if t > 0.0 else 0.0
-    return (faster + USUAL_DRAG * speed(t)) / GRAVITY
+    return (faster + DRAG * speed(t)) / GRAVITY
 
 
 def worst_drift(stall: float, *, tells_time: bool) -> float:
     """Return the largest drift [m] that is seen while the drone's world stands still every 3 s;
     inf where the drone's own speed is not believed any more.
     """
-    monitor, capture = TrackingMonitor(OdometryTolerance(0.005, 0.04)), CaptureClock()
+    monitor, capture = (
+        TrackingMonitor(TOLERANCE, DRAG, SONAR),
+        CaptureClock(),
+    )
     lost, x, worst = 0.0, 0.0, 0.0
     for n in range(1800):
         lost += stall if n and n % 300 == 0 else 0.0

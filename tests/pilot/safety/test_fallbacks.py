@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import nan
 
 import pytest
+from gate_flight import AIRFRAME
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -32,7 +33,7 @@ LONGEST = FENCE.ceiling / DESCENT_RATE + DESCENT_MARGIN
 def mode(wanted: SafetyMode, landing_for: float = 0.0, **changes: object) -> SafetyMode:
     inputs = replace(FINE, **changes)  # type: ignore[arg-type]
     seen = FlightObservations(landing_for=landing_for)
-    return possible_mode(wanted, RuleContext(inputs, seen, LimitsConfig(), FENCE))
+    return possible_mode(wanted, RuleContext(inputs, seen, LimitsConfig(), FENCE, AIRFRAME))
 
 
 @given(st.sampled_from(SafetyMode), st.booleans(), st.floats(0.0, 9.0), st.floats(-1.0, 1.0))

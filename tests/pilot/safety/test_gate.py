@@ -6,6 +6,7 @@ from math import hypot, inf, isfinite, nan
 
 import pytest
 from gate_bench import GateBench
+from gate_flight import AIRFRAME
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -160,7 +161,7 @@ def holds(verdict: GateVerdict) -> bool:
 def test_a_drone_that_a_rule_holds_is_kept_or_left_to_itself_though_it_is_called_home(
     series: list[GateInputs],
 ) -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     for n, each in enumerate(series):
         found = gate.assess(replace(each, now=1.5 * n, home_time=1e4))
         is_held = any(rule.mode is SafetyMode.HOLD for rule in found.broken)
@@ -239,7 +240,7 @@ def test_the_worst_broken_rule_decides(each: GateInputs) -> None:
     gate = GateBench(LIMITS, FENCE)
     mode = gate.judge(Command(Action.HOVER), each).mode
     seen = FlightObserver(LIMITS).observe(each, held=False, landing=False)
-    context = RuleContext(each, seen, LIMITS, FENCE)
+    context = RuleContext(each, seen, LIMITS, FENCE, AIRFRAME)
     counted = [rule for rule in SAFETY_RULES if COUNTED[rule.counts](context)]
     at_once = [rule for rule in counted if rule.after == 0.0 and rule.broken(context)]
     worst = max((MODE_SEVERITY[possible_mode(rule.mode, context)] for rule in at_once), default=0)
@@ -431,7 +432,7 @@ def test_a_command_that_is_no_number_ends_by_itself() -> None:
 
 
 def test_all_that_is_wrong_is_told_worst_first() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     found = gate.assess(replace(FINE, pose_age=3.0, stopped=True, battery=0.1, telemetry=DEAF))
     codes = [rule.code for rule in found.broken]
     assert codes[0] == "tracking_lost" and {"stopped", "drone_complains"} <= set(codes)
@@ -439,7 +440,7 @@ def test_all_that_is_wrong_is_told_worst_first() -> None:
 
 
 def test_a_landing_that_began_is_told_with_what_is_wrong_besides() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     gate.assess(replace(FINE, pose_age=3.0))
     found = gate.assess(replace(FINE, now=10.1, stopped=True))
     assert [rule.code for rule in found.broken] == ["tracking_lost", "stopped"]
@@ -447,7 +448,7 @@ def test_a_landing_that_began_is_told_with_what_is_wrong_besides() -> None:
 
 
 def test_a_return_is_wanted_from_when_its_rule_is_broken_until_the_drone_stands() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     low = replace(FINE, battery=0.2, home_time=30.0)
     for n in range(21):
         found = gate.assess(replace(low, now=10.0 + 0.1 * n))
@@ -459,7 +460,7 @@ def test_a_return_is_wanted_from_when_its_rule_is_broken_until_the_drone_stands(
 
 
 def test_the_height_of_a_drone_that_stands_is_the_lowest_seen() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     for z, height in ((0.07, 0.07), (0.6, 0.07), (nan, 0.07), (0.04, 0.04)):
         gate.assess(replace(FINE, status=DroneStatus.LANDED, position=(5.0, 2.0, z)))
         assert gate.standing_height == height
@@ -468,14 +469,14 @@ def test_the_height_of_a_drone_that_stands_is_the_lowest_seen() -> None:
 
 
 def test_without_its_rules_only_what_people_order_counts() -> None:
-    gate = Gate(LIMITS, FENCE, ORDER_RULES)
+    gate = Gate(LIMITS, FENCE, AIRFRAME, ORDER_RULES)
     assert gate.assess(replace(FINE, pose_age=9.0)).mode is SafetyMode.NOMINAL
     assert gate.assess(replace(FINE, stopped=True)).mode is SafetyMode.STOPPED
 
 
 def test_every_rule_has_words_and_a_name_of_its_own() -> None:
     assert len({rule.code for rule in SAFETY_RULES}) == len(SAFETY_RULES)
-    context = RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE)
+    context = RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE, AIRFRAME)
     for rule in SAFETY_RULES:
         assert isinstance(rule.words(context), str)
 
@@ -519,6 +520,6 @@ def test_each_trouble_of_a_step_is_told_once() -> None:
 
 
 def test_a_pilot_whose_every_step_is_late_lands_the_drone() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     modes = [gate.assess(replace(FINE, now=0.4 * n, late=0.39)).mode for n in range(16)]
     assert SafetyMode.HOLD in modes and modes[-1] is SafetyMode.LAND

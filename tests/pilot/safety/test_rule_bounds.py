@@ -6,11 +6,11 @@ from dataclasses import fields, replace
 from math import inf
 
 import pytest
-from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
+from gate_flight import AIRFRAME, FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
-from housefly.geometry import GRAVITY, stopping_distance
+from housefly.geometry import GRAVITY
 from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED, REACTION_TIME
+from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -22,7 +22,6 @@ from housefly.pilot.safety.drone_rules import (
     LATE_LAND,
     LATE_STEPS_MAX,
     LOW_HEIGHT,
-    OWN_LOW_HEIGHT,
     STILL_SPEED,
     descent_time,
     lies_on_floor,
@@ -75,7 +74,7 @@ BUDGET = {field.name for field in fields(EnergyBudget)}
 KNOWN = {field.name for field in fields(TrackingConsistency)}
 LATE_LANDING = LIMITS.landing_timeout + 1.0
 LATEST_LANDING = LIMITS.landing_timeout + descent_time(
-    RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE)
+    RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE, AIRFRAME)
 )
 
 
@@ -90,7 +89,7 @@ def context(**changes: object) -> RuleContext:
         now = replace(now, consistency=TrackingConsistency(**known))  # type: ignore[arg-type]
     seen = replace(FLOWN, energy=replace(NO_ENERGY, **of(BUDGET)))  # type: ignore[arg-type]
     seen = replace(seen, **changes)  # type: ignore[arg-type]
-    return RuleContext(now, seen, LIMITS, FENCE)
+    return RuleContext(now, seen, LIMITS, FENCE, AIRFRAME)
 
 
 def placed(x: float = 0.0, z: float = 0.0, **changes: object) -> RuleContext:
@@ -227,9 +226,9 @@ def test_who_lands_untracked_counts_as_up_by_its_sonar_and_until_a_descent_has_h
             context(pose_age=inf, telemetry=report, landing_for=landing_for, phase=Phase.LANDING),
         )
 
-    assert untracked(OWN_LOW_HEIGHT, LATEST_LANDING + 60.0)
-    assert not untracked(0.9 * OWN_LOW_HEIGHT, LATEST_LANDING)
-    assert untracked(0.9 * OWN_LOW_HEIGHT, 0.999 * LATEST_LANDING)
+    assert untracked(AIRFRAME.sonar.floor_reading_max, LATEST_LANDING + 60.0)
+    assert not untracked(0.9 * AIRFRAME.sonar.floor_reading_max, LATEST_LANDING)
+    assert untracked(0.9 * AIRFRAME.sonar.floor_reading_max, 0.999 * LATEST_LANDING)
 
 
 def test_a_landing_counts_from_its_first_moment() -> None:
@@ -273,7 +272,7 @@ def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None
 
 
 def test_nothing_observed_breaks_no_rule() -> None:
-    seen = RuleContext(FINE, FlightObservations(), LIMITS, FENCE)
+    seen = RuleContext(FINE, FlightObservations(), LIMITS, FENCE, AIRFRAME)
     assert not [code for code in RULES if broken(code, seen)]
 
 
@@ -299,27 +298,29 @@ def test_who_flies_towards_any_side_of_the_room_leaves_it_by_the_way_it_needs_to
     fence, speed = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5), 1.0
     place, velocity = [0.0, 0.0], [0.0, 0.0]
     place[axis], velocity[axis] = 1.5 * side, speed * side
-    way = stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
-    inside = fence.leaving((*place, 1.0), (*velocity, 0.0))  # type: ignore[arg-type]
+    way = AIRFRAME.braking.way_to_rest(speed)
+    inside = fence.leaving((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert inside == pytest.approx(1.5 + way - 2.0)
-    away = fence.leaving((*place, 1.0), (*(-v for v in velocity), 0.0))  # type: ignore[arg-type]
+    away = fence.leaving((*place, 1.0), (*(-v for v in velocity), 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert away <= 0.0
     place[axis] = 3.0 * side  # outside already: only what comes on top
-    beyond = fence.leaving((*place, 1.0), (*velocity, 0.0))  # type: ignore[arg-type]
+    beyond = fence.leaving((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert beyond == pytest.approx(way)
 
 
 def test_who_rises_leaves_the_room_by_its_ceiling() -> None:
     fence = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5)
-    way = stopping_distance(0.5, BRAKING_DECELERATION, REACTION_TIME)
-    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, 0.5)) == pytest.approx(2.4 + way - 2.5)
-    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, 0.5)) == pytest.approx(way)
-    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, -0.5)) == 0.0
-    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, -0.5)) == 0.0
+    way = AIRFRAME.braking.way_to_rest(0.5)
+    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(
+        2.4 + way - 2.5
+    )
+    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(way)
+    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
+    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
 
 
 def test_nothing_is_assumed_of_a_step_that_says_nothing() -> None:
     bare = GateInputs(0.0, DroneStatus.FLYING, 0.9, 0.0, 0.0, None, False, False)
     assert bare.home_time == bare.late == 0.0 and bare.has_way_home
     assert not bare.faults and bare.consistency == NOTHING_KNOWN and bare.silence == NO_SILENCE
-    assert Gate(LIMITS, FENCE).standing_height == 0.0
+    assert Gate(LIMITS, FENCE, AIRFRAME).standing_height == 0.0

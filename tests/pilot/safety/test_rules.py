@@ -27,7 +27,7 @@ from gate_cases import (
     taking_off,
     times,
 )
-from gate_flight import FENCE, FINE, HERE, LIMITS, REPORT, RULES
+from gate_flight import AIRFRAME, FENCE, FINE, HERE, LIMITS, REPORT, RULES
 from gate_words import rules_table
 
 from housefly.config.limits import LimitsConfig
@@ -153,7 +153,7 @@ def test_a_normal_flight_of_seconds_breaks_nothing() -> None:
 
 
 def test_the_clock_ends_a_flight_that_the_gauge_does_not() -> None:
-    gate, first = Gate(LIMITS, FENCE), {}
+    gate, first = Gate(LIMITS, FENCE, AIRFRAME), {}
     gate.assess(replace(STOOD, now=0.0, battery=0.5))
     for n in range(1, 251):
         each = gate.assess(replace(FINE, now=float(n), battery=0.5))
@@ -166,7 +166,7 @@ def test_the_clock_ends_a_flight_that_the_gauge_does_not() -> None:
 
 
 def test_a_gauge_that_stood_still_is_known_on_the_ground_until_it_shows_another_number() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     gate.assess(replace(STOOD, now=0.0, battery=0.5))
     assert not gate.gauge_stuck
     for n in range(1, 71):
@@ -178,7 +178,7 @@ def test_a_gauge_that_stood_still_is_known_on_the_ground_until_it_shows_another_
 
 
 def test_a_battery_that_empties_faster_than_expected_turns_home_sooner() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = Gate(LIMITS, FENCE, AIRFRAME)
     gate.assess(replace(STOOD, now=0.0))
     for n in range(1, 200):
         charge = 0.9 - 0.005 * n
@@ -234,13 +234,13 @@ def test_the_page_says_at_what_drift_it_is_told_and_landed() -> None:
 def broken(code: str, seen_so_far: FlightObservations, **changes: object) -> bool:
     """Return what a rule says of these inputs and of what was observed before."""
     inputs = replace(FINE, **changes)  # type: ignore[arg-type]
-    return RULES[code].broken(RuleContext(inputs, seen_so_far, LIMITS, FENCE))
+    return RULES[code].broken(RuleContext(inputs, seen_so_far, LIMITS, FENCE, AIRFRAME))
 
 
 def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direction() -> None:
     assert [code for code in RULES if broken(code, NOTHING_OBSERVED)] == ["not_on_floor"]
     unknown = replace(FINE, velocity=None)
-    assert vertical_speed(RuleContext(unknown, NOTHING_OBSERVED, LIMITS, FENCE)) == 0.0
+    assert vertical_speed(RuleContext(unknown, NOTHING_OBSERVED, LIMITS, FENCE, AIRFRAME)) == 0.0
     assert FlightObservations() == FlightObservations(
         0.0, 0.0, 0.0, None, None, nan, nan, 0.0, 0.0, inf, 0.0, 0.0, 0, 0.0, NO_ENERGY
     )
@@ -346,7 +346,7 @@ def broken_in_flight(code: str) -> RuleEnding:
         # The charge of a case falls at once.
         if each.code == code or each.code not in ("battery_cliff", *SUDDEN.get(code, ()))
     )
-    flight = RuleEnding(code, Gate(limits, FENCE, rules))
+    flight = RuleEnding(code, Gate(limits, FENCE, AIRFRAME, rules))
     flight.gate.assess(replace(STOOD, now=flight.clock))
     flight.go_on(SETTLED)
     flight.go_on(70.0, BROKEN[code][0], until_told=True)

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from housefly.config.site import Site
 from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance, heading_to
 from housefly.messages import Obstacle, ObstacleKind
@@ -72,6 +73,10 @@ def is_seen(view: Viewpoint, subject: Subject) -> bool:
 
 def test_the_camera_is_the_one_of_the_simulated_drone() -> None:
     across, up = (tan(angle / 2) for angle in (FRONT_CAMERA.width, FRONT_CAMERA.height))
+    camera = Site().drone.airframe.capabilities.camera
+    assert camera is not None and FRONT_CAMERA.ahead == camera.ahead
+    assert FRONT_CAMERA.width == camera.field_of_view
+    assert FRONT_CAMERA.height == camera.field_of_view_up
     assert FRONT_CAMERA.width == pytest.approx(FRONT_FIELD_OF_VIEW)
     assert up / across == pytest.approx(PICTURE_SIZE[1] / PICTURE_SIZE[0], rel=0.001)
 

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 from housefly.config.drone import DroneConfig
 from housefly.twin.ardrone.firmware import TILT_CUTOFF, Firmware
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
 from housefly.twin.contracts import FlightState, OnboardLimits
+from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading
 from housefly.wires.ardrone.conversions import Stick
 
 SILENCE_MAX = OnboardLimits().silence

@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.twin.ardrone.inner_loops import MOTORS_OFF, THRUST_MAX, Wrench
+from housefly.twin.ardrone.inner_loops import THRUST_MAX
 from housefly.twin.ardrone.motors import achieved_wrench
+from housefly.twin.simulated_body import MOTORS_OFF, Wrench
 
 GAINS = st.tuples(*[st.floats(0.0, 1.0)] * 4)
 WRENCHES = st.builds(

@@ -3,12 +3,8 @@ import pytest
 
 from housefly.geometry import quaternion_from_euler
 from housefly.twin.ardrone.body import STANDING_HEIGHT
-from housefly.twin.ardrone.onboard_sensors import (
-    CONTROL_PERIOD,
-    FLOW_DELAY,
-    BodyState,
-    OnboardSensors,
-)
+from housefly.twin.ardrone.onboard_sensors import FLOW_DELAY, OnboardSensors
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 
 STILL = BodyState(
     (0.0, 0.0, 1.0 + STANDING_HEIGHT),

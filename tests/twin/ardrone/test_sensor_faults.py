@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from housefly.twin.ardrone.onboard_sensors import SensorReading
 from housefly.twin.ardrone.sensor_faults import FaultySensors
 from housefly.twin.disturbance import (
     Disturbances,
@@ -16,6 +15,7 @@ from housefly.twin.disturbance import (
     SensorCondition,
     SensorFaults,
 )
+from housefly.twin.simulated_body import SensorReading
 
 FIRST = SensorReading(0.1, 0.2, 0.3, (0.0, 0.0, 0.0), 1.0, 0.0, 0.5, -0.5, (0.0, 0.0, 9.8))
 LATER = SensorReading(0.4, 0.5, 0.6, (1.0, 1.0, 1.0), 2.0, 0.1, 0.7, -0.7, (0.0, 0.0, 9.9))

@@ -12,7 +12,7 @@ from housefly.app.frame_check.frame_log import FrameLog
 from housefly.app.frame_check.live_words import live_words
 from housefly.app.frame_check.person import Person
 from housefly.clock import Clock
-from housefly.drones.contracts import Drone
+from housefly.drones.contract import Drone
 from housefly.errors import LinkError
 from housefly.lab.frames.findings import FrameVerdict
 from housefly.lab.frames.guide import CarryGuide

@@ -20,7 +20,7 @@ from housefly.app.new_site.typed import (
 )
 from housefly.config.profile import load_profile
 from housefly.config.text import expanded
-from housefly.config.tracking import TrackingKind
+from housefly.config.tracking import DRONE_BODY, TrackingKind
 from housefly.errors import ConfigError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.imports.contracts import ImportHints
@@ -197,7 +197,7 @@ def _tracking(draft: SiteDraft, text: str, _: Path) -> Answer:
         "kind": kind,
         "address": address,
         "port": int(port) if port else None,
-        "body": unquoted(words[2]) if len(words) == 3 else "ardrone",
+        "body": unquoted(words[2]) if len(words) == 3 else DRONE_BODY,
     }
     plain |= {"bridge_system": system} if system else {}
     plain |= {"up_axis": keys["up"]} if "up" in keys else {}

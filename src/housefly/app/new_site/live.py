@@ -7,6 +7,7 @@ import asyncio
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
+from housefly.drones import driver_of
 from housefly.errors import HouseflyError
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.room.draft.site_of_draft import tracking_config
@@ -42,9 +43,7 @@ def check_drone(drone: DraftDrone) -> tuple[str, ...]:
 
 
 async def _drone_words(drone: DraftDrone) -> tuple[str, ...]:
-    from housefly.drones.ardrone.driver import ArDrone
-
-    driver = ArDrone(
+    driver = driver_of(
         DroneConfig(address=drone.address, has_video=False), LimitsConfig(), RealClock()
     )
     try:
@@ -53,11 +52,11 @@ async def _drone_words(drone: DraftDrone) -> tuple[str, ...]:
         report = driver.telemetry
         if report is None:
             return ("not reached", f"no report came from {drone.address}")
-        version = driver.configuration.get("general:num_version_soft", "unknown")
+        firmware = driver.firmware or "unknown"
         return (
             "well",
             f"{drone.address} answers {driver.telemetry_rate_hz:.0f} times a second:"
-            f" {report.status.value}, battery {100 * report.battery:.0f} %, firmware {version}",
+            f" {report.status.value}, battery {100 * report.battery:.0f} %, firmware {firmware}",
             *driver.notes,
         )
     except (HouseflyError, OSError) as error:

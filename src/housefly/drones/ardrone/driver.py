@@ -1,4 +1,4 @@
-"""The AR.Drone 2.0 as a ``Drone``: its four ports and the watchdog over the pilot.
+"""The AR.Drone 2.0 as a ``DroneDriver``: its four ports.
 
 A command whose action differs from the one before leaves in the same call. FLY setpoints leave at
 the drone's rate, timed so that a regular pilot's setpoint leaves as soon as it comes; when the
@@ -10,8 +10,10 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Coroutine
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from housefly.clock import Clock, RealClock
+from housefly.config.capabilities import Capabilities
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.config.process_log import log_traceback
@@ -21,18 +23,16 @@ from housefly.drones.ardrone.link import CommandLink, led_value
 from housefly.drones.ardrone.recording_light import RecordingLight
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
+from housefly.drones.failsafe import Failsafe, Permit
 from housefly.errors import LinkError
 from housefly.messages import Command, DroneStatus, KnownMotion, Telemetry, VideoFrame
-from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_sequencer import (
-    REPEAT_AFTER,
-    SEND_INTERVAL_MIN,
-    CommandSequencer,
-    Permit,
-)
+from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT
+
+if TYPE_CHECKING:
+    from housefly.drones.contract import DroneDriver
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
@@ -71,12 +71,16 @@ class ArDrone:
         self._limits = LimitsKeeper(
             limits, self._configurator, self._navdata, full_navdata=full_navdata
         )
-        self._sequencer = CommandSequencer(self._limits.maxima, self._clock.now())
+        self._failsafe = Failsafe(self._clock.now(), self._limits.maxima.tilt, config.airframe)
+        self._encoder = CommandEncoder(self._limits.maxima)
         self._sent_at = float("-inf")
         self._told: tuple[Telemetry, Telemetry] | None = None
-        self._is_known = False
-        self._is_leaving = False
         self._tasks: dict[str, asyncio.Task[None]] = {}
+
+    @property
+    def capabilities(self) -> Capabilities:
+        """What an AR.Drone 2.0 can do."""
+        return self._config.airframe.capabilities
 
     async def connect(self) -> None:
         """Open the wire and configure the drone; may be called again after a failure.
@@ -131,18 +135,18 @@ class ArDrone:
             issued_at: when the pilot gave it [s]; now when None.
         """
         now = self._clock.now()
-        action_changed = self._sequencer.update(command, now, issued_at, motion)
-        if action_changed or now - self._sent_at >= SEND_INTERVAL_MIN:
+        action_changed = self._failsafe.update(command, now, issued_at, motion)
+        if action_changed or now - self._sent_at >= self._config.airframe.link.interval_min:
             self._transmit(now)
 
     def abandon(self) -> None:
         """Note that the pilot is gone: a flying drone brakes now and lands soon."""
-        self._sequencer.abandon()
+        self._failsafe.abandon()
         self._transmit(self._clock.now())
 
     def land_for_good(self) -> None:
         """Land now, and take no order any more but to cut the motors."""
-        self._is_leaving = True
+        self._failsafe.land_for_good()
         self._transmit(self._clock.now())
 
     @property
@@ -160,7 +164,7 @@ class ArDrone:
     @property
     def notes(self) -> tuple[str, ...]:
         """What is not as it should be with the drone's settings, in words."""
-        found = (_FOUND_IN_THE_AIR,) if self._sequencer.permit is Permit.HOVER_AND_LAND else ()
+        found = (_FOUND_IN_THE_AIR,) if self._failsafe.permit is Permit.HOVER_AND_LAND else ()
         return (*self._limits.notes, *found)
 
     @property
@@ -169,9 +173,15 @@ class ArDrone:
         return self._limits.texts
 
     @property
+    def firmware(self) -> str:
+        """The version of its firmware as it reported it; "" before ``connect``."""
+        return self._limits.texts.get("general:num_version_soft", "")
+
+    @property
     def problem(self) -> str:
         """What is wrong with drone or link, in words, or ""."""
-        return "; ".join(self.notes) if self._is_known else self._limits.problem
+        is_known = self._failsafe.permit is not None
+        return "; ".join(self.notes) if is_known else self._limits.problem
 
     @property
     def telemetry_rate_hz(self) -> float:
@@ -187,11 +197,6 @@ class ArDrone:
     def video_connected(self) -> bool:
         """Whether pictures arrive."""
         return self._video.connected
-
-    @property
-    def has_light(self) -> bool:
-        """Whether it can show that its camera is recorded: it has four lights."""
-        return True
 
     def show_recording(self, records: bool) -> None:
         """Blink red while the camera is recorded; goes out 1.5 s after the last time."""
@@ -227,18 +232,20 @@ class ArDrone:
         await self._limits.keep(self._use_limits)
 
     def _use_limits(self) -> None:
-        self._sequencer.maxima = self._limits.maxima
+        self._encoder.maxima = self._limits.maxima
+        self._failsafe.tilt_max = self._limits.maxima.tilt
 
     async def _repeat(self) -> None:
+        after = self._config.airframe.link.repeat_after
         while True:
             now = self._clock.now()
-            if now - self._sent_at >= REPEAT_AFTER:
+            if now - self._sent_at >= after:
                 try:
                     self._transmit(now)
                 except Exception:
                     self._commands.send(at.Ref(at.RefBits.LAND), at.Pcmd())
                     log_traceback()
-            await asyncio.sleep(max(0.001, self._sent_at + REPEAT_AFTER - self._clock.now()))
+            await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
 
     def _transmit(self, now: float) -> None:
         if not self._commands.is_open:
@@ -247,8 +254,8 @@ class ArDrone:
         hears = self._navdata.hears_us
         self._commands.numbers.report_reception(hears, now)
         report = self.telemetry
-        self._sequencer.permit = self._permit(report)
-        commands = self._sequencer.next_commands(now, report)
+        told = self._failsafe.decide(now, report)
+        commands = self._encoder.encoded(told, now, report)
         if not hears and at.ComWatchdog() not in commands:
             commands = (*commands, at.ComWatchdog())
         self._commands.send(*commands)
@@ -256,16 +263,10 @@ class ArDrone:
         if (led := self._light.due(now)) is not None:
             self._commands.send(led)
 
-    def _permit(self, report: Telemetry | None) -> Permit:
-        if self._is_leaving:
-            return Permit.LAND
-        if report is None or report.status is DroneStatus.UNKNOWN:
-            return self._sequencer.permit
-        is_first, self._is_known = not self._is_known, True
-        if report.status not in AIRBORNE_STATUSES:
-            return Permit.ALL
-        return Permit.HOVER_AND_LAND if is_first else self._sequencer.permit
-
     def _start(self, name: str, work: Callable[[], Coroutine[None, None, None]]) -> None:
         if name not in self._tasks:
             self._tasks[name] = asyncio.create_task(work(), name=name)
+
+
+if TYPE_CHECKING:
+    _MEETS_THE_CONTRACT: type[DroneDriver] = ArDrone

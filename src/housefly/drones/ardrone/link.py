@@ -5,9 +5,17 @@ from __future__ import annotations
 import asyncio
 
 from housefly.clock import Clock
-from housefly.drones.ardrone.sequence_numbers import SequenceNumbers
 from housefly.errors import LinkError
 from housefly.wires.ardrone import at
+
+SESSION_TIMEOUT = 2.0
+"""After this long without a command the drone has forgotten us, and numbers restart [s]."""
+_UNHEARD_MAX = 0.3
+"""How long the drone may report missing commands while we send them, before numbers restart [s].
+
+Long enough that a few lost datagrams do not count: when the datagram of the restart itself is lost,
+commands are refused until the next restart.
+"""
 
 
 class CommandLink(asyncio.DatagramProtocol):
@@ -73,3 +81,36 @@ async def open_datagram_socket(
 def led_value(animation: int, frequency_hz: float, seconds: int) -> str:
     """Return the value of ``leds:leds_anim``: animation, frequency as float bits, duration [s]."""
     return f"{animation},{at.float_to_bits(frequency_hz)},{seconds}"
+
+
+class SequenceNumbers:
+    """Numbers commands; one instance for the life of a link.
+
+    A drone obeys a command only when its number is above the last one obeyed; 1 always counts
+    (docs/wires.md, section 4).
+    """
+
+    def __init__(self) -> None:
+        self._next = 1
+        self._last_at: float | None = None
+        self._received_at: float = 0.0
+
+    def reserve(self, count: int, now: float) -> int:
+        """Return the first of ``count`` numbers to use now [s]."""
+        if self._last_at is None or now - self._last_at > SESSION_TIMEOUT:
+            self._restart(now)
+        first = self._next
+        self._next += count
+        self._last_at = now
+        return first
+
+    def report_reception(self, received: bool, now: float) -> None:
+        """Note whether the drone's newest report shows that it receives our commands."""
+        if received:
+            self._received_at = now
+        elif self._last_at is not None and now - self._received_at > _UNHEARD_MAX:
+            self._restart(now)
+
+    def _restart(self, now: float) -> None:
+        self._next = 1
+        self._received_at = now

@@ -12,9 +12,9 @@ import asyncio
 from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
+from math import isfinite, nan
 
 from housefly.clock import Clock
-from housefly.drones.ardrone.echo_filter import EchoFilter
 from housefly.drones.ardrone.link import open_datagram_socket
 from housefly.errors import WireError
 from housefly.messages import Telemetry
@@ -33,6 +33,12 @@ SEQUENCE_JUMP_MAX = 1000
 """A packet further ahead of the one before is refused, unless there was a silence: 5 s of them."""
 PACKETS_MAX = 600
 """More datagrams in a second are thrown away unread; the drone sends 200."""
+STEP_MIN = 0.15
+"""A drone moves less than this between two echoes [m]: more is a step below it, or wrong."""
+PING_PERIOD_MAX = 0.05
+"""A height that is told for longer than this was measured again [s]: there are 22 or 25 a second,
+and each is repeated in the reports that follow.
+"""
 
 PacketCondition = Callable[[NavdataPacket], bool]
 
@@ -201,3 +207,23 @@ class NavdataLink(asyncio.DatagramProtocol):
             if self._clock.now() - self.reports.received_at > NAVDATA_TIMEOUT:
                 self._transport.sendto(REQUEST_UNICAST)
             await asyncio.sleep(NAVDATA_TIMEOUT)
+
+
+class EchoFilter:
+    """Raw ultrasound without single wrong echoes: a jump counts once the next echo says so, too.
+
+    A jump is late by one echo, all else is not.
+    """
+
+    def __init__(self) -> None:
+        self._believed, self._newest, self._newest_at = nan, nan, nan
+
+    def filtered(self, height: float, at: float) -> float:
+        """Return the height that is believed [m] after a report of a time [s]."""
+        if height == self._newest and at - self._newest_at < PING_PERIOD_MAX:
+            return self._believed
+        before, self._newest, self._newest_at = self._newest, height, at
+        is_first = not isfinite(self._believed)
+        if is_first or min(abs(height - self._believed), abs(height - before)) <= STEP_MIN:
+            self._believed = height
+        return self._believed

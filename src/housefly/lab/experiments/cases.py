@@ -18,7 +18,7 @@ from housefly.errors import ConfigError
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
 from housefly.pilot.estimation.estimator import DISTURBANCE_WANDER
 from housefly.pilot.estimation.estimator_state import EstimatorKind
-from housefly.wires.ardrone.command_delay import simulated_command_delay
+from housefly.twin.command_delay import simulated_command_delay
 
 DEFAULT, PAPER = 0, 1
 """Values of the column ``mode``."""

@@ -11,18 +11,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.lab.experiments.airframe import (
-    ORDER,
-    ORDER_RING_SIZE,
-    Orders,
-    airframe_of,
-    carried_on,
-    gusted,
-)
 from housefly.lab.experiments.guidance import guided, parameters_of_case, task_created
 from housefly.lab.experiments.measure import PERIOD, SCORE, Score, cleared, looked_at, summed_up
 from housefly.lab.experiments.random import RandomState, sown, uniform
 from housefly.lab.experiments.route import Route
+from housefly.lab.experiments.sampled_drone import (
+    ORDER,
+    ORDER_RING_SIZE,
+    Orders,
+    carried_on,
+    gusted,
+    sampled_drone,
+)
 from housefly.lab.experiments.trace import (
     noted,
     traced_command,
@@ -121,7 +121,7 @@ def _fly_case(
     case: Any, route: Route, flight_buffers: FlightBuffers, record: Record, outcome: Any
 ) -> None:
     """Fly one case and write its outcome; every tick goes to the record when that has room."""
-    params, air = parameters_of_case(case), airframe_of(case)
+    params, air = parameters_of_case(case), sampled_drone(case)
     camera = _prepared(case, flight_buffers)
     score, stream, gust = flight_buffers.score[0], stream_begun(camera), (0.0, 0.0)
     body = DroneState(

@@ -35,7 +35,9 @@ def planned_flight(
     """
     standing = Estimate(0.0, start, (0.0, 0.0, 0.0), yaw, pose_age=0.0, position_std=0.0)
     vehicle = replace(UNHEARD, estimate=standing)
-    planned = planned_task(navigator, Mission(OrderKind.GO, goal=goal), TrackingTask(), vehicle)
+    planned = planned_task(
+        navigator, Mission(OrderKind.GO, goal=goal), TrackingTask(), vehicle, coast_time=0.0
+    )
     if planned is None or isinstance(planned, Refused):
         return planned or Refused(OrderOutcome.NO_WAY, "there is nowhere to go")
     assert planned.path is not None

@@ -27,8 +27,8 @@ _THERE_AND_BACK = (1.0, -1.0, -1.0, 1.0)
 _UP_AND_DOWN = (1.0, -1.0)
 """Signs of a climb block.
 
-An AR.Drone sinks up to twice as fast as it climbs for the same stick, so four parts would lead to
-the floor.
+A drone may sink twice as fast as it climbs for the same stick, so four parts would lead to the
+floor.
 """
 
 

@@ -44,7 +44,7 @@ class RateFit:
 def fit_climb(
     blocks: tuple[Samples, ...], delay: float, half_delay: float, seed: int = 0
 ) -> RateFit:
-    """Fit climb blocks; an AR.Drone sinks faster than it climbs, so each way has its own gain."""
+    """Fit climb blocks; a drone may sink faster than it climbs, so each way has its own gain."""
     start, low, high = (0.6, 1.0, 1.0), (0.02, 0.2, 0.2), (5.0, 4.0, 4.0)
 
     def of(delay: float) -> Fit:

@@ -4,7 +4,7 @@ The fit sees the whole way from a command of the pilot to a motion, so its truth
 key of the site:
 
 - ``command_delay`` is the wait for the next datagram, the drone's own delay, and its control period
-  with the body rate loop: ``wires.ardrone.command_delay.reaction_delay``, 60 + 10 + 5 = 75 ms as
+  with the body rate loop: ``twin.command_delay.reaction_delay``, 60 + 10 + 5 = 75 ms as
   shipped.
 - ``yaw_lag`` is fitted with the delay of the tilt. Turning has no body rate loop behind it, so the
   delay is too long by that loop's 1 / RATE_POLE, and the time constant comes out shorter by as
@@ -20,7 +20,7 @@ from collections.abc import Mapping
 from housefly.config.profile import CONSTANTS, Interval
 from housefly.config.site import Site
 from housefly.config.twin import RATE_POLE
-from housefly.wires.ardrone.command_delay import reaction_delay
+from housefly.twin.command_delay import reaction_delay
 
 
 def simulated_truth(site: Site) -> dict[str, float]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Inputs, Order, PilotStep
 from housefly.pilot.pilot import Pilot
-from housefly.twin.lockstep import LockstepRoom
 
 
 class PilotLoop:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from housefly.lab.lockstep.lockstep_perception import LockstepPerception
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.lab.lockstep.pilot_loop import PilotLoop
 from housefly.messages import Estimate, Inputs, Obstacle, Order, PilotStep
 from housefly.pilot.assembly import make_pilot
@@ -14,7 +15,6 @@ from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.parse import parse_fault
-from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.movable import Movable
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.people.script import PersonScript

@@ -5,7 +5,7 @@ from __future__ import annotations
 from housefly.config.site import Site
 from housefly.lab.tuning.advice import GainQuestion
 from housefly.lab.tuning.loop import Loop
-from housefly.wires.ardrone.command_delay import reaction_delay
+from housefly.twin.command_delay import reaction_delay
 
 DEFAULT_STEP = 0.5
 """Largest jump of the reference that is asked for: a cell of the paper [m]."""

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from housefly.geometry import Vec2
 
-BRAKING_DECELERATION = 1.0
-"""How hard the drone can be counted on to brake [m/s^2]; at full tilt it is twice that."""
-REACTION_TIME = 0.3
-"""Time from the cause, or the order, to braking that distances allow for [s]."""
-COAST_TIME = 0.4
-"""A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""
+REFERENCE_BRAKING = 1.0
+"""How hard a reference brakes that is to stop [m/s^2]; every airframe can."""
 EVASION_SPEED = 1.2
 """It makes way as fast as this only where somebody would else touch it [m/s]."""
 LAST_HEIGHT = 0.45
@@ -29,6 +25,6 @@ def sink_height(height: float, lowest: float = LAST_HEIGHT) -> float:
     return max(lowest, height - SINK_LEAD)
 
 
-def coasted(place: Vec2, velocity: Vec2) -> Vec2:
-    """Return where a drone comes to rest [m]."""
-    return place[0] + COAST_TIME * velocity[0], place[1] + COAST_TIME * velocity[1]
+def coasted(place: Vec2, velocity: Vec2, coast_time: float) -> Vec2:
+    """Return where a drone comes to rest [m], by the coast time of its airframe [s]."""
+    return place[0] + coast_time * velocity[0], place[1] + coast_time * velocity[1]

@@ -10,9 +10,8 @@ from __future__ import annotations
 
 from math import hypot, inf
 
-from housefly.geometry import stopping_distance
+from housefly.config.airframe import BrakingConstants
 from housefly.messages.flight import Event, OrderKind, Phase, Severity
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator, PathBlock
@@ -37,8 +36,10 @@ ON_THE_WAY = (Phase.OUTBOUND, Phase.RETURNING)
 class CollisionMonitor:
     """Watches the path of one commander."""
 
-    def __init__(self, commander: Commander, navigator: Navigator) -> None:
-        self._commander = commander
+    def __init__(
+        self, commander: Commander, navigator: Navigator, braking: BrakingConstants
+    ) -> None:
+        self._commander, self._braking = commander, braking
         self._navigator = navigator
         self._task = commander.task
         self._reported = False
@@ -69,7 +70,7 @@ class CollisionMonitor:
         block = self._block(vehicle, target)
         if block is None:
             return []
-        if block.along > braking_distance(_speed(vehicle)):
+        if block.along > braking_distance(_speed(vehicle), self._braking):
             if vehicle.now - self._asked_at < REPLAN_PERIOD:
                 return []
             self._asked_at = vehicle.now
@@ -136,9 +137,9 @@ class CollisionMonitor:
         return [Event(vehicle.now, Severity.WARNING, "no_way", text)]
 
 
-def braking_distance(speed: float) -> float:
+def braking_distance(speed: float, braking: BrakingConstants) -> float:
     """Return how far ahead [m] a drone at this speed [m/s] begins to brake."""
-    return stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME) + BRAKING_MARGIN
+    return braking.way_to_rest(speed) + BRAKING_MARGIN
 
 
 def _speed(vehicle: VehicleStatus) -> float:

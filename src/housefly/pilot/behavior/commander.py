@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import (
@@ -24,7 +25,7 @@ from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.found_below import FoundBelow
-from housefly.pilot.behavior.height_gap import BEAM_RADIUS, SonarMonitor
+from housefly.pilot.behavior.height_gap import SonarMonitor
 from housefly.pilot.behavior.mission import (
     STAY,
     Mission,
@@ -51,6 +52,7 @@ class Commander:
 
     Attributes:
         origin: whether tracking and map agree on where the pad is.
+        airframe: of the drone.
         sonar: whether something stands below that only the drone's own sensor shows.
         found: where that was so when a landing was tried.
         insists: somebody has ordered a landing that waits to go on.
@@ -58,14 +60,19 @@ class Commander:
     """
 
     def __init__(
-        self, limits: LimitsConfig, navigator: Navigator, frames: FramesKnown = FRAMES_NOT_NEEDED
+        self,
+        limits: LimitsConfig,
+        navigator: Navigator,
+        airframe: Airframe,
+        frames: FramesKnown = FRAMES_NOT_NEEDED,
     ) -> None:
         self._limits = limits
         self._frames = frames
         self._navigator = navigator
         home = navigator.home()
         self.origin = OriginMonitor(home.goal or (0.0, 0.0), home.yaw or 0.0)
-        self.sonar = SonarMonitor()
+        self.airframe = airframe
+        self.sonar = SonarMonitor(airframe.sonar)
         self.found = FoundBelow()
         self.insists = False
         self.answers: tuple[OrderAnswer, ...] = ()
@@ -151,7 +158,7 @@ class Commander:
 
     def depart(self, mission: Mission, vehicle: VehicleStatus) -> Refused | None:
         """Set off on a mission from where the drone is."""
-        task = planned_task(self._navigator, mission, self._task, vehicle)
+        task = self._planned(mission, vehicle)
         if isinstance(task, Refused):
             return task
         if task is None:
@@ -202,7 +209,7 @@ class Commander:
 
     def other_way(self, vehicle: VehicleStatus) -> TrackingTask | Refused:
         """Return a new task for the same mission, from where the drone is."""
-        task = planned_task(self._navigator, self._state.mission, self._task, vehicle)
+        task = self._planned(self._state.mission, vehicle)
         return Refused(OrderOutcome.NO_WAY, "there is nowhere to go") if task is None else task
 
     def take(self, task: TrackingTask) -> None:
@@ -249,7 +256,7 @@ class Commander:
     def go_back(self, place: Vec2, vehicle: VehicleStatus) -> Refused | None:
         """Return to a place [m] that was left for somebody, in the phase that the drone is in."""
         mission = replace(self._state.mission, goal=place)
-        task = planned_task(self._navigator, mission, self._task, vehicle)
+        task = self._planned(mission, vehicle)
         if isinstance(task, Refused):
             return task
         if task is not None:
@@ -283,6 +290,10 @@ class Commander:
         answer = self._navigator.route(vehicle.place, mission.goal)
         return answer if answer.path is not None else refusal_of(answer)
 
+    def _planned(self, mission: Mission, vehicle: VehicleStatus) -> TrackingTask | Refused | None:
+        coast_time = self.airframe.braking.coast_time
+        return planned_task(self._navigator, mission, self._task, vehicle, coast_time)
+
     def _halt(self, vehicle: VehicleStatus) -> TrackingTask:
         """Return the task of coming to rest: on a trajectory in space along its own curve."""
         task = self._task
@@ -297,7 +308,7 @@ class Commander:
             return TrackingTask()
         place, velocity = vehicle.estimate.position[:2], vehicle.estimate.velocity[:2]
         return TrackingTask(
-            hold=coasted(place, velocity),
+            hold=coasted(place, velocity, self.airframe.braking.coast_time),
             hold_yaw=vehicle.estimate.yaw,
             height=self._height(vehicle),
         )
@@ -369,7 +380,8 @@ class Commander:
         What it shows is remembered, because a landing is tried; but for what the map shows.
         """
         if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
-            if not self._navigator.people.is_above_furniture(place, BEAM_RADIUS):
+            beam = self.airframe.sonar.beam_radius
+            if not self._navigator.people.is_above_furniture(place, beam):
                 self.found.show(vehicle.position, vehicle.now)
             return self.sonar.words
         return "something was found below here" if self.found.is_near(place) else ""

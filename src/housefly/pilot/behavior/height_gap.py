@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from math import dist, inf, isfinite, nan
 
+from housefly.config.airframe import SonarConstants
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
@@ -12,10 +13,6 @@ from housefly.pilot.behavior.pad_floor import PadFloor
 
 HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
-RANGE_MIN = 0.2
-"""The sonar measures nothing nearer than this: a lower height says that something is near [m]."""
-BEAM_RADIUS = 0.3
-"""So far around the drone's middle the sonar may find something [m]."""
 GAP_TIME = 0.3
 """Something stands below for sure when the heights disagree for this long [s]."""
 AGREEMENT_TIME = 0.2
@@ -37,7 +34,8 @@ LOW_MAX = 0.55
 class SonarMonitor:
     """Holds the height by the drone's own sonar against the tracked one, in the air."""
 
-    def __init__(self) -> None:
+    def __init__(self, sonar: SonarConstants) -> None:
+        self._range_min = sonar.range_min
         self._has_worked = False
         self._since = self._until = inf
         self._found = 0.0
@@ -91,7 +89,7 @@ class SonarMonitor:
         if not self._has_worked or self._is_stuck(report.height, position):
             return 0.0
         floor = self._pad.offset_at(position[:2])
-        gap = position[2] - floor - max(report.height, RANGE_MIN)
+        gap = position[2] - floor - max(report.height, self._range_min)
         is_shown = gap > HEIGHT_GAP_MAX
         self._everywhere.step(position[:2], gap if is_shown else 0.0)
         if self.is_wrong:

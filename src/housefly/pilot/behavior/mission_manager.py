@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order, OrderAnswer
@@ -29,16 +30,17 @@ class MissionManager:
         self,
         limits: LimitsConfig,
         navigator: Navigator,
+        airframe: Airframe,
         tolerance: float,
         paper: bool,
         frames: FramesKnown = FRAMES_NOT_NEEDED,
     ) -> None:
-        self._commander = Commander(limits, navigator, frames)
-        self._collisions = CollisionMonitor(self._commander, navigator)
+        self._commander = Commander(limits, navigator, airframe, frames)
+        self._collisions = CollisionMonitor(self._commander, navigator, airframe.braking)
         self._passing = PassingMonitor(self._commander, navigator)
         self._off_course = OffCourseMonitor(self._commander, limits, paper)
         self._faster = FasterWayMonitor(self._commander, navigator)
-        self._separation = SeparationMonitor(self._commander, navigator, paper)
+        self._separation = SeparationMonitor(self._commander, navigator, airframe, paper)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)
         self._landings = LandingMonitor(self._commander, navigator, paper, limits)
         self._blind = BlindLanding(self._commander, navigator, paper, limits)

@@ -133,7 +133,9 @@ class NudgeMonitor:
         return self._tell_limit(why, wish, vehicle.now)
 
     def _motion(self, velocity: FloatArray, held: float, vehicle: VehicleStatus) -> FloatArray:
-        start = departure_state(self._commander.task, vehicle)
+        start = departure_state(
+            self._commander.task, vehicle, self._commander.airframe.braking.coast_time
+        )
         return held_motion(start, velocity, held, self._limits)
 
     def _fly(self, rows: FloatArray, vehicle: VehicleStatus) -> None:

@@ -12,11 +12,12 @@ from math import inf
 
 import numpy as np
 
+from housefly.config.airframe import Airframe
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, EVASION_SPEED
+from housefly.pilot.behavior.braking import EVASION_SPEED, REFERENCE_BRAKING
 from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
@@ -41,10 +42,8 @@ CORNERED_DISTANCE = 0.25
 """The drone is cornered when even the best place lets somebody come nearer than this [m]."""
 CORNERED_TIME = 0.1
 """It must be so for this long [s]."""
-TOUCHDOWN_TIME = 3.4
-"""A landing takes no longer than this until the drone stands [s]."""
-DECISION_TIME = 4.4
-"""The drone lands no earlier than this before somebody reaches it [s]."""
+DECISION_MARGIN = 1.0
+"""The drone lands no earlier than a landing takes, and this, before somebody reaches it [s]."""
 TRAPPED_DOUBT = 0.3
 """On its way it must have had nowhere to go for so long before it lands [s]: at first sight nobody
 is fast.
@@ -57,12 +56,8 @@ TAKE_OFF_HORIZON = 3.0
 """How far ahead a take-off looks for people [s]."""
 TAKE_OFF_DOUBT = 0.2
 """Somebody comes for so long before a take-off is given up [s]: at first sight nobody is fast."""
-GIVE_UP_TIME, GIVE_UP_TIME_PER_HEIGHT = 1.8, 2.0
-"""A take-off that is given up stands again after this [s], and this for every metre [s/m]."""
-TAKE_OFF_CLIMB_RATE, STEERABLE_HEIGHT = 0.4, 1.05
-"""A take-off climbs so fast [m/s], and can be steered from here on [m] ..."""
 ESCAPE_TIME = 0.5
-"""... and makes way within this [s]."""
+"""A drone that has just taken off makes way within this [s]."""
 LIKELY_DISTANCE = -SPEED_UNCERTAINTY * UNCERTAIN_TIME
 """On the likeliest way that somebody goes they touch the drone nearer than this [m]."""
 QUIET_TIME = 3.0
@@ -106,9 +101,14 @@ class SeparationMonitor:
         speed_factor: share of the cruise speed to fly at, 0 to 1.
     """
 
-    def __init__(self, commander: Commander, navigator: Navigator, paper: bool) -> None:
+    def __init__(
+        self, commander: Commander, navigator: Navigator, airframe: Airframe, paper: bool
+    ) -> None:
         self.speed_factor = 1.0
         self._commander, self._people, self._paper = commander, navigator.people, paper
+        self._airframe = airframe
+        self._touchdown_time = airframe.landing.touchdown_time
+        self._decision_time = airframe.landing.touchdown_time + DECISION_MARGIN
         self._yielding: Yielding | None = None
         self._task: TrackingTask | None = None
         self._asked_at = self._told_at = self._ended_at = -inf
@@ -167,8 +167,9 @@ class SeparationMonitor:
         self._coming_since = min(self._coming_since, vehicle.now)
         if self._climbs_on or vehicle.now - self._coming_since < TAKE_OFF_DOUBT:
             return []
-        standing = GIVE_UP_TIME + GIVE_UP_TIME_PER_HEIGHT * height
-        away = (STEERABLE_HEIGHT - height) / TAKE_OFF_CLIMB_RATE + ESCAPE_TIME
+        climb = self._airframe.take_off
+        standing = climb.give_up_time + climb.give_up_time_per_height * height
+        away = (climb.steerable_height - height) / climb.climb_rate + ESCAPE_TIME
         is_met = self._comes_within(standing, vehicle, place).closest < 0.0
         if is_met and self._comes_within(away, vehicle, place).closest > LIKELY_DISTANCE:
             self._climbs_on = True
@@ -230,7 +231,7 @@ class SeparationMonitor:
             apart = people.nearest(places[-1], n * STEP) - self._people.hull
             share = speed_share(apart, config.slow_distance, config.comfort_distance)
             rate = min(wanted, share)
-            scale = scale_advanced(scale, rows, TICK, rate, BRAKING_DECELERATION, STEP)
+            scale = scale_advanced(scale, rows, TICK, rate, REFERENCE_BRAKING, STEP)
         target = (reference.target.x, reference.target.y)
         if distance(target, places[0]) > _SAME:
             return None  # the task is newer than the reference
@@ -242,8 +243,8 @@ class SeparationMonitor:
 
         A second later it would be too late: in a dead end nobody is made way for.
         """
-        found = self._comes_within(DECISION_TIME, vehicle, place)
-        soon = self._comes_within(TOUCHDOWN_TIME, vehicle, place).closest
+        found = self._comes_within(self._decision_time, vehicle, place)
+        soon = self._comes_within(self._touchdown_time, vehicle, place).closest
         is_met = found.closest <= LIKELY_DISTANCE < soon
         if not is_met or self._refuge(vehicle, place, velocity)[0].separation >= CORNERED_DISTANCE:
             self._trapped_since = inf
@@ -332,8 +333,8 @@ class SeparationMonitor:
         assert self._yielding is not None
         name = self._yielding.name
         still = (0.0, 0.0)
-        soon = self._people.separation(place, still, vehicle.now, TOUCHDOWN_TIME)
-        later = self._people.separation(place, still, vehicle.now, DECISION_TIME)
+        soon = self._people.separation(place, still, vehicle.now, self._touchdown_time)
+        later = self._people.separation(place, still, vehicle.now, self._decision_time)
         if later.closest > LIKELY_DISTANCE:
             return []
         if soon.closest > LIKELY_DISTANCE:

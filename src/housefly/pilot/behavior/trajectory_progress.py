@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import sqrt
 
 from housefly.numeric import compiled
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import REFERENCE_BRAKING
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.path_progress import LAG_MAX, TrajectorySetpoint, leg_from
 from housefly.pilot.planning.trajectory.kinematic_state import TICK
@@ -58,7 +58,7 @@ def trajectory_advanced(
     at = motion_at(scale, profile.motion, TICK)
     off = sqrt((x - at.x) ** 2 + (y - at.y) ** 2 + (z - at.z) ** 2)
     rate = wanted if off <= LAG_MAX else 0.0
-    scale = scale_advanced(scale, profile.motion, TICK, rate, BRAKING_DECELERATION, dt)
+    scale = scale_advanced(scale, profile.motion, TICK, rate, REFERENCE_BRAKING, dt)
     return scale, leg_from(leg, scale.time, profile.marks)
 
 

@@ -12,7 +12,7 @@ from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import OrderOutcome
 from housefly.messages.steering import PlanAnswer
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, coasted
+from housefly.pilot.behavior.braking import REFERENCE_BRAKING, coasted
 from housefly.pilot.behavior.mission import (
     Mission,
     Refused,
@@ -54,7 +54,11 @@ def refusal_of(answer: PlanAnswer) -> Refused:
 
 
 def planned_task(
-    navigator: Navigator, mission: Mission, task: TrackingTask, vehicle: VehicleStatus
+    navigator: Navigator,
+    mission: Mission,
+    task: TrackingTask,
+    vehicle: VehicleStatus,
+    coast_time: float,
 ) -> TrackingTask | Refused | None:
     """Return the task of flying to the goal of a mission; None when it has none.
 
@@ -63,13 +67,14 @@ def planned_task(
         mission: what is to be done.
         task: under way.
         vehicle: where the drone is.
+        coast_time: told to stay, it comes to rest this far ahead at its speed [s].
     """
     if mission.goal is None:
         return None
     if vehicle.place is None:
         return Refused(OrderOutcome.UNTRACKED, "tracking has not seen the drone yet")
     if navigator.in_space:
-        return _task_in_space(navigator, mission, mission.goal, task, vehicle)
+        return _task_in_space(navigator, mission, mission.goal, task, vehicle, coast_time)
     answer = navigator.route(vehicle.place, mission.goal)
     if answer.path is None:
         return refusal_of(answer)
@@ -82,12 +87,13 @@ def _task_in_space(
     goal: Vec2,
     task: TrackingTask,
     vehicle: VehicleStatus,
+    coast_time: float,
 ) -> TrackingTask | Refused:
     assert vehicle.estimate is not None
     arrival_yaw = mission.arrival_yaw(goal)
     yaw = vehicle.reference.yaw if vehicle.reference else vehicle.estimate.yaw
     refused = Refused(OrderOutcome.NO_WAY, "there is nowhere to go")
-    for departure in _departures(task, vehicle):
+    for departure in _departures(task, vehicle, coast_time):
         lead = TICK * len(departure.before)
         answer = navigator.way(departure.state, goal, yaw, lead)
         if answer.trajectory is None:
@@ -109,17 +115,22 @@ def _task_in_space(
     return refused
 
 
-def departure_state(task: TrackingTask, vehicle: VehicleStatus) -> KinematicState:
+def departure_state(
+    task: TrackingTask, vehicle: VehicleStatus, coast_time: float
+) -> KinematicState:
     """Return the state that a new motion goes on from: the reference as it moves, else the drone.
 
     Args:
         task: under way.
         vehicle: where the drone is; it was seen.
+        coast_time: of the drone [s].
     """
-    return next(_departures(task, vehicle)).state
+    return next(_departures(task, vehicle, coast_time)).state
 
 
-def _departures(task: TrackingTask, vehicle: VehicleStatus) -> Iterator[_Departure]:
+def _departures(
+    task: TrackingTask, vehicle: VehicleStatus, coast_time: float
+) -> Iterator[_Departure]:
     """Yield where a new trajectory may begin, the best first.
 
     A reference that moves goes on without a jump, else it stops on its own curve before; where
@@ -139,12 +150,13 @@ def _departures(task: TrackingTask, vehicle: VehicleStatus) -> Iterator[_Departu
             yield _Departure(_resting((target.x, target.y, target.z)), _NOTHING)
             return
         yield _Departure(moving, _NOTHING)
-        rows = stopping_rows(reference.scale, profile.motion, TICK, BRAKING_DECELERATION)
+        rows = stopping_rows(reference.scale, profile.motion, TICK, REFERENCE_BRAKING)
         yield _Departure(_resting(rows[-1, :3].tolist()), rows[:-1])
         return
     if hypot(*velocity) >= _AT_REST:
         yield _Departure(_state(place, velocity, (0.0, 0.0, 0.0)), _NOTHING)
-        yield _Departure(_resting((*coasted(place[:2], velocity[:2]), place[2])), _NOTHING)
+        rest = coasted(place[:2], velocity[:2], coast_time)
+        yield _Departure(_resting((*rest, place[2])), _NOTHING)
     yield _Departure(_resting(place), _NOTHING)
 
 

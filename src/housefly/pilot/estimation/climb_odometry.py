@@ -5,12 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import isfinite, nan
 
-CLIMB_MAX = 1.5
-"""No drone climbs or sinks faster [m/s]: what changes faster is the floor below."""
-SONAR_NOISE = 0.03
-"""A reading may be off by this [m]."""
-PING_TIME = 0.04
-"""Reports repeat what the sonar measured last; it measures this often [s]."""
+from housefly.config.airframe import SonarConstants
+
 READING_GAP = 0.2
 """Between readings that are further apart than this [s] nobody can tell a climb from a step."""
 STUCK_TIME = 1.0
@@ -22,6 +18,7 @@ class ClimbOdometry:
     """The changes of the sonar, told apart: those that can be a climb, and steps of the floor.
 
     Attributes:
+        sonar: what it is like.
         climbed: sum of those that can be a climb, since it began [m].
         stepped: sum of all others since the floor was seen last [m], below zero above a thing; nan
             when readings were missing since, or stood still.
@@ -30,6 +27,7 @@ class ClimbOdometry:
         changed_at: when it was read first [s].
     """
 
+    sonar: SonarConstants
     climbed: float = 0.0
     stepped: float = nan
     at: float = nan
@@ -42,13 +40,15 @@ class ClimbOdometry:
         if change == 0.0 and gap <= READING_GAP:
             is_stuck = at - self.changed_at > STUCK_TIME
             stepped = nan if is_stuck else self.stepped
-            return ClimbOdometry(self.climbed, stepped, at, self.height, self.changed_at)
-        dt = max(gap, min(at - self.changed_at, PING_TIME))
-        is_climb = abs(change) <= CLIMB_MAX * dt + SONAR_NOISE
+            return ClimbOdometry(
+                self.sonar, self.climbed, stepped, at, self.height, self.changed_at
+            )
+        dt = max(gap, min(at - self.changed_at, self.sonar.ping_time))
+        is_climb = abs(change) <= self.sonar.climb_rate_max * dt + self.sonar.noise
         is_lost = not (gap <= READING_GAP and isfinite(change))
         step = nan if is_lost else 0.0 if is_climb else change
         climbed = self.climbed + change if is_climb else self.climbed
-        return ClimbOdometry(climbed, self.stepped + step, at, height, at)
+        return ClimbOdometry(self.sonar, climbed, self.stepped + step, at, height, at)
 
     def over_floor(self) -> ClimbOdometry:
         """Return the odometry of a drone with nothing but floor below it."""

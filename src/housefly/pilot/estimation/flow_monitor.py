@@ -30,8 +30,6 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_at,
 )
 
-USUAL_DRAG = 0.58
-"""Linear drag over mass of an AR.Drone 2.0 [1/s]."""
 LOOK = 0.1
 """Velocities are compared over this [s]: shorter is noise, longer finds it later ..."""
 LOOK_MAX = 0.5

@@ -6,6 +6,7 @@ from math import dist, sqrt
 
 import numpy as np
 
+from housefly.config.airframe import SonarConstants
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Event, Severity
@@ -68,6 +69,7 @@ class PoseEstimator:
         params: EstimatorParameters,
         body: str,
         now: float,
+        sonar: SonarConstants,
         *,
         odometry_error: float = TWIN_ODOMETRY_ERROR,
         trusting: bool = False,
@@ -81,7 +83,7 @@ class PoseEstimator:
         self.box: CompiledBox[EstimatorState] = boxed(estimator_created(self.history, params, now))
         self.accepted: Sighting | None = None
         tolerance = OdometryTolerance(params.position_noise, odometry_error)
-        self.monitor = TrackingMonitor(tolerance, params.model.drag)
+        self.monitor = TrackingMonitor(tolerance, params.model.drag, sonar)
 
     @property
     def state(self) -> EstimatorState:

@@ -11,6 +11,7 @@ from math import hypot, inf, isfinite, nan, sqrt
 
 import numpy as np
 
+from housefly.config.airframe import SonarConstants
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Sighting, Telemetry
 from housefly.numeric import wrapped
@@ -19,7 +20,7 @@ from housefly.pilot.estimation.climb_odometry import ClimbOdometry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
-from housefly.pilot.estimation.flow_monitor import USUAL_DRAG, FlowMonitor
+from housefly.pilot.estimation.flow_monitor import FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
 from housefly.pilot.estimation.lean_watch import LeanWatch
 from housefly.pilot.estimation.onboard_odometry import (
@@ -73,12 +74,13 @@ class TrackingMonitor:
     Args:
         tolerance: what tracking and odometry may be off by.
         drag: linear drag over mass of the drone [1/s].
+        sonar: what its own height is like.
 
     Attributes:
         lean: whether the attitude that the drone reports stands still, and how it leans then.
     """
 
-    def __init__(self, tolerance: OdometryTolerance, drag: float = USUAL_DRAG) -> None:
+    def __init__(self, tolerance: OdometryTolerance, drag: float, sonar: SonarConstants) -> None:
         self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
         self._odometry = NO_ODOMETRY
@@ -90,7 +92,7 @@ class TrackingMonitor:
         self.lean = LeanWatch()
         self._report: OnboardReport | None = None
         self._carry = CarryDetector()
-        self._climb, self._climbed_then = ClimbOdometry(), 0.0
+        self._climb, self._climbed_then = ClimbOdometry(sonar), 0.0
         self._airborne = False
         self._attitude_told = False
         self._height_told = False

@@ -18,8 +18,6 @@ LOW_HEIGHT = 0.1
 """A drone is on the floor when no higher than this above where it stood [m] ..."""
 STILL_SPEED = 0.1
 """... and lies still when slower than this, by tracking and by its own word [m/s]."""
-OWN_LOW_HEIGHT = 0.25
-"""One that nobody tracks is, when its own sonar shows less than this [m]."""
 DESCENT_MARGIN = 3.0
 """A descent takes no longer than from the ceiling at ``DESCENT_RATE``, and so much more [s]."""
 LYING_TIME = 4.0
@@ -73,7 +71,8 @@ def _is_still_up(c: RuleContext) -> bool:
     """Return whether it is above the floor; without a fresh pose by its sonar, and by time."""
     if not too_old(c.now.pose_age, c.limits.pose_age_level):
         return not lies_on_floor(c)
-    is_high = c.now.telemetry is not None and c.now.telemetry.height >= OWN_LOW_HEIGHT
+    low = c.airframe.sonar.floor_reading_max
+    is_high = c.now.telemetry is not None and c.now.telemetry.height >= low
     return is_high or c.seen.landing_for < c.limits.landing_timeout + descent_time(c)
 
 

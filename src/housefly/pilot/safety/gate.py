@@ -10,13 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import dist, hypot, inf, isfinite
 
+from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import Vec2, stopping_distance
+from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
 from housefly.numeric import clipped
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
@@ -209,10 +209,12 @@ class Gate:
         self,
         limits: LimitsConfig,
         fence: Geofence,
+        airframe: Airframe,
         rules: tuple[SafetyRule, ...] = SAFETY_RULES,
     ) -> None:
         self._limits = limits
         self._fence = fence
+        self._airframe = airframe
         self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
         self._waiting = frozenset(rule.code for rule in rules if rule.waits)
         self._observer = FlightObserver(limits)
@@ -294,8 +296,7 @@ class Gate:
         place = now.position[:2]
         if self._kept_from is None:
             speed = hypot(*now.velocity[:2]) if now.velocity else 0.0
-            way = stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
-            self._kept_from = place, way + KEPT_SLACK
+            self._kept_from = place, self._airframe.braking.way_to_rest(speed) + KEPT_SLACK
         begun, reach = self._kept_from
         return dist(place, begun) <= reach
 
@@ -329,7 +330,7 @@ class Gate:
         seen = self._observer.observe(inputs, self._held, self.landing, self.landing_waits)
         self._standing_height = seen.standing_height
         self._gauge_stuck = seen.energy.gauge_stuck
-        return RuleContext(inputs, seen, self._limits, self._fence)
+        return RuleContext(inputs, seen, self._limits, self._fence, self._airframe)
 
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
         counted = [counts(context) for counts in COUNTED.values()]

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import isfinite, nan
 
-from housefly.geometry import Vec2, Vec3, stopping_distance
+from housefly.config.airframe import BrakingConstants
+from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneFault, DroneStatus, Telemetry
 from housefly.messages.steering import Reference, Setpoint
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.behavior.mission import NO_SILENCE, PeopleSilence
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 
@@ -101,12 +101,12 @@ class Geofence:
         """Return how far a point lies outside in the plane [m]; infinite when it is no number."""
         return self._beyond((position[0], position[1]))
 
-    def leaving(self, position: Vec3, velocity: Vec3) -> float:
+    def leaving(self, position: Vec3, velocity: Vec3, braking: BrakingConstants) -> float:
         """Return how much farther outside the drone will be where it can come to rest [m]."""
         (x, y, z), (vx, vy, vz) = position, velocity
-        here, rest = (x, y), (x + _way_to_rest(vx), y + _way_to_rest(vy))
+        here, rest = (x, y), (x + _way(vx, braking), y + _way(vy, braking))
         sideways = self._beyond(rest) - self._beyond(here)
-        top = z + _way_to_rest(max(vz, 0.0)) - max(self.ceiling, z)
+        top = z + _way(max(vz, 0.0), braking) - max(self.ceiling, z)
         farther = max(sideways, top)
         return farther if isfinite(farther) else 0.0
 
@@ -117,6 +117,6 @@ class Geofence:
         return max(0.0, *gaps) if x == x and y == y else float("inf")
 
 
-def _way_to_rest(speed: float) -> float:
-    way = stopping_distance(abs(speed), BRAKING_DECELERATION, REACTION_TIME)
+def _way(speed: float, braking: BrakingConstants) -> float:
+    way = braking.way_to_rest(abs(speed))
     return way if speed > 0.0 else -way

@@ -102,7 +102,7 @@ def _is_stuck(c: RuleContext) -> bool:
 def _leaving(c: RuleContext) -> float:
     if c.now.position is None or c.now.velocity is None:
         return 0.0
-    return c.fence.leaving(c.now.position, c.now.velocity)
+    return c.fence.leaving(c.now.position, c.now.velocity, c.airframe.braking)
 
 
 def _is_drifting(c: RuleContext) -> bool:

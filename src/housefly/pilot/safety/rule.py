@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 
+from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
@@ -33,12 +34,14 @@ class RuleContext:
         seen: what the flight has shown so far.
         limits: of the site.
         fence: of the room.
+        airframe: of the drone.
     """
 
     now: GateInputs
     seen: FlightObservations
     limits: LimitsConfig
     fence: Geofence
+    airframe: Airframe
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,18 +19,12 @@ M, N = SafetyMode, Counting
 
 TAKE_OFF_DRIFT = 0.3
 """Who takes off and would stand farther aside than this if it landed now is blown away [m]."""
-LANDING_TURN, LANDING_RISE, LANDING_SINK = 0.9, 0.1, 0.15
-"""A landing out of a climb near the floor: it still rises for so long [s] and so far [m], then
-sinks slowly [m/s].
-"""
 HARMLESS_FALL = 1.3
 """Who is blown away where a fall ends no faster than this is stopped at once, because a landing
 drifts on for 2 s [m/s] ...
 """
 LANDING_DRIFT = 0.25
 """... and so is who lands and is blown along faster than this [m/s]."""
-STEERABLE_AT, STEERABLE_RATE = 0.95, 0.25
-"""The drone can be steered from this height on [m], and climbs there so fast at least [m/s]."""
 BLOWN_ABOUT = 0.15
 """A velocity error above this for seconds (rms) is wind; still air leaves 0.03 [m/s]."""
 
@@ -48,8 +42,9 @@ def _drift(c: RuleContext) -> float:
     start, position, drift = c.seen.start, c.now.position, c.seen.drift
     if start is None or position is None or drift is None:
         return 0.0
-    landing = LANDING_TURN + (rise(c) + LANDING_RISE) / LANDING_SINK
-    if landing > (STEERABLE_AT - position[2]) / STEERABLE_RATE:
+    climb, turn = c.airframe.take_off, c.airframe.landing
+    landing = turn.turn_time + (rise(c) + turn.turn_rise) / turn.turn_sink_rate
+    if landing > (climb.steerable_height_min - position[2]) / climb.climb_rate_min:
         return 0.0
     rest = (p + landing * v for p, v in zip(position[:2], drift, strict=True))
     return dist(tuple(rest), start)

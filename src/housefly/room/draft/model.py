@@ -13,7 +13,7 @@ from pydantic import AfterValidator, ConfigDict, Field
 
 from housefly.config.edits import NAME
 from housefly.config.rectangle import FLOOR_SIDE_MAX, check_floor
-from housefly.config.tracking import TrackingKind
+from housefly.config.tracking import DRONE_BODY, TrackingKind
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2
 
@@ -105,7 +105,7 @@ class DraftTracking:
     kind: TrackingKind
     address: Annotated[Words, Field(min_length=1)]
     port: Annotated[int, Field(ge=1, le=65535)] | None = None
-    body: Annotated[Words, Field(min_length=1)] = "ardrone"
+    body: Annotated[Words, Field(min_length=1)] = DRONE_BODY
     bridge_system: Annotated[str, Field(pattern="^[a-z_]{1,40}$")] = "qualisys"
     vrpn_transport: Literal["tcp", "udp"] = "tcp"
     up_axis: Literal["auto", "y", "z"] = "auto"

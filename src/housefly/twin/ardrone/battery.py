@@ -6,9 +6,10 @@ from bisect import bisect_right
 from itertools import pairwise
 from math import sqrt
 
+from housefly.config.airframe import airframe_named
 from housefly.twin.disturbance import Disturbances
 
-_ENDURANCE = 720.0
+_ENDURANCE = airframe_named("ardrone").battery.endurance
 """Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
 _IDLE_SHARE = 0.05
 """Share of the hovering power that the electronics draw with motors off."""

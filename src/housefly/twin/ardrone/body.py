@@ -10,17 +10,19 @@ from __future__ import annotations
 from itertools import pairwise
 from math import atan, degrees, radians, tan
 
+from housefly.config.airframe import airframe_named
 from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 
-DRONE_MASS = 0.436
+_AIRFRAME = airframe_named("ardrone")
+DRONE_MASS = _AIRFRAME.body.mass
 """With indoor hull [kg]."""
 INERTIA: Vec3 = (0.0068, 0.0068, 0.0136)
 """Principal moments [kg m^2]: a flat body with all mass at the motors' radius, an upper bound."""
 MOTOR_ARM = 0.1237
 """Distance of each motor from the x and y axes [m]."""
 _ROTOR_RADIUS = 0.1
-STANDING_HEIGHT = 0.05
+STANDING_HEIGHT = _AIRFRAME.body.standing_height
 """Height of the origin above the floor when the drone stands on its belly [m]."""
 
 BODY = "drone"
@@ -34,11 +36,13 @@ DRONE_MARKERS: tuple[Vec3, ...] = (
 )
 """Reflective markers on the hull [m]; all distances between them differ, so the pose is unique."""
 
-_FRONT_CAMERA_X = 0.21
-FRONT_FIELD_OF_VIEW = radians(69.0)
+_FRONT = _AIRFRAME.capabilities.camera
+assert _FRONT is not None
+_FRONT_CAMERA_X = _FRONT.ahead
+FRONT_FIELD_OF_VIEW = _FRONT.field_of_view
 _BOTTOM_FIELD_OF_VIEW = radians(49.0)
 """Horizontal field of view [rad]; pixels are square and the lenses have no distortion."""
-PICTURE_SIZE: tuple[int, int] = (640, 360)
+PICTURE_SIZE = (_FRONT.width, _FRONT.height)
 """Width and height of both cameras' pictures [px]."""
 
 VISUAL_GROUP = 2

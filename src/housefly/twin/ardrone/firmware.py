@@ -13,9 +13,9 @@ from housefly.config.drone import DroneConfig
 from housefly.geometry import GRAVITY
 from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, FORCED_LANDING_VOLTAGE, LOW_VOLTAGE
 from housefly.twin.ardrone.body import DRONE_MASS
-from housefly.twin.ardrone.inner_loops import MOTORS_OFF, InnerLoops, LoopReferences, Wrench
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
+from housefly.twin.ardrone.inner_loops import InnerLoops, LoopReferences
 from housefly.twin.contracts import FlightState, OnboardLimits
+from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, SensorReading, Wrench
 from housefly.wires.ardrone.conversions import Stick
 
 WATCHDOG_AFTER = 0.05

@@ -14,8 +14,8 @@ from housefly.config.drone import DroneConfig
 from housefly.config.twin import RATE_POLE
 from housefly.geometry import GRAVITY
 from housefly.twin.ardrone.body import DRONE_MASS, INERTIA
-from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
 from housefly.twin.contracts import OnboardLimits
+from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading, Wrench
 from housefly.wires.ardrone.conversions import Stick
 
 _SINK_FACTOR = 2.0
@@ -33,18 +33,6 @@ _ANGULAR_ACCELERATION_MAX = 300.0
 """Bound of torque over inertia [rad/s^2]; tames a crash."""
 
 _STICK_DEAD = 1e-3
-
-
-class Wrench(NamedTuple):
-    """Thrust along body z [N] and torques about the body axes [N m]."""
-
-    thrust: float
-    roll: float
-    pitch: float
-    yaw: float
-
-
-MOTORS_OFF = Wrench(0.0, 0.0, 0.0, 0.0)
 
 
 class LoopReferences(NamedTuple):

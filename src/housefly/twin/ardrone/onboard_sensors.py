@@ -10,15 +10,13 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from math import exp, sqrt
-from typing import NamedTuple
 
 import numpy as np
 
-from housefly.geometry import GRAVITY, Quaternion, Vec3, euler_from_quaternion, rotate, wrap_angle
+from housefly.geometry import GRAVITY, Vec3, euler_from_quaternion, rotate, wrap_angle
 from housefly.twin.ardrone.body import STANDING_HEIGHT
+from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState, SensorReading
 
-CONTROL_PERIOD = 0.005
-"""The firmware's control period [s] (200 Hz)."""
 FLOW_DELAY = 0.04
 _SONAR_DIVIDER = 8
 """Control periods between two pings: 25 Hz."""
@@ -42,46 +40,6 @@ _ACCELERATION_NOISE = 0.1
 
 _BLOCK = 512
 _CHANNELS = 14
-
-
-class BodyState(NamedTuple):
-    """True state of the rigid body.
-
-    Attributes:
-        position: world [m].
-        orientation: (w, x, y, z), body to world.
-        velocity: world [m/s].
-        acceleration: world [m/s^2].
-        rate: body [rad/s].
-    """
-
-    position: Vec3
-    orientation: Quaternion
-    velocity: Vec3
-    acceleration: Vec3
-    rate: Vec3
-
-
-class SensorReading(NamedTuple):
-    """One reading of all onboard sensors.
-
-    Attributes:
-        phi, theta, psi: attitude [rad]; psi since power-on.
-        rate: body [rad/s].
-        height: [m].
-        climb, forward, left: speeds [m/s].
-        acceleration: specific force, body [m/s^2].
-    """
-
-    phi: float
-    theta: float
-    psi: float
-    rate: Vec3
-    height: float
-    climb: float
-    forward: float
-    left: float
-    acceleration: Vec3
 
 
 def _bare_floor(position: Vec3) -> float:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from housefly.geometry import Vec3
-from housefly.twin.ardrone.onboard_sensors import SensorReading
 from housefly.twin.disturbance import Disturbances, SensorCondition, SensorFaults
+from housefly.twin.simulated_body import SensorReading
 
 _SEED_KEY = 7753
 """Keeps this noise apart from all other noise of the same seed."""

@@ -291,7 +291,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         "F24", "the pilot is killed",
         "hovers after 0.25 s, lands after 2 s; a fresh pilot does not fly on",
         LOCKSTEP | _PROCESS, (_one(_C.PILOT, _K.OFF, name="silent"),), True,
-        covered_by="tests/wires/ardrone/test_command_sequencer.py"
+        covered_by="tests/drones/ardrone/test_commands.py"
         "::test_a_pilot_that_comes_back_after_the_watchdog_landed_does_not_fly_on",
     ),
     FaultRow(

@@ -5,7 +5,7 @@ only ``WireError``, or never.
 
 - ``at``: UDP 5556; ``encode_datagram`` writes the values of ``at_commands``, ``parse_datagram``
   reads them.
-- ``command_sequencer``: which commands to send for the pilot's action and the drone's state.
+- ``command_encoder``: which commands say what the drone is to do, by its state.
 - ``navdata``: UDP 5554; ``decode_navdata``, ``encode_navdata``, ``StateBits``; a packet without
   options is the bootstrap packet.
 - ``navdata_options``: a dataclass for each tag 0..26, zero-filled, in ``OPTION_TYPES``.

@@ -17,7 +17,7 @@ from housefly.config.site import Site, changed, site_from_file
 from housefly.geometry import Vec3
 from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import REFERENCE_BRAKING
 from housefly.pilot.planning.people import people_at, speed_share
 from housefly.pilot.planning.space.clearance import HullCylinder, hull_clearances
 from housefly.pilot.planning.space.escape import escape_mask
@@ -299,4 +299,4 @@ def test_a_trajectory_takes_no_more_tilt_than_the_drone_is_given() -> None:
 
 
 def test_ways_past_people_count_on_the_braking_that_is_flown() -> None:
-    assert BRAKING == BRAKING_DECELERATION  # planning may not know behavior
+    assert BRAKING == REFERENCE_BRAKING  # planning may not know behavior

@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import stopping_distance
 from housefly.numeric import FloatArray
-from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.planning.trajectory.held_motion import (
     LONGEST,
     held_limits,
@@ -70,7 +69,7 @@ def test_places_and_velocities_belong_together(
 def test_what_is_let_go_rests_within_the_stopping_distance(speed: float) -> None:
     rows = held_motion(moving((speed, 0.0, 0.0)), np.zeros(3), 0.0, LIMITS)
     away = hypot(*(rows[-1, :2] - rows[0, :2]))
-    assert away <= stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME)
+    assert away <= airframe_named("ardrone").braking.way_to_rest(speed)
 
 
 def test_a_second_of_holding_is_what_the_speed_says() -> None:

@@ -9,9 +9,9 @@ from __future__ import annotations
 from functools import lru_cache
 from math import floor
 
+from housefly.config.airframe import LinkConstants
 from housefly.config.site import Site
 from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
-from housefly.wires.ardrone.command_sequencer import REPEAT_AFTER, SEND_INTERVAL_MIN
 
 _DATAGRAMS = 400
 """Sent until the pattern of ticks and datagrams counts as known."""
@@ -19,15 +19,15 @@ _ROUNDING = 1e-9
 
 
 @lru_cache(maxsize=64)
-def sending_delay(rate_hz: float) -> float:
+def sending_delay(rate_hz: float, link: LinkConstants) -> float:
     """Return how much later commands act on average because they leave as datagrams [s].
 
     Against a drone that takes each command at once and holds it for a tick of 1 / ``rate_hz``.
     """
     tick, sent, taken, age = 1.0 / rate_hz, 0.0, 0.0, 0.0
     for _ in range(_DATAGRAMS):
-        decided = (floor((sent + SEND_INTERVAL_MIN) / tick - _ROUNDING) + 1) * tick
-        following = min(decided, sent + REPEAT_AFTER)
+        decided = (floor((sent + link.interval_min) / tick - _ROUNDING) + 1) * tick
+        following = min(decided, sent + link.repeat_after)
         held = following - sent
         age += held * (sent - taken + 0.5 * held)
         taken = floor(following / tick + _ROUNDING) * tick
@@ -45,7 +45,7 @@ def simulated_command_delay(site: Site) -> float:
         return site.twin.command_delay
     if not site.drone.profile:
         return COMMAND_DELAY
-    rest = sending_delay(site.control.rate_hz) + INNER_LOOP_DELAY
+    rest = sending_delay(site.control.rate_hz, site.drone.airframe.link) + INNER_LOOP_DELAY
     return max(0.0, site.drone.command_delay - rest)
 
 
@@ -57,5 +57,6 @@ def reaction_delay(site: Site) -> float:
     """
     if not site.twin.enabled:
         return site.drone.command_delay
-    whole = simulated_command_delay(site) + sending_delay(site.control.rate_hz) + INNER_LOOP_DELAY
+    sending = sending_delay(site.control.rate_hz, site.drone.airframe.link)
+    whole = simulated_command_delay(site) + sending + INNER_LOOP_DELAY
     return max(0.0, whole)

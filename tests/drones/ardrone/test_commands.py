@@ -1,4 +1,4 @@
-"""What is sent to the drone, for every action and every state."""
+"""What is sent to an AR.Drone, for every action and every state: failsafe and encoder together."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
+from housefly.drones.brake import SINK_TIME_MAX
+from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER, Failsafe, Permit
 from housefly.messages import (
     LEVEL,
     Action,
@@ -21,18 +24,11 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.brake import SINK_TIME_MAX
-from housefly.wires.ardrone.command_sequencer import (
-    HOVER_AFTER,
-    LAND_AFTER,
-    TRIM_TIME,
-    CommandSequencer,
-    Permit,
-)
+from housefly.wires.ardrone.command_encoder import PRESS_TIME_MAX, TRIM_TIME, CommandEncoder
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
-from housefly.wires.ardrone.emergency_button import PRESS_TIME_MAX
 
 AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
+ARDRONE = airframe_named("ardrone")
 MAXIMA = Maxima(0.2, 0.7, 1.75)
 LAND = at.Ref(at.RefBits.LAND)
 TAKE_OFF = at.Ref(at.RefBits.TAKE_OFF)
@@ -45,8 +41,21 @@ def report(status: DroneStatus, at_time: float) -> Telemetry:
     return Telemetry(received_at=at_time, status=status, battery=1.0)
 
 
-def commanded(action: Action, setpoint: Setpoint = LEVEL, now: float = 0.0) -> CommandSequencer:
-    made = CommandSequencer(MAXIMA, now)
+class Commands:
+    """What leaves for a drone that was seen to stand before."""
+
+    def __init__(self, maxima: Maxima, now: float, *, watched: bool = True) -> None:
+        self.failsafe = Failsafe(now, maxima.tilt, ARDRONE, watched=watched)
+        self.failsafe.permit = Permit.ALL
+        self.update, self.abandon = self.failsafe.update, self.failsafe.abandon
+        self._encoder = CommandEncoder(maxima)
+
+    def next_commands(self, now: float, newest: Telemetry | None) -> tuple[at.AtCommand, ...]:
+        return self._encoder.encoded(self.failsafe.decide(now, newest), now, newest)
+
+
+def commanded(action: Action, setpoint: Setpoint = LEVEL, now: float = 0.0) -> Commands:
+    made = Commands(MAXIMA, now)
     made.update(Command(action, setpoint), now)
     return made
 
@@ -61,7 +70,7 @@ def test_sticks_are_fractions_of_the_maxima() -> None:
 def test_within_the_maxima_the_stick_is_the_share_of_the_maximum(
     theta: float, phi: float, vz: float, yaw_rate: float
 ) -> None:
-    flying = CommandSequencer(Maxima(0.2, 0.7, pi), 0.0)
+    flying = Commands(Maxima(0.2, 0.7, pi), 0.0)
     flying.update(Command(Action.FLY, Setpoint(theta, phi, vz, yaw_rate)), 0.0)
     (pcmd,) = flying.next_commands(0.0, report(DroneStatus.FLYING, 0.0))
     assert isinstance(pcmd, at.Pcmd)
@@ -152,10 +161,10 @@ def test_nobody_takes_off_blindly_or_out_of_an_emergency(newest: Telemetry | Non
 
 def test_idle_never_lands_a_flying_drone_and_keeps_the_link_alive() -> None:
     for status, age in itertools.product((*AIRBORNE, DroneStatus.UNKNOWN), (0.0, 10.0)):
-        idle = CommandSequencer(MAXIMA, 0.0)
+        idle = Commands(MAXIMA, 0.0)
         sent = idle.next_commands(0.0, report(status, -age))
         assert LAND not in sent and at.ComWatchdog() in sent
-    assert LAND in CommandSequencer(MAXIMA, 0.0).next_commands(0.0, report(DroneStatus.LANDED, 0.0))
+    assert LAND in Commands(MAXIMA, 0.0).next_commands(0.0, report(DroneStatus.LANDED, 0.0))
 
 
 # --- the emergency toggle ------------------------------------------------------------------------
@@ -263,7 +272,7 @@ def test_whatever_moves_or_holds_it_ends_in_a_landing(action: Action, status: Dr
 
 
 def test_the_control_without_its_watchdog_repeats_the_last_command_for_ever() -> None:
-    unwatched = CommandSequencer(MAXIMA, 0.0, watched=False)
+    unwatched = Commands(MAXIMA, 0.0, watched=False)
     unwatched.update(Command(Action.FLY, Setpoint(theta=0.1)), 0.0)
     late = 10.0 * LAND_AFTER
     assert unwatched.next_commands(late, report(DroneStatus.FLYING, late)) == (STICKS,)
@@ -305,7 +314,7 @@ def test_cutting_the_motors_passes_the_watchdog() -> None:
 def test_every_order_in_every_state_is_answered_with_something_that_can_be_sent(
     story: list[tuple[Action, DroneStatus | None, float]],
 ) -> None:
-    sequencer, now = CommandSequencer(MAXIMA, 0.0), 0.0
+    sequencer, now = Commands(MAXIMA, 0.0), 0.0
     for action, status, pause in story:
         now += pause
         sequencer.update(Command(action, Setpoint(1, -1, 9, -9)), now)
@@ -349,7 +358,7 @@ def lowered(at_time: float, height: float) -> Telemetry:
 def test_a_drone_whose_own_speed_is_wrong_sinks_level_in_silence_and_lands_on_the_floor(
     last: Action,
 ) -> None:
-    made = CommandSequencer(MAXIMA, 0.0)
+    made = Commands(MAXIMA, 0.0)
     made.update(Command(last), 0.0, motion=KnownMotion(0.0, 0.0, hovers=False))
     for at_time in (0.3, 1.0, 2.5):
         (sinking,) = made.next_commands(at_time, lowered(at_time, 1.3 - 0.3 * at_time))
@@ -360,14 +369,14 @@ def test_a_drone_whose_own_speed_is_wrong_sinks_level_in_silence_and_lands_on_th
 
 
 def test_a_sonar_that_shows_no_floor_does_not_keep_it_in_the_air() -> None:
-    made = CommandSequencer(MAXIMA, 0.0)
+    made = Commands(MAXIMA, 0.0)
     made.update(Command(Action.FLY), 0.0, motion=KnownMotion(0.0, 0.0, hovers=False))
     made.next_commands(0.3, lowered(0.3, 1.0))
     assert made.next_commands(0.4 + SINK_TIME_MAX, lowered(9.4, 1.0)) == (LAND, HOVER)
 
 
 def test_a_pilot_that_says_nothing_new_of_the_motion_takes_nothing_back() -> None:
-    made = CommandSequencer(MAXIMA, 0.0)
+    made = Commands(MAXIMA, 0.0)
     made.update(Command(Action.FLY), 0.0, motion=KnownMotion(0.0, 0.0, hovers=False))
     made.update(Command(Action.HOVER), 0.01)
     (sinking,) = made.next_commands(0.4, lowered(0.4, 1.0))
@@ -380,7 +389,7 @@ def test_a_hover_of_the_pilot_is_the_drones_own_whatever_its_speed() -> None:
 
 @pytest.mark.parametrize("action", [Action.FLY, Action.TAKE_OFF, Action.RESET])
 def test_what_moves_the_drone_and_comes_late_counts_for_nothing(action: Action) -> None:
-    late = CommandSequencer(MAXIMA, 0.0)
+    late = Commands(MAXIMA, 0.0)
     assert not late.update(Command(action, Setpoint(theta=0.1)), 10.0, issued_at=9.7)
     sent = late.next_commands(10.0, report(DroneStatus.FLYING, 10.0))
     assert STICKS not in sent and TAKE_OFF not in sent and PRESS not in sent
@@ -391,14 +400,14 @@ def test_what_moves_the_drone_and_comes_late_counts_for_nothing(action: Action) 
 def test_in_whatever_order_commands_arrive_the_newest_decides(
     story: list[tuple[Action, float]],
 ) -> None:
-    mixed = CommandSequencer(MAXIMA, 0.0)
+    mixed = Commands(MAXIMA, 0.0)
     for action, issued_at in [*story, (Action.HOVER, 1.01), (Action.FLY, 1.0)]:
         mixed.update(Command(action, Setpoint(theta=0.1)), 1.02, issued_at)
     assert mixed.next_commands(1.02, report(DroneStatus.FLYING, 1.02)) == (HOVER,)
 
 
 def test_a_command_from_the_future_counts_as_of_now() -> None:
-    ahead = CommandSequencer(MAXIMA, 0.0)
+    ahead = Commands(MAXIMA, 0.0)
     ahead.update(Command(Action.FLY, Setpoint(theta=0.1)), 1.0, issued_at=1e9)
     ahead.update(Command(Action.HOVER), 1.1, issued_at=1.1)
     assert ahead.next_commands(1.1, report(DroneStatus.FLYING, 1.1)) == (HOVER,)
@@ -415,7 +424,7 @@ def test_nobody_takes_off_before_the_limits_are_confirmed() -> None:
 
 def test_a_drone_found_in_the_air_hovers_and_lands_when_its_pilot_insists_on_flying() -> None:
     found = commanded(Action.FLY, Setpoint(theta=0.1))
-    found.permit = Permit.HOVER_AND_LAND
+    found.failsafe.permit = None
     for step in range(100):
         now = step * 0.03
         found.update(Command(Action.FLY, Setpoint(theta=0.1)), now)
@@ -423,7 +432,7 @@ def test_a_drone_found_in_the_air_hovers_and_lands_when_its_pilot_insists_on_fly
         assert sent == (HOVER,) if now < LAND_AFTER else LAND in sent
     for action, answer in ((Action.HOVER, HOVER), (Action.LAND, LAND), (Action.CUT, PRESS)):
         found = commanded(action)
-        found.permit = Permit.HOVER_AND_LAND
+        found.failsafe.permit = None
         assert answer in found.next_commands(0.0, report(DroneStatus.FLYING, 0.0))
 
 
@@ -432,7 +441,7 @@ def test_a_driver_that_leaves_lands_and_only_cutting_the_motors_passes(
     action: Action, status: DroneStatus
 ) -> None:
     leaving = commanded(action, Setpoint(theta=0.1))
-    leaving.permit = Permit.LAND
+    leaving.failsafe.land_for_good()
     sent = leaving.next_commands(0.2, report(status, 0.2))
     assert TAKE_OFF not in sent and STICKS not in sent
     if status in AIRBORNE and action not in (Action.CUT, Action.RESET):
@@ -455,7 +464,7 @@ def test_a_drone_that_is_not_known_to_stand_is_landed_once_its_pilot_is_gone(
 
 
 def test_a_stick_that_a_driver_before_left_ends_with_the_first_datagram() -> None:
-    assert HOVER in CommandSequencer(MAXIMA, 0.0).next_commands(0.0, None)
+    assert HOVER in Commands(MAXIMA, 0.0).next_commands(0.0, None)
 
 
 @pytest.mark.parametrize("part", ["theta", "phi", "vz", "yaw_rate"])

@@ -7,10 +7,10 @@ from collections.abc import Callable
 import pytest
 
 from housefly.config.site import Site, changed
+from housefly.lab.lockstep.lockstep_room import FLIGHT_STATUS, LockstepRoom
 from housefly.messages import Action, Command, DroneFault, DroneStatus, Setpoint
 from housefly.room.model import Room
 from housefly.twin.contracts import FlightState
-from housefly.twin.lockstep import FLIGHT_STATUS, LockstepRoom
 from housefly.twin.world import SimulatedWorld
 
 

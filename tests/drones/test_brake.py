@@ -9,18 +9,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.geometry import GRAVITY
-from housefly.messages import LEVEL, DroneStatus, KnownMotion, Telemetry
-from housefly.wires.ardrone.brake import (
-    AT_REST_SPEED,
-    BRAKE_TIME_MAX,
+from housefly.config.airframe import airframe_named
+from housefly.drones.brake import (
     KNOWN_FOR,
     SINK_RATE,
     AttitudeSpeed,
     braking_setpoint,
     sinking_setpoint,
 )
+from housefly.geometry import GRAVITY
+from housefly.messages import LEVEL, DroneStatus, KnownMotion, Telemetry
 
+ARDRONE = airframe_named("ardrone")
 TILT_MAX = 0.21
 STEP = 0.01
 speeds = st.floats(-1.5, 1.5)
@@ -39,13 +39,13 @@ def report(
 
 
 def by_attitude(forward: float = 0.0, left: float = 0.0) -> AttitudeSpeed:
-    speed = AttitudeSpeed()
+    speed = AttitudeSpeed(ARDRONE)
     speed.velocity = (forward, left)
     return speed
 
 
 def by_tracking(forward: float, left: float = 0.0, *, hovers: bool = True) -> AttitudeSpeed:
-    speed = AttitudeSpeed()
+    speed = AttitudeSpeed(ARDRONE)
     speed.know(KnownMotion(forward, left, hovers=hovers), 0.0)
     return speed
 
@@ -94,7 +94,7 @@ def test_the_brake_takes_the_speed_that_tracking_gave_and_not_the_flow_that_lies
 
 
 def test_against_a_steady_push_it_leans_as_the_pilot_did() -> None:
-    speed = AttitudeSpeed()
+    speed = AttitudeSpeed(ARDRONE)
     speed.know(KnownMotion(0.0, 0.0, theta=0.05, phi=-0.02, hovers=False), 0.0)
     for step in range(200):
         speed.update(report(step * STEP, theta=0.05, phi=-0.02, psi=1e-9 * step))
@@ -108,7 +108,7 @@ def test_against_a_steady_push_it_leans_as_the_pilot_did() -> None:
 def test_a_drone_whose_reports_stand_still_is_braked_by_what_it_was_asked_for(
     lean: float, speed: float
 ) -> None:
-    brake, velocity, theta = AttitudeSpeed(), speed, 0.0
+    brake, velocity, theta = AttitudeSpeed(ARDRONE), speed, 0.0
     asked: deque[float] = deque([0.0] * 6)
     fastest_back = 0.0
     for step in range(-20, 0):
@@ -124,11 +124,11 @@ def test_a_drone_whose_reports_stand_still_is_braked_by_what_it_was_asked_for(
         theta += STEP * 7.0 * (asked.popleft() - theta)
         velocity += STEP * (GRAVITY * tan(theta) - 0.58 * velocity)
         fastest_back = max(fastest_back, -velocity if speed > 0.0 else velocity)
-    assert abs(velocity) < AT_REST_SPEED and fastest_back < 0.25
+    assert abs(velocity) < ARDRONE.brake.rest_speed and fastest_back < 0.25
 
 
 def test_at_rest_or_without_a_fresh_report_it_leaves_the_drone_to_its_own_hover() -> None:
-    slow = report(velocity=(0.5 * AT_REST_SPEED, 0.0))
+    slow = report(velocity=(0.5 * ARDRONE.brake.rest_speed, 0.0))
     assert braking_setpoint(0.0, slow, by_attitude(1.0, 1.0), TILT_MAX) is None
     assert braking_setpoint(0.5, report(velocity=(0.5, 0.0)), by_attitude(), TILT_MAX) is None
 
@@ -138,7 +138,7 @@ def test_numbers_that_are_none_leave_it_to_the_drone_and_are_forgotten(odd: floa
     for newest in (report(velocity=(odd, 1.0)), report(theta=odd), report(phi=odd)):
         leaning = braking_setpoint(0.0, newest, by_attitude(), TILT_MAX)
         assert leaning is None or abs(odd) == 1e308, "full tilt on a number that is none"
-    speed = AttitudeSpeed()
+    speed = AttitudeSpeed(ARDRONE)
     for step, theta in enumerate((0.03, odd, 0.03, 0.03)):
         speed.update(report(step * STEP, theta=theta))
     assert all(map(isfinite, speed.velocity))
@@ -150,29 +150,29 @@ def test_with_and_without_its_flow_camera_a_drone_comes_nearly_to_rest_in_time(
     flow_sees: bool, speed: float
 ) -> None:
     theta = tan(0.58 * speed / GRAVITY)
-    velocity, way, cruise = speed, 0.0, AttitudeSpeed()
+    velocity, way, cruise = speed, 0.0, AttitudeSpeed(ARDRONE)
     for step in range(1000):
         cruise.update(report(step * STEP, theta=theta))
     assert cruise.velocity[0] == pytest.approx(speed, rel=0.05)
     asked: deque[float] = deque([theta] * 6)
     now = 10.0
-    for step in range(round((BRAKE_TIME_MAX + 0.3) / STEP)):
+    for step in range(round((ARDRONE.brake.time_max + 0.3) / STEP)):
         now = 10.0 + step * STEP
         newest = report(now, theta, velocity=(velocity if flow_sees else 0.0, 0.0))
         cruise.update(newest)
         setpoint = braking_setpoint(now, newest, cruise, TILT_MAX)
-        if setpoint is None or now > 10.0 + BRAKE_TIME_MAX:
+        if setpoint is None or now > 10.0 + ARDRONE.brake.time_max:
             setpoint = LEVEL
         asked.append(setpoint.theta)
         theta += STEP * 7.0 * (asked.popleft() - theta)
         velocity += STEP * (GRAVITY * tan(theta) - 0.58 * velocity)
         way += velocity * STEP
-    assert abs(velocity) < 2 * AT_REST_SPEED
+    assert abs(velocity) < 2 * ARDRONE.brake.rest_speed
     assert way < 0.6 * speed + 0.5 * speed**2
 
 
 def test_the_speed_from_attitude_turns_with_the_drone_and_starts_anew_on_the_ground() -> None:
-    speed = AttitudeSpeed()
+    speed = AttitudeSpeed(ARDRONE)
     for step in range(300):
         speed.update(report(step * STEP, theta=0.03))
     forward = speed.velocity[0]

@@ -9,19 +9,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kinematic_world import KinematicWorld
 
+from housefly.config.airframe import airframe_named
 from housefly.config.profile import Interval, write_profile
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Action, Command, Setpoint
 from housefly.pilot.site_parameters import pilot_parameters
-from housefly.twin.lockstep import LockstepRoom
-from housefly.wires.ardrone.command_delay import (
+from housefly.twin.command_delay import (
     reaction_delay,
     sending_delay,
     simulated_command_delay,
 )
 from housefly.wires.ardrone.conversions import Stick
 
+LINK = airframe_named("ardrone").link
 _LOOKS = 10
 """How often in a tick the age of what the drone hears is looked at."""
 
@@ -55,12 +57,12 @@ def test_the_delay_of_sending_is_the_age_of_what_the_drone_hears(rate: float) ->
                 ages.append(room.now + 0.5 * look - world.heard * ticks / rate)
             room.advance(look)
     measured = sum(ages) / len(ages) - 0.5 / rate
-    assert sending_delay(rate) == pytest.approx(measured, abs=0.002)
+    assert sending_delay(rate, LINK) == pytest.approx(measured, abs=0.002)
 
 
 @given(st.floats(20.0, 200.0))
 def test_sending_adds_less_than_one_datagram(rate: float) -> None:
-    assert -1e-9 <= sending_delay(rate) < 0.035
+    assert -1e-9 <= sending_delay(rate, LINK) < 0.035
 
 
 def test_with_a_profile_pilot_and_simulated_drone_have_its_delay(tmp_path: Path) -> None:

@@ -26,7 +26,7 @@ Orders = NDArray[Any]
 """Ring of ``ORDERS`` orders."""
 
 
-class Airframe(NamedTuple):
+class SampledDrone(NamedTuple):
     """One drone between two ticks of the pilot.
 
     An order acts a whole number of ticks after it was sent and then some: so every tick has an
@@ -62,7 +62,7 @@ class Airframe(NamedTuple):
 
 
 @compiled
-def airframe_of(case: Any) -> Airframe:
+def sampled_drone(case: Any) -> SampledDrone:
     """Return the drone of one case."""
     tick = 1.0 / case.rate_hz
     constants = Constants(case.lag, case.gain, case.drag, case.climb_lag, case.yaw_lag)
@@ -71,7 +71,7 @@ def airframe_of(case: Any) -> Airframe:
     early = 0.0 if early < TIME_TOLERANCE else early
     late = tick - early
     early_steps, late_steps = ceil(early / LONGEST_STEP), ceil(late / LONGEST_STEP)
-    return Airframe(
+    return SampledDrone(
         constants,
         lag_ticks,
         beat_of(constants, early / max(early_steps, 1)),
@@ -89,7 +89,9 @@ def airframe_of(case: Any) -> Airframe:
 
 
 @compiled
-def gusted(gust: tuple[float, float], air: Airframe, random: RandomState) -> tuple[float, float]:
+def gusted(
+    gust: tuple[float, float], air: SampledDrone, random: RandomState
+) -> tuple[float, float]:
     """Return the push of the gusts one tick later [m/s^2]."""
     if air.gust <= 0.0:
         return gust
@@ -105,7 +107,7 @@ def carried_on(
     stream: Stream,
     tick: int,
     now: float,
-    air: Airframe,
+    air: SampledDrone,
     gust: tuple[float, float],
     orders: Orders,
     camera: Camera,
@@ -131,7 +133,7 @@ def _pushed(
     sent: int,
     orders: Orders,
     wind: tuple[float, float],
-    air: Airframe,
+    air: SampledDrone,
     beat: Beat,
 ) -> DroneState:
     order = orders[sent & (orders.size - 1)]

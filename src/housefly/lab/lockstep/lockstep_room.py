@@ -1,7 +1,7 @@
 """The simulated room without the wires, on a stepped clock.
 
-Rates, delays and habits are those of the wires: the driver's own command sequencer decides what the
-drone hears and when. Faults befall the same streams as on the wires.
+Rates, delays and habits are those of the wires: the driver's own failsafe and encoder decide what
+the drone hears and when. Faults befall the same streams as on the wires.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import replace
 from math import inf, isfinite, nan
 
 from housefly.config.site import Site
+from housefly.drones.failsafe import Failsafe
 from housefly.errors import ConfigError
 from housefly.messages import (
     Command,
@@ -36,11 +37,7 @@ from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_sequencer import (
-    REPEAT_AFTER,
-    SEND_INTERVAL_MIN,
-    CommandSequencer,
-)
+from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
@@ -123,8 +120,9 @@ class LockstepRoom:
             )
         )
         maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
-        self._sequencer = CommandSequencer(maxima, world.now, watched=guarded)
-        self._sent_at = world.now
+        self._failsafe = Failsafe(world.now, limits.tilt_max, site.drone.airframe, watched=guarded)
+        self._encoder = CommandEncoder(maxima)
+        self._sent_at, self._link = world.now, site.drone.airframe.link
         self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
         self._downlink = PacketStream(FaultComponent.TELEMETRY, _REPORTS)
@@ -150,10 +148,10 @@ class LockstepRoom:
         """Let the world run while commands are repeated at the driver's rate."""
         end = self.now + seconds
         self._disturb()
-        while (beat := min(self._sent_at + REPEAT_AFTER, self._next_arrival())) <= end:
+        while (beat := min(self._sent_at + self._link.repeat_after, self._next_arrival())) <= end:
             self._world.advance(max(0.0, beat - self.now))
             self._deliver()
-            if self._sent_at + REPEAT_AFTER <= self.now:
+            if self._sent_at + self._link.repeat_after <= self.now:
                 self._transmit()
         self._world.advance(max(0.0, end - self.now))
 
@@ -198,8 +196,8 @@ class LockstepRoom:
 
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
-        action_changed = self._sequencer.update(command, self.now, issued_at, motion)
-        if action_changed or self.now - self._sent_at >= SEND_INTERVAL_MIN:
+        action_changed = self._failsafe.update(command, self.now, issued_at, motion)
+        if action_changed or self.now - self._sent_at >= self._link.interval_min:
             self._transmit()
 
     def _disturb(self) -> None:
@@ -212,7 +210,9 @@ class LockstepRoom:
         """Send what would be one datagram."""
         self._sent_at = self.now
         self._number += 1
-        commands = self._sequencer.next_commands(self.now, self.telemetry())
+        report = self.telemetry()
+        told = self._failsafe.decide(self.now, report)
+        commands = self._encoder.encoded(told, self.now, report)
         datagram = (self._number, commands)
         self._commands_under_way.extend(self._uplink.sent(datagram, self.faults.schedule, self.now))
         self._deliver()

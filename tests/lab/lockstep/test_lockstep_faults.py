@@ -10,6 +10,7 @@ from kinematic_world import KinematicWorld
 
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.room.model import Room
 from housefly.twin.disturbance import Motor
@@ -18,7 +19,6 @@ from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.faults.physical import disturb_of
 from housefly.twin.faults.vocabulary import Injection
-from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
 

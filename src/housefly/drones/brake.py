@@ -11,21 +11,12 @@ from __future__ import annotations
 
 from math import atan, cos, hypot, inf, isfinite, sin
 
+from housefly.config.airframe import Airframe
 from housefly.geometry import GRAVITY, Vec2, wrap_angle
 from housefly.messages import DroneStatus, KnownMotion, Setpoint, Telemetry
 
-BRAKE_GAIN = 4.0
-"""Deceleration per speed [1/s]: twice that of the drone's own hover, and still well damped."""
-BRAKE_LEAD = 0.2
-"""The present attitude goes on accelerating for about this long: delay and attitude lag [s]."""
-BRAKE_TIME_MAX = 0.8
-"""Longest time before the drone's own hover takes over [s]."""
-AT_REST_SPEED = 0.12
-"""Slower than this, lead included, the drone's own hover holds better [m/s]."""
 _SPEED_AGE_MAX = 0.15
 """An older report says nothing about the present speed [s]."""
-_DRAG = 0.58
-"""Linear drag over mass of the AR.Drone 2.0 [1/s]."""
 SINK_RATE = 0.3
 """How fast a drone sinks that cannot be left to its own hover [m/s]."""
 ON_FLOOR, SINK_TIME_MAX = 0.12, 9.0
@@ -34,10 +25,8 @@ KNOWN_FOR = 12.0
 """The last velocity by tracking is carried on for so long [s]."""
 FROZEN_AFTER = 0.1
 """Reports in flight that tell the same to the last bit for longer say nothing, where the drone's
-own speed is not believed either [s] ...
+own speed is not believed either [s]: then the drone leans as it was asked to, with delay and lag.
 """
-_ATTITUDE_LAG = 0.2
-"""... and the drone leans as it was asked to, with delay and lag [s]."""
 _GAP_MAX = 0.3
 """After a longer gap between reports the speed from attitude starts anew [s]."""
 
@@ -45,12 +34,17 @@ _GAP_MAX = 0.3
 class AttitudeSpeed:
     """The speed that the reported attitude must have given the drone, with linear drag.
 
+    Args:
+        airframe: of the drone.
+
     Attributes:
         velocity: forward and left [m/s].
         motion: what the pilot knew last.
+        brake: how the drone is brought to rest.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, airframe: Airframe) -> None:
+        self.brake, self._drag = airframe.brake, airframe.response.drag
         self.velocity: Vec2 = (0.0, 0.0)
         self.motion = KnownMotion()
         self._known_at = -inf
@@ -110,14 +104,14 @@ class AttitudeSpeed:
         ahead = GRAVITY * (sin(theta) - sin(level.theta))
         aside = GRAVITY * (sin(level.phi) - sin(phi))
         self.velocity = (
-            forward + dt * (ahead - _DRAG * forward),
-            left + dt * (aside - _DRAG * left),
+            forward + dt * (ahead - self._drag * forward),
+            left + dt * (aside - self._drag * left),
         )
 
     def _lean(self, report: Telemetry, dt: float) -> None:
         """Lean as is reported, or as is asked for where reports stand still."""
         theta, phi = self._leans
-        share = min(dt / _ATTITUDE_LAG, 1.0)
+        share = min(dt / self.brake.attitude_lag, 1.0)
         asked_theta, asked_phi = self._asked
         self._leans = theta + share * (asked_theta - theta), phi + share * (asked_phi - phi)
         self._leans = self.attitude(report)
@@ -142,13 +136,15 @@ def braking_setpoint(
     forward, left = _velocity(now, report, speed)
     level = speed.motion
     theta, phi = speed.attitude(report)
-    forward += BRAKE_LEAD * GRAVITY * (sin(theta) - sin(level.theta))
-    left -= BRAKE_LEAD * GRAVITY * (sin(phi) - sin(level.phi))
+    forward += speed.brake.lead * GRAVITY * (sin(theta) - sin(level.theta))
+    left -= speed.brake.lead * GRAVITY * (sin(phi) - sin(level.phi))
     length = hypot(forward, left)
-    if not isfinite(length) or length < AT_REST_SPEED:
+    if not isfinite(length) or length < speed.brake.rest_speed:
         return None
+    gain = speed.brake.gain
     return Setpoint(
-        theta=_tilt(-forward, level.theta, tilt_max), phi=_tilt(left, level.phi, tilt_max)
+        theta=_tilt(-gain * forward, level.theta, tilt_max),
+        phi=_tilt(gain * left, level.phi, tilt_max),
     )
 
 
@@ -175,8 +171,8 @@ def _velocity(now: float, report: Telemetry, speed: AttitudeSpeed) -> Vec2:
     return speed.velocity if speed.is_known(now) or not sees else measured
 
 
-def _tilt(speed: float, level: float, tilt_max: float) -> float:
-    return _limited(level + atan(BRAKE_GAIN * speed / GRAVITY), tilt_max)
+def _tilt(acceleration: float, level: float, tilt_max: float) -> float:
+    return _limited(level + atan(acceleration / GRAVITY), tilt_max)
 
 
 def _limited(tilt: float, tilt_max: float) -> float:

@@ -6,15 +6,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.config.site import Site
-from housefly.lab.experiments.airframe import (
-    ORDER,
-    ORDER_RING_SIZE,
-    airframe_of,
-    carried_on,
-    gusted,
-)
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.random import sown
+from housefly.lab.experiments.sampled_drone import (
+    ORDER,
+    ORDER_RING_SIZE,
+    carried_on,
+    gusted,
+    sampled_drone,
+)
 from housefly.lab.experiments.tracking_noise import FRAME, FRAMES, Camera, stream_begun
 from housefly.pilot.control.model import DroneState, drone_step, hover_tilt
 
@@ -28,7 +28,7 @@ def flown(case: np.ndarray, theta: list[float]) -> list[DroneState]:
         np.zeros(FRAMES, FRAME),
         np.zeros(1, np.uint64),
     )
-    air, stream, body = airframe_of(case), stream_begun(BLIND), DroneState(z=1.0)
+    air, stream, body = sampled_drone(case), stream_begun(BLIND), DroneState(z=1.0)
     bodies = [body]
     for tick, angle in enumerate(theta):
         orders[tick & (ORDER_RING_SIZE - 1)] = (1, angle, 0.0, 0.0, 0.0)
@@ -59,14 +59,14 @@ def test_a_flight_agrees_with_many_tiny_steps_of_the_live_model() -> None:
     for n in range(round(60 / 30.0 / dt)):
         sent = int(np.floor(((n + 0.5) * dt - 0.047) * 30.0))
         theta, phi = (asked[sent], 0.0) if sent >= 0 else hover_tilt(body, (0.0, 0.0), 0.21)
-        constants = airframe_of(case).constants
+        constants = sampled_drone(case).constants
         body = drone_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), constants, dt)
     assert tuple(flown(case, asked)[-1]) == pytest.approx(tuple(body), abs=1e-4)
 
 
 def test_its_own_hover_brakes_and_leans_against_the_wind() -> None:
     body, wind = DroneState(z=1.0, vx=0.6, vy=-0.3, psi=0.7), (0.3, -0.1)
-    constants = airframe_of(cases(Site(), 1)[0]).constants
+    constants = sampled_drone(cases(Site(), 1)[0]).constants
     for _ in range(800):
         theta, phi = hover_tilt(body, wind, 0.21)
         body = drone_step(body, theta, phi, 0.0, 0.0, wind, constants, 0.01)
@@ -74,7 +74,7 @@ def test_its_own_hover_brakes_and_leans_against_the_wind() -> None:
 
 
 def test_gusts_have_the_size_asked_and_last_about_a_second() -> None:
-    air, random = airframe_of(cases(Site(), 1, gust=0.2)[0]), np.zeros(1, np.uint64)
+    air, random = sampled_drone(cases(Site(), 1, gust=0.2)[0]), np.zeros(1, np.uint64)
     sown(random, 4)
     gust, pushes = (0.0, 0.0), []
     for _ in range(60_000):

@@ -1,0 +1,241 @@
+"""The constants of one model of drone, with where each comes from: ``airframes/<model>.toml``.
+
+What is one drone's and not ours stands there. A table of such a file gives a ``source`` for all of
+its numbers, or each number as ``{ value = ..., source = "..." }``; a number without one is refused.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, ValidationError
+
+from housefly.config.capabilities import Capabilities
+from housefly.config.section import Section, quantity
+from housefly.errors import ConfigError
+from housefly.geometry import stopping_distance
+
+FOLDER = Path(__file__).parent / "airframes"
+_SOURCED = {"value", "source"}
+
+
+class BodyConstants(Section):
+    """Mass and hull."""
+
+    mass: float = quantity(..., 0.01, 10.0, "kg", "as it flies, with hull and battery")
+    hull_length: float = quantity(..., 0.05, 2.0, "m", "longer side of the hull")
+    hull_width: float = quantity(..., 0.05, 2.0, "m", "shorter side of the hull")
+    hull_height: float = quantity(..., 0.02, 1.0, "m", "of the hull, planner space")
+    standing_height: float = quantity(
+        ..., 0.0, 1.0, "m", "height of its middle above the floor when it stands"
+    )
+
+
+class ResponseConstants(Section):
+    """How it follows what it is asked for; a site and a drone profile may know better."""
+
+    attitude_lag: float = quantity(
+        ..., 0.5, 50.0, "1/s", "lambda of paper eq. (22): pole of the attitude response"
+    )
+    attitude_gain: float = quantity(
+        ..., 0.2, 2.0, "1", "c / lambda of paper eq. (22): achieved over commanded angle"
+    )
+    drag: float = quantity(..., 0.0, 5.0, "1/s", "linear drag over mass")
+    command_delay: float = quantity(..., 0.0, 0.5, "s", "from command to first reaction")
+    climb_lag: float = quantity(..., 0.2, 50.0, "1/s", "pole of the climb rate response")
+    sink_gain: float = quantity(
+        ...,
+        0.5,
+        3.0,
+        "1",
+        "what the drone makes of a commanded sinking, over what was commanded; counts with"
+        " estimation.lift_wander",
+    )
+    yaw_lag: float = quantity(..., 0.2, 50.0, "1/s", "pole of the yaw rate response")
+
+
+class BrakeConstants(Section):
+    """How it is brought to rest when nobody else steers any more."""
+
+    gain: float = quantity(..., 0.1, 20.0, "1/s", "deceleration per speed, still well damped")
+    lead: float = quantity(
+        ..., 0.0, 2.0, "s", "the present attitude goes on accelerating for so long: delay and lag"
+    )
+    time_max: float = quantity(..., 0.0, 5.0, "s", "longest time before its own hover takes over")
+    rest_speed: float = quantity(
+        ..., 0.0, 1.0, "m/s", "slower than this, lead included, its own hover holds better"
+    )
+    attitude_lag: float = quantity(..., 0.01, 2.0, "s", "it leans as it was asked to this late")
+
+
+class BrakingConstants(Section):
+    """How it comes to rest in the pilot's hands."""
+
+    deceleration: float = quantity(
+        ..., 0.1, 20.0, "m/s^2", "how hard it can be counted on to brake"
+    )
+    reaction_time: float = quantity(
+        ..., 0.0, 2.0, "s", "from the cause, or the order, to braking: what distances allow for"
+    )
+    coast_time: float = quantity(
+        ..., 0.0, 5.0, "s", "told to stay, it comes to rest this far ahead at its speed"
+    )
+
+    def way_to_rest(self, speed: float) -> float:
+        """Return how far it flies on from a speed [m/s] when it is to stop [m]."""
+        return stopping_distance(speed, self.deceleration, self.reaction_time)
+
+
+class TakeOffConstants(Section):
+    """How its own take-off climbs, which nobody steers, and how one that is given up ends."""
+
+    climb_rate: float = quantity(..., 0.05, 5.0, "m/s", "usual")
+    climb_rate_min: float = quantity(..., 0.05, 5.0, "m/s", "the least to count on")
+    steerable_height: float = quantity(..., 0.1, 5.0, "m", "it can be steered from here on")
+    steerable_height_min: float = quantity(..., 0.1, 5.0, "m", "it may be from here on")
+    give_up_time: float = quantity(
+        ..., 0.0, 20.0, "s", "one that is given up stands again after this"
+    )
+    give_up_time_per_height: float = quantity(..., 0.0, 20.0, "s/m", "... and this for every metre")
+
+
+class LandingConstants(Section):
+    """How its own landing goes, which nobody steers."""
+
+    touchdown_time: float = quantity(
+        ..., 0.1, 30.0, "s", "from flight height no longer than this until it stands"
+    )
+    sink_rate: float = quantity(..., 0.05, 3.0, "m/s", "near the floor")
+    turn_time: float = quantity(
+        ..., 0.0, 5.0, "s", "out of a climb near the floor it still rises for so long ..."
+    )
+    turn_rise: float = quantity(..., 0.0, 2.0, "m", "... and so far ...")
+    turn_sink_rate: float = quantity(..., 0.05, 3.0, "m/s", "... and then sinks slowly")
+
+
+class BatteryConstants(Section):
+    """Its battery."""
+
+    endurance: float = quantity(..., 30.0, 7200.0, "s", "flight time of a full battery, as rated")
+
+
+class SonarConstants(Section):
+    """Its own measurement of the height above what is below."""
+
+    floor_reading_max: float = quantity(..., 0.0, 1.0, "m", "on the floor it tells less than this")
+    range_min: float = quantity(
+        ..., 0.0, 1.0, "m", "nothing nearer is measured: a lower height says that something is near"
+    )
+    beam_radius: float = quantity(
+        ..., 0.0, 2.0, "m", "it may find something so far around the drone's middle"
+    )
+    noise: float = quantity(..., 0.0, 0.5, "m", "a reading may be off by this")
+    ping_time: float = quantity(
+        ..., 0.001, 1.0, "s", "reports repeat what it measured last; it measures this often"
+    )
+    climb_rate_max: float = quantity(
+        ..., 0.1, 20.0, "m/s", "the drone climbs or sinks no faster: faster is the floor below"
+    )
+
+
+class LinkConstants(Section):
+    """When its driver sends commands."""
+
+    interval: float = quantity(..., 0.001, 1.0, "s", "time between commands that suits it")
+    interval_min: float = quantity(
+        ..., 0.0, 1.0, "s", "a setpoint leaves at once when the last command is this old"
+    )
+    repeat_after: float = quantity(
+        ..., 0.001, 1.0, "s", "the command in force is repeated when no new one came for so long"
+    )
+
+
+class Airframe(Section):
+    """One model of drone.
+
+    Attributes:
+        name: as its maker calls it.
+        capabilities: what it can do.
+        body, response, braking, brake, take_off, landing, battery, sonar, link: its constants.
+    """
+
+    name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
+    capabilities: Capabilities
+    body: BodyConstants
+    response: ResponseConstants
+    braking: BrakingConstants
+    brake: BrakeConstants
+    take_off: TakeOffConstants
+    landing: LandingConstants
+    battery: BatteryConstants
+    sonar: SonarConstants
+    link: LinkConstants
+
+
+def airframe_names() -> tuple[str, ...]:
+    """Return the models that are known, by the names of their files."""
+    return tuple(sorted(path.stem for path in FOLDER.glob("*.toml")))
+
+
+@lru_cache
+def airframe_named(model: str) -> Airframe:
+    """Return the airframe of a model; raises ConfigError as ``airframe_in`` does."""
+    return airframe_in(FOLDER / f"{model}.toml")
+
+
+def airframe_in(path: Path) -> Airframe:
+    """Read and check an airframe file.
+
+    Raises:
+        ConfigError: it cannot be read; a number has no source; or the key, its value, what is
+            allowed, and the unit.
+    """
+    try:
+        tree = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ConfigError("airframe", f"cannot be read: {error}", str(path)) from error
+    values = _sourced(tree, (), path, is_sourced=False)
+    try:
+        return Airframe.model_validate(values)
+    except ValidationError as error:
+        # not loaded where all is well: the driver's process is kept small
+        from housefly.config.validation import dotted, explain
+
+        first = error.errors()[0]
+        raise ConfigError(dotted(first["loc"]), explain(first, Airframe), str(path)) from error
+
+
+def _sourced(tree: dict[str, Any], at: tuple[str, ...], path: Path, *, is_sourced: bool) -> Any:
+    """Return a table without its sources, once each of its numbers has one."""
+    if tree.keys() == _SOURCED:
+        _check_source(tree["source"], at, path)
+        return tree["value"]
+    if "source" in tree:
+        _check_source(tree["source"], at, path)
+        is_sourced = True
+    values: dict[str, Any] = {}
+    for key, value in tree.items():
+        if key == "source":
+            continue
+        if isinstance(value, dict):
+            value = _sourced(value, (*at, key), path, is_sourced=is_sourced)
+        elif not is_sourced and isinstance(value, int | float):
+            raise ConfigError(
+                ".".join((*at, key)),
+                f'has no source; allowed: {{ value = {value}, source = "where it is from" }}, or'
+                " one source for its whole table",
+                str(path),
+            )
+        values[key] = value
+    return values
+
+
+def _check_source(source: Any, at: tuple[str, ...], path: Path) -> None:
+    if not isinstance(source, str) or not source.strip():
+        key = ".".join((*at, "source"))
+        raise ConfigError(
+            key, f"is {source!r}; allowed: words that say where it is from", str(path)
+        )
