@@ -19,5 +19,7 @@ ROOM_KEY_VARIABLE = "HOUSEFLY_ROOM_KEY"
 DRIVER_SOCKET_VARIABLE = "HOUSEFLY_DRIVER_SOCKET"
 """Unix socket on which the driver waits for its pilot."""
 
+TRACKING_SOCKET_VARIABLE = "HOUSEFLY_TRACKING_SOCKET"
+"""Unix socket on which the room's process tells pilots what is tracked."""
 RECORDING_VARIABLE = "HOUSEFLY_RECORDING"
 """Folder into which the whole run is recorded; not set when none is."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 import asyncio
 from pathlib import Path
 
+from housefly.bus.private_socket import check_private, is_own_user
 from housefly.clock import Clock
 from housefly.config.process_log import log_traceback
 from housefly.drones.ardrone.driver import ArDrone
@@ -22,7 +23,6 @@ from housefly.drones.driver_messages import (
     TimedCommand,
     encode_driver_message,
 )
-from housefly.drones.private_socket import check_private, is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
