@@ -50,10 +50,9 @@ def test_a_sighting_is_an_observation_in_unix_time() -> None:
 
 def test_tracked_furniture_is_called_by_its_id_and_other_bodies_by_their_names() -> None:
     facts = FlightFacts("ardrone", "vicon", {"Chair 3": "chair"})
-    sightings = [
-        Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95) for body in ("Chair 3", "somebody")
-    ]
-    assert [facts.seen(one, ZERO).thing for one in sightings] == ["chair", "somebody"]
+    for body, thing in (("Chair 3", "chair"), ("somebody", "somebody")):
+        seen = facts.seen(Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95), ZERO)
+        assert seen.thing == thing
 
 
 def test_the_pilots_own_belief_comes_ten_times_a_second_with_its_variance() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 SITE_VARIABLE = "HOUSEFLY_SITE"
 """Path of the checked site, as JSON."""
 BUS_VARIABLE = "HOUSEFLY_BUS"
-"""Zenoh endpoint on which the pilot listens."""
+"""Zenoh endpoint on which the room's process listens."""
 STOP_PORT_VARIABLE = "HOUSEFLY_STOP_PORT"
 """Loopback UDP port of the STOP path."""
 SECRET_VARIABLE = "HOUSEFLY_SECRET"
