@@ -1,4 +1,4 @@
-"""A pilot that is killed or stopped in flight, over real wires, scored on the truth."""
+"""Pilot, driver or room killed or stopped in flight, over real wires, scored on the truth."""
 
 from __future__ import annotations
 
@@ -74,7 +74,8 @@ async def started(tmp_path: Path, site_file: Path, stack: AsyncExitStack) -> Run
     loaded = open_site(read_site(str(site_file), hub__enabled=False))
     room = await stack.enter_async_context(RoomHere(loaded))
     runtime: Runtime = new_runtime(loaded.site, tmp_path)
-    processes = tuple(spec for spec in processes_of(runtime) if spec.name in ("pilot", "driver"))
+    names = ("room", "pilot", "driver")
+    processes = tuple(spec for spec in processes_of(runtime) if spec.name in names)
     launcher = Launcher(runtime, tmp_path, processes)
     await asyncio.to_thread(launcher.__enter__)
     stack.push_async_callback(asyncio.to_thread, launcher.stop)
@@ -126,6 +127,37 @@ async def test_a_pilot_stopped_in_cruise_and_back_after_the_landing_does_not_fly
         assert max(late) > 2.0, "the step was not told how late it is"
         assert run.room.world.onboard().flight is FlightState.LANDED
         assert run.room.way_since(rest) < 0.4
+
+
+async def test_a_room_that_stands_still_in_cruise_means_hover_then_landing(
+    tmp_path: Path, write_site: Any
+) -> None:
+    async with AsyncExitStack() as stack:
+        run = await started(tmp_path, write_site(), stack)
+        await run.cruise("entrance", 1.0)
+        run.kill("room", signal.SIGSTOP)
+        try:
+            assert await run.at_rest() < STOPPING_DISTANCE_MAX
+            rest = run.room.now
+            await run.landed()
+        finally:
+            run.kill("room", signal.SIGCONT)
+        assert run.room.way_since(rest) < 0.4
+        assert run.launcher.restarts("pilot") == 0
+
+
+@pytest.mark.interop
+async def test_a_room_killed_in_cruise_is_back_soon_and_the_drone_is_safe_meanwhile(
+    tmp_path: Path, write_site: Any
+) -> None:
+    async with AsyncExitStack() as stack:
+        run = await started(tmp_path, write_site(), stack)
+        await run.cruise("entrance", 1.0)
+        run.kill("room", signal.SIGKILL)
+        assert await run.at_rest() < STOPPING_DISTANCE_MAX
+        await run.room.until(lambda: run.launcher.restarts("room") == 1, 10.0)
+        await run.landed()
+        assert run.launcher.restarts("pilot") == 0
 
 
 @pytest.mark.interop

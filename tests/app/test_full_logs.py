@@ -79,7 +79,16 @@ def test_every_process_whose_log_takes_no_more_starts_and_stays(
         running_on_a_full_disk(runtime) as running,
         ZenohBus(connect=runtime.bus) as bus,
     ):
-        assert set(running) == {"pilot", "driver", "twin", "hub", "perception", "tasks", "web"}
+        assert set(running) == {
+            "room",
+            "pilot",
+            "driver",
+            "twin",
+            "hub",
+            "perception",
+            "tasks",
+            "web",
+        }
 
         def ended() -> list[str]:
             return [name for name, process in running.items() if process.poll() is not None]

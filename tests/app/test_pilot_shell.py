@@ -307,7 +307,7 @@ async def test_a_step_that_cannot_be_published_is_said_and_flown_all_the_same(
         assert room.world.onboard().flight.name == "LANDED"
 
 
-async def test_a_picture_frame_or_report_that_cannot_be_published_stops_nothing(
+async def test_a_picture_or_report_that_cannot_be_published_stops_nothing(
     write_site: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     loaded, clock, bus = open_site(read_site(str(write_site()))), RealClock(), LocalBus()
@@ -320,7 +320,6 @@ async def test_a_picture_frame_or_report_that_cannot_be_published_stops_nothing(
     monkeypatch.setattr(bus, "publish", refuse)
     for topic, hear in (
         (VIDEO_TOPIC, lambda: shell._on_video(VideoFrame(b"", True, 640, 360, 0, 1.0))),
-        (FRAME_TOPIC, lambda: shell._on_sightings(())),
         (LINK_TOPIC, shell._report),
     ):
         hear()

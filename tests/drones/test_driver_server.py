@@ -15,6 +15,7 @@ import pytest
 from full_disk import full_output
 from kinematic_world import KinematicWorld
 
+from housefly.bus.private_socket import is_own_user
 from housefly.clock import RealClock
 from housefly.config.airframe import airframe_named
 from housefly.config.drone import DroneConfig
@@ -24,7 +25,6 @@ from housefly.drones import remote_drone as remote_drone_module
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_messages import TimedCommand, encode_driver_message
 from housefly.drones.driver_server import DriverServer
-from housefly.drones.private_socket import is_own_user
 from housefly.drones.remote_drone import RemoteDrone
 from housefly.errors import LinkError
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, VideoFrame

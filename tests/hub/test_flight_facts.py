@@ -37,11 +37,9 @@ def told(facts: FlightFacts, *steps: PilotStep) -> list[Observation | RoomEvent]
     return [item for one in steps for item in facts.items_of(one, ZERO)]
 
 
-def test_every_sighting_is_an_observation_in_unix_time() -> None:
+def test_a_sighting_is_an_observation_in_unix_time() -> None:
     sighting = Sighting("ardrone", Pose((1.0, 2.0, 3.0)), 1.9, 1.95)
-    (seen,) = told(
-        FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=(sighting,))
-    )
+    seen = FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}).seen(sighting, ZERO)
     assert (seen.thing, seen.source, seen.captured_at, seen.position) == (
         "ardrone",
         "vicon",
@@ -51,11 +49,10 @@ def test_every_sighting_is_an_observation_in_unix_time() -> None:
 
 
 def test_tracked_furniture_is_called_by_its_id_and_other_bodies_by_their_names() -> None:
-    sightings = tuple(
-        Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95) for body in ("Chair 3", "somebody")
-    )
-    seen = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=sightings))
-    assert [observation.thing for observation in seen] == ["chair", "somebody"]
+    facts = FlightFacts("ardrone", "vicon", {"Chair 3": "chair"})
+    for body, thing in (("Chair 3", "chair"), ("somebody", "somebody")):
+        seen = facts.seen(Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95), ZERO)
+        assert seen.thing == thing
 
 
 def test_the_pilots_own_belief_comes_ten_times_a_second_with_its_variance() -> None:

@@ -9,17 +9,13 @@ from pathlib import Path
 import pytest
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import STEP_TOPIC
+from housefly.bus.topics import FRAME_TOPIC
 from housefly.config.furniture import FurnitureConfig
 from housefly.hub.hub import Hub
-from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
+from housefly.messages import Pose, Sighting, TrackedFrame
 from housefly.sites.loaded_site import read_site
 
 CHAIR = FurnitureConfig(name="chair", body="chair-3", length=0.5, width=0.5, top=0.9)
-
-
-def step(sequence: int, now: float, *sightings: Sighting) -> PilotStep:
-    return PilotStep(sequence, now, Inputs(sightings), Outputs(Command(Action.IDLE)))
 
 
 async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_around_it(
@@ -30,12 +26,11 @@ async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_aroun
     hub = Hub(site, tmp_path, bus.join())
     running = asyncio.create_task(hub.run())
     now = time.monotonic()
-    bus.publish(
-        STEP_TOPIC, step(1, now, Sighting("chair-3", Pose((6.0, 3.0, 0.4)), now - 0.01, now))
-    )
-    bus.publish(
-        STEP_TOPIC, step(2, now + 0.01, Sighting("someone", Pose((1.0, 1.0, 0.4)), now, now))
-    )
+    for sighting in (
+        Sighting("chair-3", Pose((6.0, 3.0, 0.4)), now - 0.01, now),
+        Sighting("someone", Pose((1.0, 1.0, 0.4)), now, now + 0.01),
+    ):
+        bus.publish(FRAME_TOPIC, TrackedFrame((sighting,)))
     async with asyncio.timeout(10.0):
         while not hub.status.obstacles():
             await asyncio.sleep(0.02)

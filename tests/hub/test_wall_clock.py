@@ -10,20 +10,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import STEP_TOPIC
+from housefly.bus.topics import FRAME_TOPIC
 from housefly.hub.api.questions import WhereQuestion
 from housefly.hub.hub import Hub
 from housefly.hub.wall_clock import WallClock
-from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
+from housefly.messages import Pose, Sighting, TrackedFrame
 from housefly.sites.loaded_site import read_site
 
 TWO_HOURS = 7200.0
 
 
-def step(number: int, height: float) -> PilotStep:
+def frame(height: float) -> TrackedFrame:
     now = time.monotonic()
-    seen = Sighting("ardrone", Pose((2.0, 1.0, height)), now, now)
-    return PilotStep(number, now, Inputs((seen,)), Outputs(Command(Action.IDLE)))
+    return TrackedFrame((Sighting("ardrone", Pose((2.0, 1.0, height)), now, now),))
 
 
 @pytest.mark.wire
@@ -31,10 +30,10 @@ def test_a_clock_set_back_does_not_freeze_where_things_are(tmp_path: Path) -> No
     bus = LocalBus()
     hub = Hub(read_site("bsen", hub__store=str(tmp_path / "room.db")), tmp_path, bus.join())
     try:
-        bus.publish(STEP_TOPIC, step(1, 1.14))
+        bus.publish(FRAME_TOPIC, frame(1.14))
         hub.clock._wall = lambda: time.time() - TWO_HOURS
         time.sleep(0.01)
-        bus.publish(STEP_TOPIC, step(2, 0.05))
+        bus.publish(FRAME_TOPIC, frame(0.05))
         found = hub._queries.answer(WhereQuestion("ardrone"))
         assert found.position[2] == pytest.approx(0.05)  # type: ignore[union-attr, index]
         problems = [sensor.problem for sensor in hub.status.sensors().sensors]
@@ -48,12 +47,12 @@ def test_a_memory_from_the_future_does_not_freeze_it_either(tmp_path: Path) -> N
     site = read_site("bsen", hub__store=str(tmp_path / "room.db"))
     first = Hub(site, tmp_path, (bus := LocalBus()))
     first.clock._wall = lambda: time.time() + TWO_HOURS
-    bus.publish(STEP_TOPIC, step(1, 1.14))
+    bus.publish(FRAME_TOPIC, frame(1.14))
     first.memory.flush()
     first.close()
     second = Hub(site, tmp_path, (bus := LocalBus()))
     try:
-        bus.publish(STEP_TOPIC, step(1, 0.05))
+        bus.publish(FRAME_TOPIC, frame(0.05))
         found = second._queries.answer(WhereQuestion("ardrone"))
         assert found.position[2] == pytest.approx(0.05)  # type: ignore[union-attr, index]
     finally:

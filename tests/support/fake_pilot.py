@@ -20,6 +20,7 @@ from fake_room import EXAMPLE_CHECKS, FAKE_PILOT_SPEED, example_room, plan_on
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import (
+    FRAME_TOPIC,
     LINK_TOPIC,
     ORDER_TOPIC,
     PLAN_QUERY,
@@ -54,6 +55,7 @@ from housefly.messages import (
     Severity,
     Sighting,
     Telemetry,
+    TrackedFrame,
 )
 from housefly.web.server import create_app
 
@@ -151,6 +153,7 @@ class FakePilot:
             step = self._step()
             self._events.clear()
         if self.publishing:
+            self.bus.publish(FRAME_TOPIC, TrackedFrame(step.inputs.sightings))
             self.bus.publish(STEP_TOPIC, step)
 
     def add_event(self, severity: Severity, code: str, text: str) -> None:

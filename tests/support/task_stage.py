@@ -33,6 +33,7 @@ from housefly.messages import (
     PilotStep,
     RoomEvent,
     Telemetry,
+    TrackedFrame,
 )
 from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
@@ -146,7 +147,7 @@ class TaskStage:
 
     def heard(self, step: PilotStep) -> None:
         self.parts.inbox.add(step)
-        self.live.heard_step(step)
+        self.live.heard_frame(TrackedFrame(step.inputs.sightings))
 
     def fly(self, until: Callable[[], bool], limit: float = 150.0) -> bool:
         """Fly the true pilot in the twin until something holds; return whether it does."""

@@ -5,15 +5,11 @@ from __future__ import annotations
 import pytest
 
 from housefly.messages import (
-    Action,
-    Command,
-    Inputs,
     Obstacle,
     ObstacleKind,
-    Outputs,
-    PilotStep,
     Pose,
     Sighting,
+    TrackedFrame,
 )
 from housefly.sites.loaded_site import load_site
 from housefly.tasks.live_obstacles import LiveObstacles
@@ -21,9 +17,8 @@ from housefly.tasks.live_obstacles import LiveObstacles
 LOADED = load_site("bsen", people__bodies=("guest",))
 
 
-def seen(body: str, x: float, at: float) -> PilotStep:
-    sighting = Sighting(body, Pose((x, 1.0, 1.6)), at, at)
-    return PilotStep(round(100 * at), at, Inputs((sighting,)), Outputs(Command(Action.IDLE)))
+def seen(body: str, x: float, at: float) -> TrackedFrame:
+    return TrackedFrame((Sighting(body, Pose((x, 1.0, 1.6)), at, at),))
 
 
 @pytest.fixture
@@ -33,7 +28,7 @@ def live() -> LiveObstacles:
 
 def test_a_tracked_person_has_a_name_a_place_and_a_velocity(live: LiveObstacles) -> None:
     for number in range(101):
-        live.heard_step(seen("guest", 2.0 + 0.01 * number, 0.01 * number))
+        live.heard_frame(seen("guest", 2.0 + 0.01 * number, 0.01 * number))
     (guest,) = live.people(1.0)
     assert (guest.id, guest.position) == ("guest", (3.0, 1.0, 1.6))
     assert guest.velocity == pytest.approx((1.0, 0.0), abs=0.05)
@@ -41,13 +36,13 @@ def test_a_tracked_person_has_a_name_a_place_and_a_velocity(live: LiveObstacles)
 
 
 def test_a_body_that_is_taken_for_another_has_no_velocity(live: LiveObstacles) -> None:
-    live.heard_step(seen("guest", 2.0, 0.0))
-    live.heard_step(seen("guest", 9.0, 0.4))
+    live.heard_frame(seen("guest", 2.0, 0.0))
+    live.heard_frame(seen("guest", 9.0, 0.4))
     assert live.people(0.4)[0].velocity == (0.0, 0.0)
 
 
 def test_a_person_whom_a_scanner_sees_too_is_one_person(live: LiveObstacles) -> None:
-    live.heard_step(seen("guest", 2.0, 0.0))
+    live.heard_frame(seen("guest", 2.0, 0.0))
     for name, x in (("1", 2.2), ("2", 6.0)):
         live.heard_obstacle(
             Obstacle(name, (x, 1.0), 0.3, source="laser", kind=ObstacleKind.PERSON, seen_at=0.0)

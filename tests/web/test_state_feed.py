@@ -7,7 +7,7 @@ from fake_pilot import FakePilot
 from fake_room import example_room
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import SteppedClock
 from housefly.config.furniture import FurnitureConfig
 from housefly.messages import (
@@ -21,6 +21,7 @@ from housefly.messages import (
     Pose,
     Severity,
     Sighting,
+    TrackedFrame,
     TrajectoryPoint,
 )
 from housefly.web.state_feed import StateFeed
@@ -113,10 +114,8 @@ def test_other_bodies_are_shown_until_they_are_not_seen_any_more(listening: List
     pilot.advance(0.01)
     state = feed.state(0.0)
     assert state is not None and [body.name for body in state.others] == ["visitor"]
-    step = feed.step
-    assert step is not None
     clock.advance(3.0)
-    bus.publish(STEP_TOPIC, replace(step, sequence=99, inputs=replace(step.inputs, sightings=())))
+    bus.publish(FRAME_TOPIC, TrackedFrame(()))
     state = feed.state(0.0)
     assert state is not None and state.others == ()
 
@@ -128,14 +127,11 @@ def test_bodies_under_ever_new_names_take_the_place_of_none_that_is_still_seen(
     sofa = FurnitureConfig(name="the sofa", body="Sofa", model="sofa", length=2.4, width=0.9)
     feed.furniture = (sofa,)
     pilot.advance(0.01)
-    step = feed.step
-    assert step is not None
     pose = Pose((2.0, 1.0, 0.5))
     for turn in range(20):
         names = ["visitor", *(["Sofa"] if turn == 0 else []), *(f"{turn}.{n}" for n in range(100))]
         seen = tuple(Sighting(name, pose, clock.now(), clock.now()) for name in names)
-        step = replace(step, sequence=100 + turn, inputs=replace(step.inputs, sightings=seen))
-        bus.publish(STEP_TOPIC, step)
+        bus.publish(FRAME_TOPIC, TrackedFrame(seen))
         clock.advance(0.1)
     assert len(feed._others) == 256
     state = feed.state(0.0)
@@ -158,12 +154,9 @@ def test_furniture_is_shown_as_it_lies_for_as_long_as_the_pilot_remembers_it(
     sofa = FurnitureConfig(name="the sofa", body="Sofa", model="sofa", length=2.4, width=0.9)
     feed.furniture = (cart, sofa)
     pilot.advance(0.01)
-    step = feed.step
-    assert step is not None
-    seen = tuple(
-        Sighting(body, Pose((2.0, 1.0, 0.5)), step.now, step.now) for body in ("Cart", "Sofa")
-    )
-    bus.publish(STEP_TOPIC, replace(step, sequence=99, inputs=replace(step.inputs, sightings=seen)))
+    now = clock.now()
+    seen = tuple(Sighting(body, Pose((2.0, 1.0, 0.5)), now, now) for body in ("Cart", "Sofa"))
+    bus.publish(FRAME_TOPIC, TrackedFrame(seen))
     shown: list[list[str]] = []
     for _ in range(2):
         state = feed.state(0.0)

@@ -1,7 +1,7 @@
 """Starts the processes of one site, restarts those that die, and lands the drone before it ends.
 
+room        the bus, and the tracking system; as urgent as the pilot
 pilot       the only one that must be on time; the others run at lower priority
-observer    hears tracking in a room without a drone, where there is neither pilot nor driver
 driver      the drone's wires and the watchdog over the pilot; the last to leave
 twin        the simulated drone and cameras, nearly as urgent; absent with real hardware
 hub         the room's memory
@@ -78,11 +78,9 @@ def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[P
     """
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
-    processes = (
-        [ProcessSpec("pilot", "housefly.app.pilot_main", lands=True), DRIVER_PROCESS]
-        if site.drone.enabled
-        else [ProcessSpec("observer", "housefly.app.observer_main")]
-    )
+    processes = [ProcessSpec("room", "housefly.app.room_main")]
+    if site.drone.enabled:
+        processes += [ProcessSpec("pilot", "housefly.app.pilot_main", lands=True), DRIVER_PROCESS]
     if site.mqtt.broker and site.mqtt.start:
         processes.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:

@@ -47,6 +47,7 @@ def new_runtime(site: Site, folder: Path, *, web: bool = False) -> Runtime:
         token=secrets.token_urlsafe(16),
         room_socket=sockets / "room",
         driver_socket=sockets / "driver",
+        tracking_socket=sockets / "tracking",
         room_key=api_key(secret),
         held_port=held,
         console_port=console,

@@ -18,7 +18,7 @@ from housefly.config.process_log import log_line
 from housefly.drones.remote_drone import RemoteDrone
 from housefly.pilot.assembly import warm_up
 from housefly.sites.loaded_site import LoadedSite, open_site
-from housefly.tracking.trackers import tracker_of
+from housefly.tracking.remote_tracker import RemoteTracker
 
 
 def main() -> None:
@@ -35,11 +35,12 @@ def main() -> None:
 
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     site, clock = loaded.site, RealClock()
-    with ZenohBus(listen=runtime.bus) as bus:
+    with ZenohBus(connect=runtime.bus) as bus:
         drone = RemoteDrone(runtime.driver_socket, clock)
         origin = OriginMemory(site, runtime.driver_socket.parent)
-        shell = PilotShell(loaded, bus, tracker_of(site.tracking, clock), drone, origin=origin)
-        # Who listens on the bus is the only pilot, so nobody shares the port but the launcher.
+        tracker = RemoteTracker(runtime.tracking_socket)
+        shell = PilotShell(loaded, bus, tracker, drone, origin=origin)
+        # The launcher starts no pilot before the last one is gone, so it alone shares the port.
         where = ("127.0.0.1", runtime.stop_port)
         stop = StopListener(*where, runtime.secret, shell.stop, is_held=True)
         await stop.start()

@@ -1,7 +1,6 @@
 """The pilot's shell: wires on both sides of the pure step, and a clock.
 
     tracker ──sightings──►            ──command──► drone
-       └─────frames──────────────────────────────► bus
                           pilot.step
     orders, STOP ────────►            ──step─────► bus (whoever listens)
     obstacles ───────────►
@@ -34,7 +33,6 @@ from housefly.app.stand_down import StandDown
 from housefly.bus.bus import Bus
 from housefly.bus.rate import Rate
 from housefly.bus.topics import (
-    FRAME_TOPIC,
     LINK_TOPIC,
     OBSTACLE_TOPIC,
     ORDER_TOPIC,
@@ -61,7 +59,6 @@ from housefly.messages import (
     SafetyMode,
     Severity,
     Sighting,
-    TrackedFrame,
     VideoFrame,
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
@@ -265,7 +262,6 @@ class PilotShell:
         for sighting in sightings:
             if sighting.body == self._body:
                 self._tracking.add(sighting.received_at)
-        self._publisher.publish(FRAME_TOPIC, TrackedFrame(sightings))
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._video.add(frame.received_at)

@@ -1,4 +1,4 @@
-"""The priority of the process that flies the drone."""
+"""The priority of the processes that see and fly the drone."""
 
 from __future__ import annotations
 

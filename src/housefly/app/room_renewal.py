@@ -26,7 +26,7 @@ from housefly.sites.loaded_site import open_site, with_newest_edits
 
 _LOG = logging.getLogger(__name__)
 
-ROOM_READERS = ("pilot", "observer", "hub", "perception", "tasks")
+ROOM_READERS = ("pilot", "hub", "perception", "tasks")
 """They keep places, zones or the map; in this order they start again. The room's own solids, which
 the twin has, and what the console shows, which the pilot tells, are not among them."""
 _ANSWER_PAUSE = 0.5
@@ -91,7 +91,9 @@ class RoomRenewal:
         def begin() -> bool:
             return self._swap(staged, path, deadline)
 
-        self._launcher.renew(ROOM_READERS, _ANSWER_PAUSE, begin)
+        # Without a pilot it is the room's process that tells what the room is like.
+        first = () if self._launcher.runtime.site().drone.enabled else ("room",)
+        self._launcher.renew((*first, *ROOM_READERS), _ANSWER_PAUSE, begin)
 
     def _pilots_objection(self) -> str:
         try:

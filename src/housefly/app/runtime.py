@@ -21,6 +21,7 @@ from housefly.config.environment import (
     SITE_VARIABLE,
     STOP_PORT_VARIABLE,
     TOKEN_VARIABLE,
+    TRACKING_SOCKET_VARIABLE,
 )
 from housefly.errors import ConfigError
 
@@ -35,12 +36,13 @@ class Runtime:
 
     Attributes:
         site_file: the checked site with all changes applied, as JSON.
-        bus: zenoh endpoint on which the pilot listens.
+        bus: zenoh endpoint on which the room's process listens.
         stop_port: loopback UDP port of the STOP path.
         secret: key of the STOP path.
         token: one-time token of the console's address.
         room_socket: Unix socket on which the hub answers programs of this user.
         driver_socket: Unix socket on which the driver waits for its pilot.
+        tracking_socket: Unix socket on which the room's process tells pilots what is tracked.
         room_key: with which programs of this user ask the room.
         recording: folder into which the whole run is recorded, or None.
         held_port: keeps other users from the port of STOP; only with whoever started the run.
@@ -54,6 +56,7 @@ class Runtime:
     token: str
     room_socket: Path
     driver_socket: Path
+    tracking_socket: Path
     room_key: str
     recording: Path | None = None
     held_port: StopPort | None = field(default=None, compare=False, repr=False)
@@ -73,6 +76,7 @@ class Runtime:
             SECRET_VARIABLE: self.secret,
             TOKEN_VARIABLE: self.token,
             DRIVER_SOCKET_VARIABLE: str(self.driver_socket),
+            TRACKING_SOCKET_VARIABLE: str(self.tracking_socket),
         }
         room = {ROOM_SOCKET_VARIABLE: str(self.room_socket), ROOM_KEY_VARIABLE: self.room_key}
         recording = {RECORDING_VARIABLE: str(self.recording.absolute())} if self.recording else {}
@@ -101,6 +105,7 @@ def runtime_from_environment() -> Runtime:
             os.environ[TOKEN_VARIABLE],
             room_socket,
             Path(os.environ[DRIVER_SOCKET_VARIABLE]),
+            Path(os.environ[TRACKING_SOCKET_VARIABLE]),
             os.environ[ROOM_KEY_VARIABLE],
             Path(recording) if (recording := os.environ.get(RECORDING_VARIABLE)) else None,
         )

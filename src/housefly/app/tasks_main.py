@@ -122,9 +122,8 @@ class TasksProcess:
         """Run until cancelled; then what flies is sent home."""
         bus = self._bus
         subscriptions = (
-            bus.subscribe(STEP_TOPIC, self._on_step)
-            if self._parts.has_drone
-            else bus.subscribe(FRAME_TOPIC, self._live.heard_frame),
+            bus.subscribe(FRAME_TOPIC, self._live.heard_frame),
+            bus.subscribe(STEP_TOPIC, self._on_step),
             bus.subscribe(VIDEO_TOPIC, self._on_video),
             bus.subscribe(OBSTACLE_TOPIC, self._live.heard_obstacle),
             bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
@@ -158,7 +157,6 @@ class TasksProcess:
 
     def _on_step(self, step: PilotStep) -> None:
         self._parts.inbox.add(step)
-        self._live.heard_step(step)
 
     def _on_video(self, frame: VideoFrame) -> None:
         step = self._parts.inbox.newest

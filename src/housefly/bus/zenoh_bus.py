@@ -2,7 +2,7 @@
 
 The socket lies in a folder that only its user may enter, so the kernel asks who you are.
 
-One process listens (the pilot), the others connect to it and keep trying; there is no scouting
+One process listens (the room's), the others connect to it and keep trying; there is no scouting
 and no other endpoint. A process may die and come back without a restart of the others.
 """
 

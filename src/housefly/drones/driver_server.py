@@ -12,6 +12,7 @@ import asyncio
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from housefly.bus.private_socket import check_private, is_own_user
 from housefly.clock import Clock
 from housefly.config.process_log import log_traceback
 from housefly.drones.driver_messages import (
@@ -23,7 +24,6 @@ from housefly.drones.driver_messages import (
     encode_driver_message,
 )
 from housefly.drones.failsafe import LAND_AFTER
-from housefly.drones.private_socket import check_private, is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES

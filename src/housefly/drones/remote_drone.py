@@ -11,6 +11,7 @@ import contextlib
 from collections.abc import Callable
 from pathlib import Path
 
+from housefly.bus.private_socket import is_own_user
 from housefly.clock import Clock, RealClock
 from housefly.config.capabilities import Capabilities
 from housefly.drones.driver_messages import (
@@ -20,7 +21,6 @@ from housefly.drones.driver_messages import (
     TimedCommand,
     encode_driver_message,
 )
-from housefly.drones.private_socket import is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import Command, KnownMotion, Telemetry, VideoFrame
 from housefly.messages.sensing import REPORT_AGE_MAX

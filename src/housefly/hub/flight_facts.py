@@ -36,8 +36,6 @@ class FlightFacts:
             step: of the pilot.
             unix: Unix time at which the pilot's clock was zero [s].
         """
-        for sighting in step.inputs.sightings:
-            yield self.seen(sighting, unix)
         estimate = step.outputs.estimate
         if estimate is not None and step.sequence % 10 == 0:
             yield self._estimated(estimate, unix)

@@ -84,10 +84,8 @@ class Hub:
         self._change_feed = ChangeFeed(self.memory, self.status, self.clock.now)
         self._bus = bus
         self._subscriptions = (
-            # A pilot's step carries what tracking sees; where there is none, its frames do.
-            bus.subscribe(STEP_TOPIC, self._step)
-            if site.drone.enabled
-            else bus.subscribe(FRAME_TOPIC, self._frame),
+            bus.subscribe(FRAME_TOPIC, self._frame),
+            bus.subscribe(STEP_TOPIC, self._step),
             bus.subscribe(OBSTACLE_TOPIC, self._obstacles.update),
             bus.subscribe(SENSOR_TOPIC, self._sensor_status.update),
             bus.subscribe(ROOM_EVENT_TOPIC, self._told),
@@ -118,8 +116,6 @@ class Hub:
 
     def _step(self, step: PilotStep) -> None:
         self._pilot.update(step)
-        for obstacle in self._furniture.step(step.inputs.sightings, step.now):
-            self._obstacles.update(obstacle)
         for item in self._facts.items_of(step, self.clock.offset()):
             self.memory.add(item)
 

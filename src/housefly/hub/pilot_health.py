@@ -16,19 +16,18 @@ _SILENT_AFTER = 1.0
 
 
 class PilotHealth:
-    """Measures rates and ages from the pilot's steps; thread-safe.
+    """Measures rates and ages from tracking's frames and the pilot's steps; thread-safe.
 
     Args:
         tracking: id of the tracking system; "" where there is none.
         clock: the monotonic clock of the pilot's stamps.
-        has_drone: whether there is a pilot with its drone, or an observer alone.
+        has_drone: whether there is a pilot with its drone, or none.
     """
 
     def __init__(self, tracking: str, clock: Clock, *, has_drone: bool = True) -> None:
         self._tracking, self._clock, self._has_drone = tracking, clock, has_drone
         self._lock = threading.Lock()
         self._steps, self._frames, self._reports = MessageRate(), MessageRate(), MessageRate()
-        self._captured = self._received = -inf
         self._telemetry_at = -inf
 
     def update(self, step: PilotStep) -> None:
@@ -36,21 +35,14 @@ class PilotHealth:
         telemetry = step.inputs.telemetry
         with self._lock:
             self._steps.add(self._clock.now())
-            self._note_frame(step.inputs.sightings)
             if telemetry is not None and telemetry.received_at > self._telemetry_at:
                 self._telemetry_at = telemetry.received_at
                 self._reports.add(telemetry.received_at)
 
     def update_frame(self, sightings: tuple[Sighting, ...]) -> None:
-        """Add a frame of tracking that no pilot's step carries; it may show no body."""
+        """Add a frame of tracking; it may show no body."""
         with self._lock:
             self._frames.add(max((one.received_at for one in sightings), default=self._clock.now()))
-
-    def _note_frame(self, sightings: tuple[Sighting, ...]) -> None:
-        for sighting in sightings:
-            if sighting.captured_at > self._captured:
-                self._captured, self._received = sighting.captured_at, sighting.received_at
-                self._frames.add(sighting.received_at)
 
     def health(self) -> tuple[SensorHealth, ...]:
         """Return the health of tracking and drone, as far as there are any."""

@@ -6,7 +6,7 @@ import threading
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, Vec3, distance
-from housefly.messages import Obstacle, PilotStep, Sighting, TrackedFrame
+from housefly.messages import Obstacle, Sighting, TrackedFrame
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.people import may_be_person
 from housefly.room.model import Room
@@ -38,17 +38,12 @@ class LiveObstacles:
         self._obstacles: dict[tuple[str, str], Obstacle] = {}
         self._persons: dict[str, _Track] = {}
 
-    def heard_step(self, step: PilotStep) -> None:
-        """Take in what tracking saw."""
-        self._heard(step.inputs.sightings, step.now)
-
     def heard_frame(self, frame: TrackedFrame) -> None:
-        """Take in what tracking saw, where no pilot's step carries it."""
-        now = max((one.received_at for one in frame.sightings), default=0.0)
-        self._heard(frame.sightings, now)
-
-    def _heard(self, sightings: tuple[Sighting, ...], now: float) -> None:
-        found = self._furniture.step(sightings, now)
+        """Take in what tracking saw."""
+        sightings = frame.sightings
+        found = self._furniture.step(
+            sightings, max((one.received_at for one in sightings), default=0.0)
+        )
         with self._lock:
             for obstacle in found:
                 self._obstacles[obstacle.source, obstacle.id] = obstacle

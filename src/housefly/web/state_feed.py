@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from math import dist, hypot, inf
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import Clock
 from housefly.config.airframe import Airframe
 from housefly.config.drone import DroneConfig
@@ -22,6 +22,7 @@ from housefly.messages import (
     PlannedTrajectory,
     Severity,
     Sighting,
+    TrackedFrame,
     TrajectoryPoint,
 )
 from housefly.room.tracked import footprint_of
@@ -90,6 +91,7 @@ class StateFeed:
 
     def listen(self, bus: Bus) -> None:
         """Subscribe to the pilot; the bus closes the subscriptions."""
+        bus.subscribe(FRAME_TOPIC, self._on_frame)
         bus.subscribe(STEP_TOPIC, self._on_step)
         bus.subscribe(LINK_TOPIC, self._on_link)
         bus.subscribe(TRAJECTORY_TOPIC, self._on_trajectory)
@@ -214,6 +216,10 @@ class StateFeed:
             OtherBody(sighting.body, sighting.pose.position[:2]), now + _BODY_TIMEOUT
         )
 
+    def _on_frame(self, frame: TrackedFrame) -> None:
+        with self._lock:
+            self._see(frame.sightings, self.clock.now())
+
     def _on_step(self, step: PilotStep) -> None:
         now = self.clock.now()
         with self._lock:
@@ -230,7 +236,6 @@ class StateFeed:
             self._hand_motion = hand_motion_words(self._hand_motion, step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
-            self._see(step.inputs.sightings, now)
             if step.outputs.path != self._path:
                 self._path, self._path_number = step.outputs.path, self._path_number + 1
             estimate = step.outputs.estimate

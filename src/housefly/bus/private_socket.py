@@ -24,5 +24,5 @@ def check_private(folder: Path) -> None:
     status = folder.stat()
     if status.st_uid != os.geteuid() or status.st_mode & 0o077:
         raise LinkError(
-            f"{folder} must belong to you alone (mode 0700): pilot and driver meet there"
+            f"{folder} must belong to you alone (mode 0700): the processes of a run meet there"
         )

@@ -1,7 +1,8 @@
-"""The observer: tracking for a room without a drone; ``python -m housefly.app.observer_main``.
+"""The room: its bus and its tracking system; ``python -m housefly.app.room_main``.
 
-It stands where the pilot stands elsewhere: it listens on the bus, which all others join, hears the
-tracking system and tells where the bodies are. It orders nothing, for nothing flies.
+It listens on the bus, which all others join, hears the tracking system and tells where the bodies
+are: everybody on the bus, and pilots on a socket of their own. A pilot that dies blinds nobody.
+Where there is no drone it stands for the pilot, too; it orders nothing.
 """
 
 from __future__ import annotations
@@ -9,10 +10,13 @@ from __future__ import annotations
 import asyncio
 import gc
 import signal
+from collections.abc import Coroutine
 from contextlib import suppress
+from pathlib import Path
 
 from housefly.app.loop_health import Frequency
 from housefly.app.machine_load import machine_load
+from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
@@ -26,7 +30,8 @@ from housefly.bus.topics import (
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
-from housefly.config.process_log import log_line
+from housefly.config.process_log import log_line, log_traceback
+from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import to_json
 from housefly.messages import LinkStatus, PlanAnswer, Sighting, TrackedFrame
@@ -34,24 +39,64 @@ from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.document.open_library import NO_DRONE
 from housefly.tracking.contracts import Tracker
 from housefly.tracking.trackers import tracker_of
+from housefly.tracking.tracking_server import TrackingServer
 
 _LINK_PERIOD = 0.5
 """How often the health of tracking is published [s]."""
 
 
-class RoomObserver:
-    """Tells what tracking sees, and answers what is asked of the room; nothing flies.
+class RoomTracking:
+    """Hears the tracking system and tells where the bodies are.
+
+    Args:
+        tracker: of the tracking system.
+        bus: of the run.
+        socket: where pilots are told.
+        clock: of all stamps.
+
+    Attributes:
+        frames: how often one came.
+    """
+
+    def __init__(self, tracker: Tracker, bus: Bus, socket: Path, clock: Clock) -> None:
+        self.frames = Frequency()
+        self._tracker, self._bus, self._clock = tracker, bus, clock
+        self._server = TrackingServer(tracker, socket)
+
+    async def run(self) -> None:
+        """Run until cancelled."""
+        await asyncio.gather(self._server.run(), self._tracker.run(self._on_sightings))
+
+    def _on_sightings(self, sightings: tuple[Sighting, ...]) -> None:
+        self._server.send_sightings(sightings)  # pilots before all others
+        self.frames.add(self._clock.now())
+        try:
+            self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
+        except HouseflyError:
+            log_traceback()
+
+
+class DronelessPilot:
+    """Stands for the pilot where nothing flies: tells how tracking is, and answers for the room.
 
     Args:
         loaded: the site.
         bus: of the run.
         tracker: of the tracking system; None where there is none.
+        frames: how often one came.
         clock: of all stamps.
     """
 
-    def __init__(self, loaded: LoadedSite, bus: Bus, tracker: Tracker | None, clock: Clock) -> None:
+    def __init__(
+        self,
+        loaded: LoadedSite,
+        bus: Bus,
+        tracker: Tracker | None,
+        frames: Frequency,
+        clock: Clock,
+    ) -> None:
         self._tracker, self._clock = tracker, clock
-        self._frames, self._late = Frequency(), 0.0
+        self._frames, self._late = frames, 0.0
         self._bus = bus
         room, home = to_json(room_view(loaded)), loaded.room.home
         refused = to_json(PlanAnswer(home, home, None, NO_DRONE))
@@ -65,25 +110,15 @@ class RoomObserver:
 
     async def run(self) -> None:
         """Run until cancelled."""
-        work = [self._report()]
-        if self._tracker is not None:
-            work.append(self._tracker.run(self._on_sightings))
         try:
-            await asyncio.gather(*work)
+            while True:
+                self._bus.publish(LINK_TOPIC, self._link_status())
+                due = self._clock.now() + _LINK_PERIOD
+                await asyncio.sleep(_LINK_PERIOD)
+                self._late = self._clock.now() - due
         finally:
             for answering in self._answering:
                 answering.close()
-
-    def _on_sightings(self, sightings: tuple[Sighting, ...]) -> None:
-        self._frames.add(self._clock.now())
-        self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
-
-    async def _report(self) -> None:
-        while True:
-            self._bus.publish(LINK_TOPIC, self._link_status())
-            due = self._clock.now() + _LINK_PERIOD
-            await asyncio.sleep(_LINK_PERIOD)
-            self._late = self._clock.now() - due
 
     def _link_status(self) -> LinkStatus:
         now, tracker = self._clock.now(), self._tracker
@@ -102,11 +137,17 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     site, clock = loaded.site, RealClock()
     tracker = tracker_of(site.tracking, clock) if site.tracking.enabled else None
     with ZenohBus(listen=runtime.bus) as bus:
-        running = asyncio.create_task(RoomObserver(loaded, bus, tracker, clock).run())
+        work, frames = list[Coroutine[None, None, None]](), Frequency()
+        if tracker is not None:
+            tracking = RoomTracking(tracker, bus, runtime.tracking_socket, clock)
+            work, frames = [tracking.run()], tracking.frames
+        if not site.drone.enabled:
+            work.append(DronelessPilot(loaded, bus, tracker, frames, clock).run())
+        running = asyncio.gather(*work)
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, running.cancel)
-        log_line("observer ready")
+        log_line("room ready")
         with suppress(asyncio.CancelledError):
             await running
 
@@ -115,6 +156,7 @@ def main() -> None:
     """Run until SIGINT or SIGTERM."""
     runtime = runtime_from_environment()
     loaded = open_site(runtime.site())
+    raise_priority()
     gc.collect()
     gc.freeze()
     asyncio.run(_run(runtime, loaded))

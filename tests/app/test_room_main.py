@@ -1,4 +1,4 @@
-"""A room without a drone: the observer stands for pilot and driver, and nothing flies."""
+"""The room's process: what it tells of tracking, also where there is no drone."""
 
 from __future__ import annotations
 
@@ -14,20 +14,21 @@ from housefly.app.commands.shared import require_drone
 from housefly.app.doctor import check_machine
 from housefly.app.launcher import processes_of
 from housefly.app.new_runtime import new_runtime
-from housefly.app.observer_main import RoomObserver
 from housefly.app.ports import port_needs
 from housefly.app.readiness import Readiness
+from housefly.app.room_main import DronelessPilot, RoomTracking
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY, STAND_DOWN_QUERY
 from housefly.clock import RealClock
 from housefly.config.site import Site, changed
-from housefly.errors import ConfigError, ThingError
+from housefly.errors import ConfigError, LinkError, ThingError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.hub.hub import Hub
 from housefly.messages import PlanAnswer, Pose, Sighting
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.tracking.contracts import SightingSink
+from housefly.tracking.remote_tracker import RemoteTracker
 from housefly.twin.lively import lively_site
 
 
@@ -59,13 +60,15 @@ async def test_what_tracking_sees_is_remembered_and_the_room_is_told(tmp_path: P
     hub = Hub(loaded.site, tmp_path, bus)
     ready = Readiness(loaded.site, bus, web=False, video=loaded.site.has_picture)
     assert ready.wait(0.0).startswith("waiting for tracking")
-    observer = RoomObserver(loaded, bus, OneBody(), RealClock())
-    running = asyncio.create_task(observer.run())
+    tracker, clock = OneBody(), RealClock()
+    tracking = RoomTracking(tracker, bus, tmp_path / "tracking", clock)
+    nobody = DronelessPilot(loaded, bus, tracker, tracking.frames, clock)
+    running = asyncio.gather(tracking.run(), nobody.run())
     try:
         await until(lambda: hub.memory.world.where("visitor").position is not None)
         assert ready.wait(0.0) == ""
-        (tracking,) = hub.status.sensors().sensors
-        assert (tracking.kind, tracking.connected) == ("mocap", True)
+        (mocap,) = hub.status.sensors().sensors
+        assert (mocap.kind, mocap.connected) == ("mocap", True)
         with pytest.raises(ThingError):
             hub.memory.world.thing("the drone")
         assert from_json(RoomView, bus.ask(ROOM_QUERY, "")).site == "B-sen"
@@ -79,10 +82,39 @@ async def test_what_tracking_sees_is_remembered_and_the_room_is_told(tmp_path: P
         hub.close()
 
 
+async def test_a_pilot_hears_each_frame_also_when_the_bus_takes_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bus, clock, heard = LocalBus(), RealClock(), list[Sighting]()
+
+    def refuse(topic: object, message: object) -> None:
+        raise LinkError("the bus is gone")
+
+    monkeypatch.setattr(bus, "publish", refuse)
+    pilot = RemoteTracker(tmp_path / "tracking")
+    assert not pilot.connected and "room.log" in pilot.problem
+    listening = asyncio.create_task(pilot.run(heard.extend))
+    running = asyncio.create_task(RoomTracking(OneBody(), bus, tmp_path / "tracking", clock).run())
+    try:
+        await until(lambda: len(heard) > 3)
+        assert pilot.connected and pilot.problem == ""
+        assert all(one.body == "visitor" for one in heard)
+    finally:
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+    await until(lambda: not pilot.connected)
+    again = asyncio.create_task(RoomTracking(OneBody(), bus, tmp_path / "tracking", clock).run())
+    before = len(heard)
+    await until(lambda: len(heard) > before)
+    for task in (again, listening):
+        task.cancel()
+    await asyncio.gather(again, listening, return_exceptions=True)
+
+
 def test_no_drone_is_asked_for_started_or_given_a_port(tmp_path: Path) -> None:
     site = changed(lively_site(site_at(tmp_path), has_broker=True)[0], drone__enabled=False)
     names = [spec.name for spec in processes_of(new_runtime(site, tmp_path))]
-    assert names[0] == "observer" and not {"pilot", "driver"} & set(names)
+    assert names[0] == "room" and not {"pilot", "driver"} & set(names)
     assert not any("drone" in need.name for need in port_needs(site, web=True))
     with pytest.raises(ConfigError, match="this room has no drone; set it to true to fly one"):
         require_drone(site)

@@ -1,0 +1,97 @@
+"""The tracking system as a pilot sees it: its client runs in the room's process."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from pathlib import Path
+
+from housefly.bus.private_socket import is_own_user
+from housefly.errors import WireError
+from housefly.messages import TrackedFrame
+from housefly.tracking.contracts import SightingSink
+from housefly.tracking.tracking_messages import TrackerStatus, TrackingMessageReader
+
+_RECONNECT_PAUSE = 0.05
+"""Pause between two attempts to reach the room's process [s]."""
+_UNREACHED = TrackerStatus(problem="the room's process does not answer (its log: room.log)")
+
+
+class RemoteTracker:
+    """Implements ``tracking.contracts.Tracker`` over the socket of a ``TrackingServer``.
+
+    Args:
+        path: of the socket.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._status = _UNREACHED
+
+    async def run(self, sink: SightingSink) -> None:
+        """Connect, hand on each frame's sightings, reconnect for ever; ends only when cancelled."""
+        loop = asyncio.get_running_loop()
+        while True:
+            link: _RoomLink | None = None
+            with contextlib.suppress(OSError):
+                _, link = await loop.create_unix_connection(
+                    lambda: _RoomLink(self, sink), str(self._path)
+                )
+            try:
+                if link is not None:
+                    await link.lost.wait()
+            finally:
+                self._status = _UNREACHED
+                if link is not None:
+                    link.close()
+            await asyncio.sleep(_RECONNECT_PAUSE)
+
+    @property
+    def connected(self) -> bool:
+        """Whether frames arrive (within the last second)."""
+        return self._status.connected
+
+    @property
+    def problem(self) -> str:
+        """Why not, in words, or ""."""
+        return self._status.problem
+
+    def note(self, status: TrackerStatus) -> None:
+        """Take in how the room's tracker is."""
+        self._status = status
+
+
+class _RoomLink(asyncio.Protocol):
+    """One connection to the room's process."""
+
+    def __init__(self, tracker: RemoteTracker, sink: SightingSink) -> None:
+        self.lost = asyncio.Event()
+        self._tracker, self._sink = tracker, sink
+        self._reader = TrackingMessageReader()
+        self._transport: asyncio.Transport | None = None
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        self._transport = transport
+        if not is_own_user(transport.get_extra_info("socket")):
+            transport.abort()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.lost.set()
+
+    def data_received(self, data: bytes) -> None:
+        try:
+            messages = self._reader.feed(data)
+        except WireError:
+            self.close()
+            return
+        for message in messages:
+            if isinstance(message, TrackedFrame):
+                self._sink(message.sightings)
+            else:
+                self._tracker.note(message)
+
+    def close(self) -> None:
+        """End the connection at once."""
+        if self._transport is not None:
+            self._transport.abort()
