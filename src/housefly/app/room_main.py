@@ -38,8 +38,8 @@ from housefly.messages import LinkStatus, PlanAnswer, Sighting, TrackedFrame
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.document.open_library import NO_DRONE
 from housefly.tracking.contracts import Tracker
+from housefly.tracking.sighting_server import SightingServer
 from housefly.tracking.trackers import tracker_of
-from housefly.tracking.tracking_server import TrackingServer
 
 _LINK_PERIOD = 0.5
 """How often the health of tracking is published [s]."""
@@ -61,7 +61,7 @@ class RoomTracking:
     def __init__(self, tracker: Tracker, bus: Bus, socket: Path, clock: Clock) -> None:
         self.frames = Frequency()
         self._tracker, self._bus, self._clock = tracker, bus, clock
-        self._server = TrackingServer(tracker, socket)
+        self._server = SightingServer(tracker, socket)
 
     async def run(self) -> None:
         """Run until cancelled."""

@@ -18,7 +18,7 @@ _UNREACHED = TrackerStatus(problem="the room's process does not answer (its log:
 
 
 class RemoteTracker:
-    """Implements ``tracking.contracts.Tracker`` over the socket of a ``TrackingServer``.
+    """Implements ``tracking.contracts.Tracker`` over the socket of a ``SightingServer``.
 
     Args:
         path: of the socket.

@@ -24,7 +24,7 @@ _BACKLOG_MAX = 16_384
 """Bytes that may wait for a pilot that does not read, before frames are thrown away."""
 
 
-class TrackingServer:
+class SightingServer:
     """Hands on what a tracker sees.
 
     Args:
@@ -79,7 +79,7 @@ class TrackingServer:
 class _PilotLink(asyncio.Protocol):
     """One connection of a pilot."""
 
-    def __init__(self, server: TrackingServer) -> None:
+    def __init__(self, server: SightingServer) -> None:
         self._server = server
         self._transport: asyncio.Transport | None = None
 
