@@ -14,15 +14,24 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import cast
 
-from housefly import Action, Command, DroneStatus, KnownMotion, LinkError, Setpoint, Telemetry
-from housefly.clock import RealClock
-from housefly.config.airframe import Airframe, airframe_in
-from housefly.config.capabilities import Capabilities
-from housefly.drones.contract import DroneDriver
-from housefly.drones.driver_server import DriverServer
-from housefly.drones.failsafe import Failsafe
-from housefly.drones.remote_drone import RemoteDrone
-from housefly.messages import VideoFrame
+from housefly import (
+    Action,
+    Airframe,
+    Capabilities,
+    Command,
+    DriverServer,
+    DroneDriver,
+    DroneStatus,
+    Failsafe,
+    KnownMotion,
+    LinkError,
+    RealClock,
+    RemoteDrone,
+    Setpoint,
+    Telemetry,
+    VideoFrame,
+    airframe_in,
+)
 
 PERIOD = 0.02
 TILT_MAX = 0.2

@@ -16,6 +16,8 @@ Lab               run_campaign, CampaignResult, identify, Identified, choose_gai
                   judge_gains, Judgement
 The room          connect, HouseClient, RoomClient, play_scene, PlayedScene
 Sensors           Sensor, SensorHealth, SensorSink, MessageRate
+Drones            Airframe, airframe_in, Capabilities, DroneDriver, Failsafe, DriverServer,
+                  RemoteDrone, RealClock
 Messages          everything in ``housefly.messages``
 Errors            HouseflyError and those below it
 
@@ -56,8 +58,15 @@ if TYPE_CHECKING:
         VIDEO_TOPIC,
     )
     from housefly.bus.zenoh_bus import ZenohBus
+    from housefly.clock import RealClock
+    from housefly.config.airframe import Airframe, airframe_in
+    from housefly.config.capabilities import Capabilities
     from housefly.config.site import Site
     from housefly.drones.ardrone.driver import ArDrone
+    from housefly.drones.contract import DroneDriver
+    from housefly.drones.driver_server import DriverServer
+    from housefly.drones.failsafe import Failsafe
+    from housefly.drones.remote_drone import RemoteDrone
     from housefly.errors import (
         ConfigError,
         EditsError,
@@ -147,21 +156,22 @@ __all__ = [
     "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
     "PLAN_QUERY", "RECORDING_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC",
     "SIGHT_TOPIC", "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "TRAJECTORY_TOPIC",
-    "VIDEO_TOPIC", "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Clearing",
-    "Command", "ConfigError", "Covariance", "DepthImage", "DroneFault", "DroneStatus", "EditsError",
-    "Estimate", "Event", "EventNews", "Fact", "Facts", "Flight", "HouseClient", "HouseflyError",
+    "VIDEO_TOPIC", "Action", "Advice", "Airframe", "ArDrone", "Behavior", "Bus", "CampaignResult",
+    "Capabilities", "Clearing", "Command", "ConfigError", "Covariance", "DepthImage",
+    "DriverServer", "DroneDriver", "DroneFault", "DroneStatus", "EditsError", "Estimate", "Event",
+    "EventNews", "Fact", "Facts", "Failsafe", "Flight", "HouseClient", "HouseflyError",
     "Identified", "Inputs", "Judgement", "KnownMotion", "LinkError", "LinkStatus", "LoadedSite",
     "MessageRate", "MissingPartError", "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid",
     "Order", "OrderAnswer", "OrderKind", "OrderOutcome", "OrderSource", "Outputs", "Path", "Phase",
     "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose", "PreflightCheck",
-    "RecordingError", "RecordingNews", "Reference", "ReplayResult", "Room", "RoomClient",
-    "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor", "SensorHealth",
-    "SensorReport", "SensorSink", "Setpoint", "Severity", "SharedStoreError", "SightNews",
-    "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary", "TaskError",
-    "TaskNews", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint", "UnknownState",
-    "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect", "draw_room", "fly",
-    "identify", "import_ros_map", "judge_gains", "launch", "load_site", "open_flight", "play_scene",
-    "run_campaign", "run_twin", "text_map",
+    "RealClock", "RecordingError", "RecordingNews", "Reference", "RemoteDrone", "ReplayResult",
+    "Room", "RoomClient", "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor",
+    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "SharedStoreError",
+    "SightNews", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary",
+    "TaskError", "TaskNews", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint",
+    "UnknownState", "VideoFrame", "WireError", "ZenohBus", "airframe_in", "choose_gains", "connect",
+    "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch", "load_site",
+    "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
 # fmt: on
 
@@ -181,8 +191,15 @@ _MODULES = {
         " TASKS_QUERY TASK_NEWS_TOPIC TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
     ),
     "bus.zenoh_bus": "ZenohBus",
+    "clock": "RealClock",
+    "config.airframe": "Airframe airframe_in",
+    "config.capabilities": "Capabilities",
     "config.site": "Site",
     "drones.ardrone.driver": "ArDrone",
+    "drones.contract": "DroneDriver",
+    "drones.driver_server": "DriverServer",
+    "drones.failsafe": "Failsafe",
+    "drones.remote_drone": "RemoteDrone",
     "errors": (
         "ConfigError EditsError HouseflyError LinkError MissingPartError RecordingError"
         " RoomError SharedStoreError StaleEdits StoreError TaskError ThingError UnknownState"
