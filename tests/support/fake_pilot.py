@@ -38,6 +38,7 @@ from housefly.messages import (
     DroneStatus,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     LinkStatus,
     Order,
@@ -156,7 +157,7 @@ class FakePilot:
     def add_event(self, severity: Severity, code: str, text: str) -> None:
         """Add an event to the next step."""
         with self._lock:
-            self._events.append(Event(self.clock.now(), severity, code, text))
+            self._events.append(Event(self.clock.now(), severity, EventCode(code), text))
 
     # --- orders
 
@@ -210,7 +211,7 @@ class FakePilot:
         self.path, self.waypoint = answer.path, 1
         self.add_event(
             Severity.INFO,
-            "errand",
+            "going_on",
             f"Path of {answer.path.length:.1f} m planned" if answer.path else answer.reason,
         )
         if flying:
@@ -241,7 +242,7 @@ class FakePilot:
             self.height = max(0.0, self.height - _CLIMB_RATE * dt)
             if self.height == 0.0:
                 self.status, self.phase = DroneStatus.LANDED, Phase.IDLE
-                self.add_event(Severity.INFO, "landed", "Landed")
+                self.add_event(Severity.INFO, "grounded", "Landed")
         elif not self.stopped:
             self._follow(dt)
 
@@ -296,7 +297,9 @@ class FakePilot:
             self._begin(DroneStatus.LANDING, Phase.LANDING)
         elif self.mission is not None and self.mission.kind is OrderKind.SERVICE:
             self.phase, self.looking_until = Phase.LOOKING, self.clock.now() + self.mission.look_s
-            self.add_event(Severity.INFO, "arrived", f"Arrived at {self._goal_name()}, looking")
+            self.add_event(
+                Severity.INFO, "arrived_to_look", f"Arrived at {self._goal_name()}, looking"
+            )
         else:
             self.phase = Phase.HOLDING
 

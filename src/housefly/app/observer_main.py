@@ -30,6 +30,7 @@ from housefly.config.process_log import log_line
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import to_json
 from housefly.messages import LinkStatus, PlanAnswer, Sighting, TrackedFrame
+from housefly.messages.words import literal
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.document.open_library import NO_DRONE
 from housefly.tracking.contracts import Tracker
@@ -54,7 +55,7 @@ class RoomObserver:
         self._frames, self._late = Frequency(), 0.0
         self._bus = bus
         room, home = to_json(room_view(loaded)), loaded.room.home
-        refused = to_json(PlanAnswer(home, home, None, NO_DRONE))
+        refused = to_json(PlanAnswer(home, home, None, literal(NO_DRONE)))
         unready = to_json(PreflightView())
         self._answering = [
             bus.answer(ROOM_QUERY, lambda _: room),

@@ -64,7 +64,9 @@ from housefly.messages import (
     TrackedFrame,
     VideoFrame,
 )
+from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.contracts import Maneuver
 from housefly.pilot.estimation.estimation_report import NOTHING_ESTIMATED, EstimationReport
@@ -125,7 +127,7 @@ class PilotShell:
         self._leaving = False
         self._gap = Gap(self._rate.period)
         self._drone_problem = ""
-        self._failure = ""
+        self._failure = UNSAID
         self._is_cut = False
         self._publisher = PilotPublisher(bus)
 
@@ -241,8 +243,10 @@ class PilotShell:
         try:
             return self.pilot.step(now, inputs)
         except Exception as error:
-            self._failure = f"the pilot failed ({type(error).__name__}: {error}): landing"
-            event = Event(now, Severity.FAULT, "step_failed", self._failure)
+            self._failure = Words(
+                "the pilot failed ({name}): landing", name=f"{type(error).__name__}: {error}"
+            )
+            event = Event(now, Severity.FAULT, EventCode.STEP_FAILED, self._failure)
             outputs = replace(self._landing(now, inputs), events=(event,))
             self._drone.send(outputs.command)  # before a disk that takes its time
             log_traceback()

@@ -14,7 +14,7 @@ from housefly.clock import Clock
 from housefly.config.validation import dotted, words_of
 from housefly.errors import MissingPartError
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
-from housefly.messages import OrderKind, Severity
+from housefly.messages import Order, OrderKind, Severity
 from housefly.web.audit_log import AuditLog
 from housefly.web.client_messages import (
     CLIENT_MESSAGE,
@@ -296,8 +296,7 @@ class Console:
             self._refuse(viewer, f"{message.order.value} refused", reason, message.id)
         else:
             self._audit(viewer.name, order_in_words(message), viewer.session.name)
-            sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
-            self._start(self._confirm(viewer, message, sent))
+            self._pass_on(viewer, message, to_order(message, viewer.name, self._clock.now()))
 
     def _nudge(self, viewer: Viewer, message: NudgeRequest) -> None:
         """Pass a nudge on; many of them in a row are one line in the log."""
@@ -314,8 +313,11 @@ class Console:
         if now - viewer.nudged_at > NEW_TIME:
             self._audit(viewer.name, ORDER_WORDS[OrderKind.NUDGE], viewer.session.name)
         viewer.nudged_at = now
-        sent = self.link.send(nudge_order(message, viewer.name, now - late))
-        self._start(self._confirm(viewer, message, sent))
+        self._pass_on(viewer, message, nudge_order(message, viewer.name, now - late))
+
+    def _pass_on(self, viewer: Viewer, message: OrderRequest | NudgeRequest, order: Order) -> None:
+        viewer.gave(order)
+        self._start(self._confirm(viewer, message, self.link.send(order)))
 
     def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
         if message.order in ORDERS_WITHOUT_CONTROL:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from housefly.messages import Phase, PilotStep
+from housefly.messages import EventCode, Phase, PilotStep
 
 
 def hand_motion_words(before: str, step: PilotStep) -> str:
@@ -14,8 +14,8 @@ def hand_motion_words(before: str, step: PilotStep) -> str:
     """
     words = before
     for event in step.outputs.events:
-        if event.code == "nudge_began":
+        if event.code is EventCode.NUDGE_BEGAN:
             words = event.text
-        elif event.code == "nudge_ended":
+        elif event.code is EventCode.NUDGE_ENDED:
             words = ""
     return words if step.outputs.phase is Phase.HOLDING else ""

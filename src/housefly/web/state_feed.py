@@ -15,6 +15,7 @@ from housefly.config.furniture import FurnitureConfig
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import (
     LinkStatus,
+    OrderAnswer,
     Path,
     PilotStep,
     PlannedTrajectory,
@@ -22,6 +23,7 @@ from housefly.messages import (
     Sighting,
     TrajectoryPoint,
 )
+from housefly.messages.words import Words, literal
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
@@ -38,6 +40,7 @@ from housefly.web.stop_latch import StopLatch
 
 _RATED_ENDURANCE = 720.0
 """Flight time of a full battery [s]: an AR.Drone 2.0 is rated 12 minutes on 1000 mAh."""
+_REFUSALS_KEPT = 100
 _EVENTS_KEPT = 300
 _TRAIL_KEPT = 600
 _TRAIL_STEP = 0.04
@@ -79,6 +82,7 @@ class StateFeed:
     _link: LinkMessage | None = None
     _events: deque[EventView] = field(default_factory=lambda: deque(maxlen=_EVENTS_KEPT))
     _event_number: int = 0
+    _refusals: deque[OrderAnswer] = field(default_factory=lambda: deque(maxlen=_REFUSALS_KEPT))
     _trail: deque[Vec2] = field(default_factory=lambda: deque(maxlen=_TRAIL_KEPT))
     _others: dict[str, _TrackedBody] = field(default_factory=dict)
     _path: Path | None = None
@@ -98,7 +102,14 @@ class StateFeed:
     def log_event(self, severity: Severity, code: str, text: str) -> None:
         """Add a line of the console's own to the event log."""
         with self._lock:
-            self._add_event(severity, code, text)
+            self._add_event(severity, code, literal(text))
+
+    def refusals(self) -> tuple[OrderAnswer, ...]:
+        """Return which orders the pilot refused since the last call."""
+        with self._lock:
+            refusals = tuple(self._refusals)
+            self._refusals.clear()
+            return refusals
 
     def restore(self, events: Sequence[EventView], stop: StopLatch) -> None:
         """Go on with the event log and the STOP that an earlier console kept."""
@@ -228,6 +239,7 @@ class StateFeed:
             self._hand_motion = hand_motion_words(self._hand_motion, step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
+            self._refusals.extend(one for one in step.outputs.answers if not one.is_taken)
             self._see(step.inputs.sightings, now)
             if step.outputs.path != self._path:
                 self._path, self._path_number = step.outputs.path, self._path_number + 1
@@ -257,7 +269,7 @@ class StateFeed:
         with self._lock:
             self._link = LinkMessage(self.clock.now(), link)
 
-    def _add_event(self, severity: Severity, code: str, text: str) -> None:
+    def _add_event(self, severity: Severity, code: str, text: Words) -> None:
         self._event_number += 1
         event = EventView(self._event_number, self.clock.now(), severity, code, text)
         self._events.append(event)

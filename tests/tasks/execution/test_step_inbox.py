@@ -10,6 +10,7 @@ from housefly.messages import (
     Command,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     Order,
     OrderKind,
@@ -23,7 +24,7 @@ from housefly.tasks.execution.step_inbox import StepInbox, task_sender
 
 def step(sequence: int, order: Order | None = None) -> PilotStep:
     orders = () if order is None else (order,)
-    event = Event(float(sequence), Severity.INFO, "x", str(sequence))
+    event = Event(float(sequence), Severity.INFO, EventCode.GOING_ON, str(sequence))
     return PilotStep(
         sequence,
         float(sequence),

@@ -172,8 +172,6 @@ export const DE_TOLD: Templates = {
     "Personen bleiben vielleicht ungesehen: ein Sensor für sie schweigt seit {n} s",
   "people may be unseen: a sensor that looks for them is not heard yet":
     "Personen bleiben vielleicht ungesehen: von einem Sensor für sie kam noch nichts",
-  "the drone says: {name}; landing": "die Drohne meldet: {name}; sie landet",
-  "the drone says: {name}": "die Drohne meldet: {name}",
   "the drone has not confirmed its limits for {n} s":
     "die Drohne hat ihre Grenzwerte seit {n} s nicht bestätigt",
   "the drone has not confirmed its limits": "die Drohne hat ihre Grenzwerte nicht bestätigt",
@@ -418,9 +416,7 @@ export const DE_TOLD: Templates = {
   "this machine keeps up": "dieser Rechner kommt mit",
   "this machine is overloaded": "dieser Rechner ist überlastet",
   "load {n} on {k} cores": "Last {n} auf {k} Kernen",
-  "load {n} on {k} cores, {d} ms late": "Last {n} auf {k} Kernen, {d} ms zu spät",
   "load {n} on {k} core": "Last {n} auf {k} Kern",
-  "load {n} on {k} core, {d} ms late": "Last {n} auf {k} Kern, {d} ms zu spät",
   "a load below {n}": "eine Last unter {n}",
   "what comes late is refused, as if it had not come":
     "was zu spät kommt, wird verworfen, als wäre es nie gekommen",
@@ -436,7 +432,6 @@ export const DE_TOLD: Templates = {
     "alte Flüge löschen oder auf eine andere Platte verschieben",
   "the disk can be written to": "auf die Platte lässt sich schreiben",
   "a disk cannot be written to": "auf eine Platte lässt sich nicht schreiben",
-  "nothing can be written at {name}": "auf {name} lässt sich nichts schreiben",
   "written a moment ago": "eben geschrieben",
   "a file can be written": "eine Datei lässt sich schreiben",
   "mount the disk for writing again, or let this user write there":
@@ -449,25 +444,6 @@ export const DE_TOLD: Templates = {
   "an obstacle is too close to this point": "ein Hindernis ist diesem Punkt zu nah",
   "no free way leads to this point": "kein freier Weg führt zu diesem Punkt",
   "there is no free way from {name} to {place}": "kein freier Weg von {name} nach {place}",
-  "the goal {name} lies in an obstacle": "das Ziel {name} liegt in einem Hindernis",
-  "the goal {name} lies in a no-fly area": "das Ziel {name} liegt in einer Verbotszone",
-  "the goal {name} lies outside the room": "das Ziel {name} liegt außerhalb des Raums",
-  "the goal {name} lies outside the map": "das Ziel {name} liegt außerhalb der Karte",
-  "the goal {name} is too close to an obstacle ({d} m)":
-    "das Ziel {name} ist einem Hindernis zu nah ({d} m)",
-  "the goal {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
-    "das Ziel {name} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
-  "no way leads from home to the goal {name}": "kein Weg führt vom Heim zum Ziel {name}",
-  "the start {name} lies in an obstacle": "der Start {name} liegt in einem Hindernis",
-  "the start {name} lies in a no-fly area": "der Start {name} liegt in einer Verbotszone",
-  "the start {name} lies outside the room": "der Start {name} liegt außerhalb des Raums",
-  "the start {name} lies outside the map": "der Start {name} liegt außerhalb der Karte",
-  "the start {name} is too close to an obstacle": "der Start {name} ist einem Hindernis zu nah",
-  "the start {name} is too close to an obstacle ({d} m)":
-    "der Start {name} ist einem Hindernis zu nah ({d} m)",
-  "the start {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
-    "der Start {name} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
-  "no way leads from home to the start {name}": "kein Weg führt vom Heim zum Start {name}",
   // what was refused
   "{asked} refused: {why}": "{asked} abgelehnt: {why}",
   "take off": "Starten",
@@ -478,8 +454,6 @@ export const DE_TOLD: Templates = {
   "cut": "Motoren aus",
   "go": "Hinfliegen",
   "service": "Nachsehen",
-  "go {place}": "Hinfliegen {place}",
-  "service {place}": "Nachsehen {place}",
   "the order is {n} s old; orders expire after {m} s":
     "der Befehl ist {n} s alt; Befehle verfallen nach {m} s",
   "there is no emergency to leave: the drone is {what}":
@@ -577,6 +551,210 @@ export const DE_TOLD: Templates = {
   "too much wind": "zu viel Wind",
   "ultrasound deaf": "Ultraschall taub",
   "the room's memory does not answer": "das Gedächtnis des Raums antwortet nicht",
+  // what the pilot tells
+  "0 to {n} s": "0 bis {n} s",
+  "a number is not finite": "eine Zahl ist nicht endlich",
+  "a wall may be near": "eine Wand könnte nahe sein",
+  "a wall or furniture is ahead": "voraus sind Wand oder Möbel",
+  "a way has become free that is {n} s faster: taking it":
+    "ein um {n} s schnellerer Weg wurde frei: sie nimmt ihn",
+  "above the pad, landing": "über dem Landeplatz, sie landet",
+  "accept orders again": "nimmt wieder Befehle an",
+  "an obstacle of {who} is refused: {why}": "ein Hindernis von {who} wird abgelehnt: {why}",
+  "an order to stop or land came before it was taken":
+    "vorher kam ein Befehl zum Anhalten oder Landen",
+  "arrived": "angekommen",
+  "arrived, looking": "angekommen, sie sieht nach",
+  "at most {d} m/s, and only by nudge": "höchstens {d} m/s, und nur beim Bewegen von Hand",
+  "at most {n} printable letters": "höchstens {n} druckbare Zeichen",
+  "came to rest off its course: going on from there":
+    "kam neben ihrem Kurs zur Ruhe: weiter von dort",
+  "coming home for safety": "kommt zur Sicherheit zurück",
+  "coordinates of at most {d} m": "Koordinaten bis {d} m",
+  "cut the motors": "Motoren abschalten",
+  "do it from here": "von hier aus",
+  "do it once in the air": "sobald sie in der Luft ist",
+  "drone lost our commands": "Drohne empfing keine Befehle",
+  "emergency landing by the user": "Notlandung durch Benutzer",
+  "emergency left": "Notaus aufgehoben",
+  "flying to goal": "fliegt zum Ziel",
+  "furniture or a wall stands below or beside it":
+    "darunter oder daneben sind Möbel oder eine Wand",
+  "furniture stands below": "darunter stehen Möbel",
+  "goal is not a position in a room": "goal ist kein Ort in einem Raum",
+  "holding": "hält",
+  "holding here: {why}": "bleibt hier: {why}",
+  "hover, and accept nothing that moves until RESUME":
+    "schwebt und nimmt bis „Fortsetzen“ keine Flugbefehle an",
+  "id is not a name": "id ist kein Name",
+  "idle": "in Ruhe",
+  "it does not agree with the drone's own motion": "sie passt nicht zur Eigenbewegung der Drohne",
+  "it flies slowly here by order": "hier soll sie langsam fliegen",
+  "it is faster than {d} m/s": "es ist schneller als {d} m/s",
+  "it is too far from where the drone can be": "sie ist zu weit von dort, wo die Drohne sein kann",
+  "it is too old": "sie ist zu alt",
+  "it lies far outside the map": "es liegt weit außerhalb der Karte",
+  "it names neither a place nor a goal": "er nennt weder Ort noch Ziel",
+  ["it says that the drone moved {d} m while it lay still: is it another body? Lift the " +
+    "drone to show where it is"]:
+    "sie zeigt {d} m Bewegung, obwohl die Drohne still lag: Ist es ein anderer Körper? " +
+      "Drohne anheben, um zu zeigen, wo sie ist",
+  "it stays the same to the last bit while the drone flies":
+    "sie bleibt bis aufs letzte Bit gleich, obwohl die Drohne fliegt",
+  "it was seen in the future": "es wurde in der Zukunft gesehen",
+  "its confidence does not lie between 0 and 1": "seine Sicherheit liegt nicht zwischen 0 und 1",
+  "its own motion is in doubt": "ihre Eigenbewegung ist unsicher",
+  "its size makes no sense (at most {d} m)": "seine Größe ist unmöglich (höchstens {d} m)",
+  "its sonar shows something everywhere": "ihr Ultraschall zeigt überall etwas",
+  "its stamp is not newer than the last one": "ihr Zeitstempel ist nicht neuer als der letzte",
+  "its stamp lies in the future": "ihr Zeitstempel liegt in der Zukunft",
+  "land here": "hier landen",
+  "landing all the same: {why}": "landet trotzdem: {why}",
+  "landing for safety": "landet zur Sicherheit",
+  "landing here": "landet hier",
+  "landing is not acknowledged after {n} s: still asking":
+    "Landung nach {n} s nicht bestätigt: wird weiter verlangt",
+  "landing {d} m beside": "landet {d} m daneben",
+  "leave the emergency state": "Notaus verlassen",
+  "look_at is not a position in a room": "look_at ist kein Ort in einem Raum",
+  "look_s is wrong": "look_s ist falsch",
+  "looked long enough, coming home": "lange genug nachgesehen, kommt zurück",
+  "looking": "sieht nach",
+  "looking below": "prüft, was darunter ist",
+  "motor cut": "Abschalten der Motoren",
+  "motors are cut": "Motoren sind aus",
+  "moved by hand": "von Hand bewegt",
+  "moved by hand by {who}": "von {who} von Hand bewegt",
+  "moved by hand no longer": "nicht mehr von Hand bewegt",
+  "moved by hand: {why}": "von Hand bewegt: {why}",
+  "moving aside": "weicht zur Seite aus",
+  "moving {d} m aside by the drone's own motion, to land":
+    "geht zum Landen {d} m zur Seite, nach eigener Bewegung",
+  "no clear place to land within 2 m: holding by the drone's own motion":
+    "kein freier Landeplatz im Umkreis von 2 m: hält sich nach eigener Bewegung",
+  "no clear place to land within 2 m: waiting in the air":
+    "kein freier Landeplatz im Umkreis von 2 m: wartet in der Luft",
+  "no order for {n} s: coming home": "{n} s lang kein Befehl: kommt zurück",
+  "no place called {name}: did you mean {place}? known places: {places}":
+    "kein Ort namens {name}: meinten Sie {place}? Bekannte Orte: {places}",
+  "no place called {name}; known places: {places}":
+    "kein Ort namens {name}; bekannte Orte: {places}",
+  "no way home, landing here: {why}": "kein Weg nach Hause, landet hier: {why}",
+  "no way leads from home to {end} {place}": "vom Heim führt kein Weg bis hierher: {end} {place}",
+  "no way of flying there keeps the limits of the drone":
+    "kein Flug dorthin hält die Grenzen der Drohne ein",
+  "nobody comes near: going back": "niemand kommt näher: kehrt an ihren Ort zurück",
+  "not all its numbers are finite": "nicht alle seine Zahlen sind endlich",
+  "not landing: {why}": "landet nicht: {why}",
+  "not landing: {why}. Press Land to land here all the same":
+    "landet nicht: {why}. „Landen“ drücken, um trotzdem hier zu landen",
+  "nothing can be written at {name} ({why})": "auf {name} lässt sich nichts schreiben ({why})",
+  "nudge": "Bewegen von Hand",
+  "obstacle refused: {why}": "Hindernis abgelehnt: {why}",
+  "on the ground": "am Boden",
+  "ordered to": "auf Befehl",
+  "place is not a name": "place ist kein Name",
+  "returning": "kommt zurück",
+  "sender is not a name": "sender ist kein Name",
+  "somebody": "jemand",
+  "something hangs over the drone: carry it to where the air above is free":
+    "über der Drohne hängt etwas: dorthin tragen, wo die Luft darüber frei ist",
+  "something was found below here": "hier wurde darunter etwas gefunden",
+  "something {d} m high seems to lie on the pad: is it clear?":
+    "auf dem Landeplatz scheint etwas {d} m Hohes zu liegen: Ist er frei?",
+  "something {d} m high seems to stand below": "darunter scheint etwas {d} m Hohes zu stehen",
+  "stands {d} m above the floor: on something": "steht {d} m über dem Boden: auf etwas",
+  "stands {d} m above where it took off: on something":
+    "steht {d} m höher als beim Start: auf etwas",
+  "stay here": "bleibt hier",
+  "stop": "Anhalten",
+  "take off, then do it": "startet, dann",
+  "the battery is too low: {p}%, there and back ({n} s) needs {q}%; charge it":
+    "der Akku ist zu leer: {p} %, hin und zurück ({n} s) braucht {q} %; laden",
+  "the drone did not acknowledge the {what}": "nicht von der Drohne bestätigt: {what}",
+  "the drone does not tell how it moves": "die Drohne meldet ihre Bewegung nicht",
+  "the drone flies already": "die Drohne fliegt schon",
+  "the drone flies although its motors were cut: landing":
+    "die Drohne fliegt, obwohl ihre Motoren aus waren: sie landet",
+  "the drone flies somewhere: press Hover first":
+    "die Drohne ist unterwegs: erst „Schweben“ drücken",
+  "the drone is in its emergency state: motors off": "die Drohne ist im Notaus: Motoren aus",
+  "the drone is in the air without an order: holding":
+    "die Drohne ist ohne Befehl in der Luft: sie hält",
+  "the drone is landing": "die Drohne landet",
+  "the drone is on the ground": "die Drohne ist am Boden",
+  "the drone is taking off already": "die Drohne startet schon",
+  "the drone is too fast to turn there: let it stop first":
+    "die Drohne ist zu schnell, um dorthin abzubiegen: erst anhalten lassen",
+  "the drone lands by itself": "die Drohne landet von selbst",
+  "the drone says: {what}": "die Drohne meldet: {what}",
+  "the drone says: {what}; landing": "die Drohne meldet: {what}; sie landet",
+  "the drone stands in a no-fly area: carry it out":
+    "die Drohne steht in einer Verbotszone: hinaustragen",
+  "the drone was moved on the ground: tracking starts anew":
+    "die Drohne wurde am Boden bewegt: die Ortung beginnt neu",
+  "the drone's sonar shows something everywhere: landing by the tracked height":
+    "der Ultraschall zeigt überall etwas: Landung nach der Höhe der Ortung",
+  "the end of where it may fly is ahead": "voraus endet der erlaubte Bereich",
+  "the goal": "das Ziel",
+  "the order's {what}; allowed: {limit}": "Befehl: {what}; erlaubt: {limit}",
+  "the orientation is not a unit quaternion": "die Lage ist kein Einheitsquaternion",
+  "the pilot failed ({name}): landing": "der Autopilot ist ausgefallen ({name}): sie landet",
+  "the start": "der Start",
+  "the way is free: going on": "der Weg ist frei: weiter",
+  "the way stays blocked": "der Weg bleibt versperrt",
+  "there are more than {n} at once": "es sind mehr als {n} zugleich",
+  "there is a way: going on": "es gibt einen Weg: weiter",
+  "there is nowhere to go": "es gibt kein Ziel",
+  "too many orders in a second": "zu viele Befehle in einer Sekunde",
+  "took too long": "dauerte zu lange",
+  "tracking is believed in part, {n} of the last {m} poses are not: {why}":
+    "der Ortung wird nur zum Teil geglaubt, {n} der letzten {m} Posen nicht: {why}",
+  "tracking is not believed since {n} s: {why}": "der Ortung wird seit {n} s nicht geglaubt: {why}",
+  "velocity is wrong": "velocity ist falsch",
+  "waiting here: {why}": "wartet hier: {why}",
+  "{asked} by {who}: {what}": "{asked}, von {who}: {what}",
+  "{asked} {place}": "{asked} {place}",
+  "{asked}: {what}": "{asked}: {what}",
+  "{end} is not a position: {place}": "{end} ist kein Ort: {place}",
+  "{end} {place} is too close to an obstacle": "{end} {place} ist einem Hindernis zu nah",
+  "{end} {place} is too close to an obstacle ({d} m)":
+    "{end} {place} ist einem Hindernis zu nah ({d} m)",
+  "{end} {place} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
+    "{end} {place} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
+  "{end} {place} lies in a no-fly area": "{end} {place} liegt in einer Verbotszone",
+  "{end} {place} lies in an obstacle": "{end} {place} liegt in einem Hindernis",
+  "{end} {place} lies outside the map": "{end} {place} liegt außerhalb der Karte",
+  "{end} {place} lies outside the room": "{end} {place} liegt außerhalb des Raums",
+  "{thing} is in the way, {d} m ahead": "{thing} ist im Weg, {d} m voraus",
+  "{thing} is in the way: going around": "{thing} ist im Weg: sie fliegt herum",
+  "{thing} is near": "{thing} ist nah",
+  "{what} took too long": "zu lange: {what}",
+  "{who} comes near": "{who} kommt näher",
+  "{who} comes near and there is no room to make way":
+    "{who} kommt näher, und zum Ausweichen ist kein Platz",
+  "{who} comes near and there is no room to make way: landing here":
+    "{who} kommt näher, und zum Ausweichen ist kein Platz: sie landet hier",
+  "{who} comes near: making way": "{who} kommt näher: sie weicht aus",
+  "{who} comes near: the take-off is given up": "{who} kommt näher: Start abgebrochen",
+  "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
+    "{who} gibt zu viele Befehle: {n} in einer Sekunde abgelehnt (Grenze {m} je Sekunde)",
+  "{who} is below": "{who} ist darunter",
+  "{who} walks into the way: going around": "{who} läuft in den Weg: sie fliegt herum",
+  "{who} walks into the way: waiting": "{who} läuft in den Weg: sie wartet",
+  "{who}: {why}": "{who}: {why}",
+  "{why}, once it can: {what}": "{why}, sobald sie kann: {what}",
+  "{why}, {d} ms late": "{why}, {d} ms zu spät",
+  "{why}, {more}": "{why}, {more}",
+  "{why}: landing here": "{why}: sie landet hier",
+  "{why}: stopping": "{why}: sie hält an",
+  "{why}: the air around the drone must be free": "{why}: um die Drohne muss Luft frei sein",
+  "{why}: {found}, must be {limit}; likely cause: {cause} ({value}): {mend}":
+    "{why}: {found}, nötig: {limit}; wohl weil: {cause} ({value}): {mend}",
+  "{why}: {found}; {mend}": "{why}: {found}; {mend}",
+  "{why}; nearest free place: ({x}, {y}) m": "{why}; nächster freier Ort: ({x}; {y}) m",
+  "{why}; no way home, waiting here: {more}": "{why}; kein Weg nach Hause, wartet hier: {more}",
+  "{why}; no way on, waiting here: {more}": "{why}; kein Weg weiter, wartet hier: {more}",
   // services of the house
   "Look at a place or a thing": "Ort oder Ding ansehen",
   "Flies to where it is seen from, takes a picture and comes home":

@@ -142,7 +142,6 @@ const texts: Speech["texts"] = {
   "drone^lines": "Drohne",
   "room^lines": "Raum",
   "warnings^lines": "Warnungen",
-  "The drone's own lines are in English.": "Die Zeilen der Drohne sind auf Englisch.",
   "Show the room as it was then": "Den Raum von damals zeigen",
   "Only of": "Nur von",
   "everything": "alles",
@@ -634,4 +633,4 @@ const ideas = [
   "Was ist heute passiert?",
 ];
 
-export const DE: Speech = { texts, ideas, told: teller(DE_TOLD, { point: ",", stop: "." }) };
+export const DE: Speech = { texts, ideas, templates: DE_TOLD, told: teller(DE_TOLD, { point: ",", stop: "." }) };

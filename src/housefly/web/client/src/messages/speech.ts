@@ -1,11 +1,15 @@
 // Which language a page speaks. English is in the code; the others are fetched when chosen.
 import { batch, signal } from "@preact/signals";
+import type { Said } from "../wire/messages";
 import { language, localNumber, type Language } from "./numbers";
+import { filled, type Templates } from "./templates";
 
 /** What a language's file gives. */
 export interface Speech<Text extends string = string> {
   texts: Record<Text, string>;
-  /** What the server says in English, in this language; null where no template fits. */
+  /** English templates of the server, in this language. */
+  templates: Templates;
+  /** A text of the server without a template, in this language; null where no template fits. */
   told(english: string): string | null;
   /** What one may ask here; English ideas come with the names of the room. */
   ideas?: string[];
@@ -94,7 +98,19 @@ const foreign = new Set<string>();
 const bare = (words: string): string => words.toLowerCase().replace(/\.$/, "");
 
 /** What the server says, in the language of the page, or as it is where nobody has put it so. */
-export function translated(english: string): string {
+export function translated(said: Said): string {
+  if (typeof said === "string") return ofText(said);
+  const english = said[0];
+  const own = speech.value?.templates[english];
+  const words = filled(own ?? english, english, said.slice(1).map(value));
+  if (own === undefined && speech.value) foreign.add(bare(words));
+  return words;
+}
+
+const value = (one: Said | { n: string }): string =>
+  typeof one === "object" && "n" in one ? localNumber(one.n) : translated(one);
+
+function ofText(english: string): string {
   const own = speech.value?.told(english) ?? null;
   if (own !== null || !speech.value || !english) return own ?? english;
   if (foreign.size >= FOREIGN_KEPT) foreign.clear();

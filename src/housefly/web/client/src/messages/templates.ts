@@ -40,6 +40,14 @@ export interface Habits {
   stop: string;
 }
 
+const PLACE = /\{\w+\}/g;
+
+/** Return a template of another language with the values of the English one. */
+export const filled = (own: string, english: string, values: string[]): string => {
+  const names: string[] = english.match(PLACE) ?? [];
+  return own.replace(PLACE, (name) => values[names.indexOf(name)]!);
+};
+
 /** Return what puts a sentence into the language of the templates, or null where none fits. */
 export function teller(templates: Templates, habits: Habits): (english: string) => string | null {
   const rules = Object.entries(templates)

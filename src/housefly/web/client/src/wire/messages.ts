@@ -70,12 +70,19 @@ export type Role = "watch" | "ask" | "fly" | "admin";
 
 export type Severity = "info" | "warning" | "fault";
 
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+
 export interface EventView {
   number: number;
   at: number;
   severity: Severity;
   code: string;
-  text: string;
+  text: Said;
 }
 
 export interface Welcome {
@@ -130,14 +137,14 @@ export interface RoomMessage {
 
 export interface PreflightCheck {
   code: string;
-  title: string;
-  fault: string;
+  title: Said;
+  fault: Said;
   passed: boolean;
   required: boolean;
-  value: string;
-  limit: string;
-  why: string;
-  mend: string;
+  value: Said;
+  limit: Said;
+  why: Said;
+  mend: Said;
 }
 
 export interface PreflightView {
@@ -220,7 +227,7 @@ export interface StateMessage {
   clears: Clearing;
   action: Action;
   goal_name: string;
-  reason: string;
+  reason: Said;
   path: number;
   waypoint: number;
   others: OtherBody[];
@@ -478,7 +485,7 @@ export interface PlanAnswer {
   start: [number, number];
   goal: [number, number];
   path: Path | null;
-  reason: string;
+  reason: Said;
   suggestion: [number, number] | null;
   duration: number;
 }
@@ -498,6 +505,12 @@ export interface RefusedReply {
   id: number;
   reason: string;
   type: "refused";
+}
+
+export interface OrderRefused {
+  order: OrderKind;
+  reason: Said;
+  type: "order_refused";
 }
 
 export interface PongReply {
@@ -550,6 +563,7 @@ export type ServerMessage =
   | PlanReply
   | AcceptedReply
   | RefusedReply
+  | OrderRefused
   | PongReply
   | InviteReply
   | InvitationUsed;
