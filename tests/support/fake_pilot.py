@@ -56,6 +56,7 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
+from housefly.messages.words import Words, literal
 from housefly.web.server import create_app
 
 _CLIMB_RATE = 0.6
@@ -157,7 +158,7 @@ class FakePilot:
     def add_event(self, severity: Severity, code: str, text: str) -> None:
         """Add an event to the next step."""
         with self._lock:
-            self._events.append(Event(self.clock.now(), severity, EventCode(code), text))
+            self._events.append(Event(self.clock.now(), severity, EventCode(code), literal(text)))
 
     # --- orders
 
@@ -226,7 +227,9 @@ class FakePilot:
     def _take_nudge(self, order: Order) -> None:
         """Move by hand; it is told when it begins."""
         if self.nudge is None or order.issued_at - self.nudge.issued_at > _NUDGE_QUIET_TIME:
-            self.add_event(Severity.INFO, "nudge_began", f"moved by hand by {order.sender}")
+            self.add_event(
+                Severity.INFO, "nudge_began", Words("moved by hand by {who}", who=order.sender)
+            )
         self.nudge = order
 
     # --- motion
@@ -279,7 +282,7 @@ class FakePilot:
         quiet = self.clock.now() - nudge.issued_at
         if quiet > _NUDGE_QUIET_TIME:
             self.nudge = None
-            self.add_event(Severity.INFO, "nudge_ended", "moved by hand no longer")
+            self.add_event(Severity.INFO, "nudge_ended", Words("moved by hand no longer"))
         if nudge.velocity is None or quiet > _NUDGE_LIFETIME:
             return
         vx, vy, vz = nudge.velocity
@@ -287,7 +290,7 @@ class FakePilot:
         x, y = self.position[0] + vx * dt, self.position[1] + vy * dt
         place = (min(max(x, x0 + _KEEP), x1 - _KEEP), min(max(y, y0 + _KEEP), y1 - _KEEP))
         if place != (x, y) and self.position != place:
-            text = "moved by hand: a wall or furniture is ahead"
+            text = Words("moved by hand: {why}", why=Words("a wall or furniture is ahead"))
             self.add_event(Severity.INFO, "nudge_limited", text)
         self.position, self.height = place, max(0.4, min(2.0, self.height + vz * dt))
 

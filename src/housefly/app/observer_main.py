@@ -95,7 +95,7 @@ class RoomObserver:
             tracking_rate_hz=self._frames.rate_hz(now),
             loop_p99_s=max(0.0, self._late),
             loop_max_s=max(0.0, self._late),
-            notes=tuple(filter(None, notes)),
+            notes=tuple(map(literal, filter(None, notes))),
         )
 
 

@@ -66,7 +66,7 @@ from housefly.messages import (
 )
 from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.messages.words import UNSAID, Words
+from housefly.messages.words import UNSAID, Words, literal
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.contracts import Maneuver
 from housefly.pilot.estimation.estimation_report import NOTHING_ESTIMATED, EstimationReport
@@ -349,7 +349,7 @@ class PilotShell:
             loop_max_s=worst,
             missed_ticks=self._rate.missed,
             notes=tuple(
-                note
+                literal(note)
                 for note in (
                     self._failure,
                     self._tracker.problem,
@@ -357,7 +357,7 @@ class PilotShell:
                     self._obstacles.problem,
                     self._publisher.problem,
                     self._recording.note,
-                    self._people_note,
+                    self._people_note if self._airborne() else "",
                     self._load.note,
                 )
                 if note

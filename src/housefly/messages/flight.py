@@ -255,7 +255,7 @@ class LinkStatus:
     loop_p99_s: float = 0.0
     loop_max_s: float = 0.0
     missed_ticks: int = 0
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[Words, ...] = field(default=())
     tracking_latency_s: float = 0.0
     command_delay_s: float = 0.0
     command_delay_std_s: float = 0.0

@@ -60,6 +60,11 @@ class Words(str):
             given = tuple(map(values.__getitem__, names))
         return _made(template, given, form)
 
+    def value(self, name: str) -> str:
+        """Return the value of a name of the template, "" where it has no such name."""
+        names = _form(self.template)[1]
+        return self.values[names.index(name)] if name in names else ""
+
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: Any) -> core_schema.CoreSchema:
         """Return how pydantic reads and writes words: as their ``tree``."""
@@ -103,6 +108,13 @@ def joined(sign: str, parts: Iterable[str]) -> Words:
 def literal(text: str) -> Words:
     """Return a text that has no template; words stay what they are."""
     return text if isinstance(text, Words) else _made("", (text,), "%s")
+
+
+def parts_of(words: str) -> Iterator[str]:
+    """Yield words and all that they are made of."""
+    yield words
+    for one in words.values if isinstance(words, Words) and words.template else ():
+        yield from parts_of(one)
 
 
 def flat(words: str) -> list[str]:

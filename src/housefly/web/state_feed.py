@@ -27,7 +27,7 @@ from housefly.messages.words import Words, literal
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
-from housefly.web.hand_motion import hand_motion_words
+from housefly.web.hand_motion import moved_by
 from housefly.web.last_status import LastStatus
 from housefly.web.server_messages import (
     EventView,
@@ -89,7 +89,7 @@ class StateFeed:
     _path_number: int = 0
     _trajectory: tuple[TrajectoryPoint, ...] = ()
     _restarts: int = 0
-    _hand_motion: str = ""
+    _hand_motion: str | None = None
     _last_status: LastStatus = field(default_factory=LastStatus)
     _stop: StopLatch = field(default_factory=StopLatch)
 
@@ -142,8 +142,8 @@ class StateFeed:
             return self.clock.now() - self._heard_at if self._step else float("inf")
 
     @property
-    def hand_motion(self) -> str:
-        """The pilot's words while somebody moves the drone by hand, or ""."""
+    def hand_motion(self) -> str | None:
+        """Who moves the drone by hand, "" without a name; None while nobody does."""
         with self._lock:
             return self._hand_motion
 
@@ -228,7 +228,7 @@ class StateFeed:
         with self._lock:
             if self._step is not None and step.sequence < self._step.sequence:
                 self._restarts += 1
-                self._hand_motion = ""
+                self._hand_motion = None
                 self._stop = self._stop.pilot_restarted(now)
             word = self._last_status.after(step)
             if word.may_be_airborne and not self._last_status.may_be_airborne:
@@ -236,7 +236,7 @@ class StateFeed:
             self._last_status = word
             self._step, self._heard_at = step, now
             self._stop = self._stop.heard(step)
-            self._hand_motion = hand_motion_words(self._hand_motion, step)
+            self._hand_motion = moved_by(self._hand_motion, step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
             self._refusals.extend(one for one in step.outputs.answers if not one.is_taken)

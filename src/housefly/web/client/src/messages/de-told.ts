@@ -5,6 +5,7 @@ export const DE_TOLD: Templates = {
   // headlines and what is said beside them
   "Waiting for the pilot": "Warten auf den Autopiloten",
   "No contact with the pilot": "Keine Verbindung zum Autopiloten",
+  "No contact with the pilot.": "Keine Verbindung zum Autopiloten.",
   "No contact with the drone": "Keine Verbindung zur Drohne",
   "Waiting for the drone": "Warten auf die Drohne",
   "Motors are cut": "Motoren sind aus",
@@ -65,10 +66,10 @@ export const DE_TOLD: Templates = {
   "tracking has not seen the drone yet": "die Ortung sah die Drohne noch nicht",
   "tracking saw the drone last {n} s ago": "die Ortung sah die Drohne zuletzt vor {n} s",
   "tracking does not see the drone": "die Ortung sieht die Drohne nicht",
-  "No word from the pilot for {n} s: {then}. STOP and Land are still sent":
-    "Seit {n} s nichts vom Autopiloten: {then}. STOP und Landen werden weiter gesendet",
-  "No word from the drone for {n} s: {then}. STOP and Land are still sent":
-    "Seit {n} s nichts von der Drohne: {then}. STOP und Landen werden weiter gesendet",
+  "No word from the pilot for {n} s: {then}. STOP and Land are still sent.":
+    "Seit {n} s nichts vom Autopiloten: {then}. STOP und Landen werden weiter gesendet.",
+  "No word from the drone for {n} s: {then}. STOP and Land are still sent.":
+    "Seit {n} s nichts von der Drohne: {then}. STOP und Landen werden weiter gesendet.",
   // STOP
   "The drone hovers and takes no orders until Resume is held":
     "Die Drohne schwebt und nimmt keine Befehle an, bis „Fortsetzen“ gehalten wird",
@@ -123,6 +124,7 @@ export const DE_TOLD: Templates = {
   "it is started again by itself: wait, or see its log in the run's folder":
     "er startet von selbst neu: warten, oder sein Protokoll im Ordner des Laufs ansehen",
   "the drone is already flying": "die Drohne fliegt schon",
+  "The drone is already flying.": "Die Drohne fliegt schon.",
   "the checks before a take-off are not in yet": "die Prüfungen vor dem Start fehlen noch",
   "they come within seconds": "sie kommen in Sekunden",
   "the drone does not answer": "die Drohne antwortet nicht",
@@ -141,13 +143,13 @@ export const DE_TOLD: Templates = {
   "{why}; {more}": "{why}; {more}",
   "△ {why}": "△ {why}",
   // why an order would come to nothing
-  "Motors are cut: hold Reset first": "Motoren sind aus: erst „Zurücksetzen“ halten",
-  "Stopped: hold Resume first": "Angehalten: erst „Fortsetzen“ halten",
-  "The drone does not answer yet": "Die Drohne antwortet noch nicht",
-  "The drone is on the ground": "Die Drohne ist am Boden",
-  "Only after STOP": "Nur nach STOP",
-  "Not ready: {why}": "Nicht bereit: {why}",
-  "Not now: {why}": "Jetzt nicht: {why}",
+  "Motors are cut: hold Reset first.": "Motoren sind aus: erst „Zurücksetzen“ halten.",
+  "Stopped: hold Resume first.": "Angehalten: erst „Fortsetzen“ halten.",
+  "The drone does not answer yet.": "Die Drohne antwortet noch nicht.",
+  "The drone is on the ground.": "Die Drohne ist am Boden.",
+  "Only after STOP.": "Nur nach STOP.",
+  "Not ready: {why}.": "Nicht bereit: {why}.",
+  "Not now: {why}.": "Jetzt nicht: {why}.",
   "it comes home for safety": "sie kommt zur Sicherheit zurück",
   "it lands for safety": "sie landet zur Sicherheit",
   "its motors are being cut": "ihre Motoren werden abgeschaltet",
@@ -413,6 +415,7 @@ export const DE_TOLD: Templates = {
   "Waiting for tracking": "Warte auf die Ortung",
   "no drone": "keine Drohne",
   "this room has no drone": "dieser Raum hat keine Drohne",
+  "This room has no drone.": "Dieser Raum hat keine Drohne.",
   "this machine keeps up": "dieser Rechner kommt mit",
   "this machine is overloaded": "dieser Rechner ist überlastet",
   "load {n} on {k} cores": "Last {n} auf {k} Kernen",
@@ -511,8 +514,8 @@ export const DE_TOLD: Templates = {
   "checked, {name}": "geprüft, {name}",
   "before the site's [tracking] was changed, {name}": "bevor [tracking] geändert wurde, {name}",
   "{why}: it holds itself": "{why}: sie hält sich selbst",
-  "The drone flies somewhere: press Hover first":
-    "Die Drohne ist unterwegs: erst „Schweben“ drücken",
+  "The drone flies somewhere: press Hover first.":
+    "Die Drohne ist unterwegs: erst „Schweben“ drücken.",
   "in the air the drone keeps the map that it took off with: land first":
     "in der Luft behält die Drohne die Karte vom Start: erst landen",
   "nobody knows whether the drone flies": "niemand weiß, ob die Drohne fliegt",
@@ -529,9 +532,9 @@ export const DE_TOLD: Templates = {
   "{who} starts the pilot again, so that the drone has the newest places and zones":
     "{who} startet den Autopiloten neu, damit die Drohne die neuesten Orte und Zonen hat",
   // moving by hand, and complaints of the drone
-  "Moving by hand is switched off here": "Bewegen von Hand ist hier ausgeschaltet",
-  "A task flies the drone: press Hover first":
-    "Eine Aufgabe fliegt die Drohne: erst „Schweben“ drücken",
+  "Moving by hand is switched off here.": "Bewegen von Hand ist hier ausgeschaltet.",
+  "A task flies the drone: press Hover first.":
+    "Eine Aufgabe fliegt die Drohne: erst „Schweben“ drücken.",
   "moving by hand is switched off here (limits.nudge_speed)":
     "Bewegen von Hand ist hier ausgeschaltet (limits.nudge_speed)",
   "moving by hand needs map.planner = \"space\", and mode default":

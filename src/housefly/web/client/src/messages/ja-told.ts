@@ -5,6 +5,7 @@ export const JA_TOLD: Templates = {
   // headlines and what is said beside them
   "Waiting for the pilot": "自動操縦を待っています",
   "No contact with the pilot": "自動操縦と通信なし",
+  "No contact with the pilot.": "自動操縦と通信なし。",
   "No contact with the drone": "ドローンと通信なし",
   "Waiting for the drone": "ドローンを待っています",
   "Motors are cut": "モーター遮断済み",
@@ -64,10 +65,10 @@ export const JA_TOLD: Templates = {
   "tracking has not seen the drone yet": "位置計測はまだドローンを見つけていません",
   "tracking saw the drone last {n} s ago": "位置計測は{n}秒前からドローンを見失っています",
   "tracking does not see the drone": "位置計測でドローンが見えません",
-  "No word from the pilot for {n} s: {then}. STOP and Land are still sent":
-    "自動操縦から{n}秒間応答がありません。{then}。STOPと着陸は送り続けます",
-  "No word from the drone for {n} s: {then}. STOP and Land are still sent":
-    "ドローンから{n}秒間応答がありません。{then}。STOPと着陸は送り続けます",
+  "No word from the pilot for {n} s: {then}. STOP and Land are still sent.":
+    "自動操縦から{n}秒間応答がありません。{then}。STOPと着陸は送り続けます。",
+  "No word from the drone for {n} s: {then}. STOP and Land are still sent.":
+    "ドローンから{n}秒間応答がありません。{then}。STOPと着陸は送り続けます。",
   // STOP
   "The drone hovers and takes no orders until Resume is held": "ホバリング中。「再開」を長押しするまで指示を受けません",
   "The drone takes no orders until Resume is held": "「再開」を長押しするまで指示を受けません",
@@ -111,6 +112,7 @@ export const JA_TOLD: Templates = {
   "it is started again by itself: wait, or see its log in the run's folder":
     "自動で再起動します。待つか、実行フォルダーの記録を見てください",
   "the drone is already flying": "ドローンはすでに飛行中です",
+  "The drone is already flying.": "ドローンはすでに飛行中です。",
   "the checks before a take-off are not in yet": "離陸前の点検がまだ終わっていません",
   "they come within seconds": "数秒で終わります",
   "the drone does not answer": "ドローンが応答しません",
@@ -129,13 +131,14 @@ export const JA_TOLD: Templates = {
   "{why}; {more}": "{why}。{more}",
   "△ {why}": "△ {why}",
   // why an order would come to nothing
-  "Motors are cut: hold Reset first": "モーター遮断済みです。先に「リセット」を長押ししてください",
-  "Stopped: hold Resume first": "停止中です。先に「再開」を長押ししてください",
-  "The drone does not answer yet": "ドローンがまだ応答しません",
-  "The drone is on the ground": "ドローンは地上にいます",
-  "Only after STOP": "STOPのあとだけ使えます",
-  "Not ready: {why}": "準備できていません：{why}",
-  "Not now: {why}": "いまはできません：{why}",
+  "Motors are cut: hold Reset first.":
+    "モーター遮断済みです。先に「リセット」を長押ししてください。",
+  "Stopped: hold Resume first.": "停止中です。先に「再開」を長押ししてください。",
+  "The drone does not answer yet.": "ドローンがまだ応答しません。",
+  "The drone is on the ground.": "ドローンは地上にいます。",
+  "Only after STOP.": "STOPのあとだけ使えます。",
+  "Not ready: {why}.": "準備できていません：{why}。",
+  "Not now: {why}.": "いまはできません：{why}。",
   "it comes home for safety": "安全のため帰還中です",
   "it lands for safety": "安全のため着陸中です",
   "its motors are being cut": "モーターを遮断中です",
@@ -371,6 +374,7 @@ export const JA_TOLD: Templates = {
   "Waiting for tracking": "位置計測を待っています",
   "no drone": "ドローンなし",
   "this room has no drone": "この部屋にドローンはありません",
+  "This room has no drone.": "この部屋にドローンはありません。",
   "this machine keeps up": "このコンピューターの処理は間に合っています",
   "this machine is overloaded": "このコンピューターは過負荷です",
   "load {n} on {k} cores": "{k} コアで負荷 {n}",
@@ -457,7 +461,8 @@ export const JA_TOLD: Templates = {
   "checked, {name}": "点検済み、{name}",
   "before the site's [tracking] was changed, {name}": "[tracking] を変える前、{name}",
   "{why}: it holds itself": "{why}。自力で静止します",
-  "The drone flies somewhere: press Hover first": "ドローンは移動中です。先に「ホバリング」を押してください",
+  "The drone flies somewhere: press Hover first.":
+    "ドローンは移動中です。先に「ホバリング」を押してください。",
   "in the air the drone keeps the map that it took off with: land first":
     "飛行中は離陸時の地図のままです。先に着陸してください",
   "nobody knows whether the drone flies": "ドローンが飛行中か分かりません",
@@ -472,8 +477,9 @@ export const JA_TOLD: Templates = {
   "{who} starts the pilot again, so that the drone has the newest places and zones":
     "{who} が自動操縦を再起動し、最新の場所と区域を反映します",
   // moving by hand, and complaints of the drone
-  "Moving by hand is switched off here": "ここでは手動での移動は使えません",
-  "A task flies the drone: press Hover first": "用事の飛行中です。先に「ホバリング」を押してください",
+  "Moving by hand is switched off here.": "ここでは手動での移動は使えません。",
+  "A task flies the drone: press Hover first.":
+    "用事の飛行中です。先に「ホバリング」を押してください。",
   "moving by hand is switched off here (limits.nudge_speed)":
     "ここでは手動での移動は使えません（limits.nudge_speed）",
   "moving by hand needs map.planner = \"space\", and mode default":

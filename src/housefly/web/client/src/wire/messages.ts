@@ -258,7 +258,7 @@ export interface LinkStatus {
   loop_p99_s: number;
   loop_max_s: number;
   missed_ticks: number;
-  notes: string[];
+  notes: Said[];
   tracking_latency_s: number;
   command_delay_s: number;
   command_delay_std_s: number;
@@ -286,13 +286,13 @@ export type Standing =
 
 export interface FlightObjection {
   code: string;
-  words: string;
-  mend: string;
+  words: Said;
+  mend: Said;
 }
 
 export interface OrderObjection {
   order: OrderKind;
-  words: string;
+  words: Said;
 }
 
 export type StopProgress = "none" | "sent" | "confirmed" | "failed";
@@ -300,17 +300,17 @@ export type StopProgress = "none" | "sent" | "confirmed" | "failed";
 export interface StopView {
   progress: StopProgress;
   by: string;
-  words: string;
+  words: Said;
 }
 
 export interface ConsoleVerdict {
   at: number;
   shape: HeadlineShape;
-  headline: string;
-  detail: string;
-  banner: string;
+  headline: Said;
+  detail: Said;
+  banner: Said;
   standing: Standing;
-  place: string;
+  place: Said;
   pad_distance: number | null;
   airborne: boolean | null;
   may_be_airborne: boolean;
@@ -318,10 +318,10 @@ export interface ConsoleVerdict {
   pose_is_old: boolean;
   may_take_off: boolean;
   reasons: FlightObjection[];
-  known: string[];
+  known: Said[];
   orders: OrderObjection[];
   next_order: OrderKind | null;
-  if_contact_lost: string;
+  if_contact_lost: Said;
   stop: StopView;
   pilot: number | null;
   control: string;
