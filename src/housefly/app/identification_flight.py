@@ -28,7 +28,16 @@ from housefly.geometry import Vec2, Vec3, distance
 from housefly.lab.identification.box import Box
 from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationManeuver
 from housefly.lab.identification.pattern import Block, largest_excursion
-from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
+from housefly.messages import (
+    DroneStatus,
+    Inputs,
+    Order,
+    OrderKind,
+    OrderSource,
+    Phase,
+    PilotStep,
+    SafetyMode,
+)
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tracking.trackers import tracker_of
@@ -110,7 +119,7 @@ class IdentificationFlight:
         if now - self._asked_at < _REPEAT_ORDER_AFTER:
             return None
         self._asked_at = now
-        return Order(kind, goal=goal, issued_at=now, sender=_SENDER)
+        return Order(kind, goal=goal, issued_at=now, sender=_SENDER, source=OrderSource.PROGRAM)
 
 
 def fly_identification_lockstep(
@@ -130,7 +139,15 @@ def fly_identification_lockstep(
     while not flight.outcome:
         room.advance(period)
         issued = (
-            (Order(order.kind, goal=order.goal, issued_at=room.now, sender=_SENDER),)
+            (
+                Order(
+                    order.kind,
+                    goal=order.goal,
+                    issued_at=room.now,
+                    sender=_SENDER,
+                    source=OrderSource.PROGRAM,
+                ),
+            )
             if order
             else ()
         )
