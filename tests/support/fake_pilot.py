@@ -42,7 +42,9 @@ from housefly.messages import (
     Inputs,
     LinkStatus,
     Order,
+    OrderAnswer,
     OrderKind,
+    OrderOutcome,
     Outputs,
     Path,
     Phase,
@@ -56,6 +58,7 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
+from housefly.messages.order_words import asked_words, refused_words
 from housefly.messages.words import Words, literal
 from housefly.web.server import create_app
 
@@ -107,6 +110,7 @@ class FakePilot:
     link_notes: tuple[str, ...] = ()
     nudge: Order | None = None
     _events: list[Event] = field(default_factory=list)
+    _answers: list[OrderAnswer] = field(default_factory=list)
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def __post_init__(self) -> None:
@@ -152,6 +156,7 @@ class FakePilot:
             self._move(dt)
             step = self._step()
             self._events.clear()
+            self._answers.clear()
         if self.publishing:
             self.bus.publish(STEP_TOPIC, step)
 
@@ -159,6 +164,15 @@ class FakePilot:
         """Add an event to the next step."""
         with self._lock:
             self._events.append(Event(self.clock.now(), severity, EventCode(code), literal(text)))
+
+    def refuse(self, why: str) -> None:
+        """Refuse the newest order after all, in the event log and as an answer."""
+        with self._lock:
+            order, words = self.orders[-1], literal(why)
+            self._answers.append(OrderAnswer(order.id, OrderOutcome.UNAVAILABLE, words))
+            self.add_event(
+                Severity.WARNING, "order_refused", refused_words(asked_words(order), words)
+            )
 
     # --- orders
 
@@ -349,6 +363,7 @@ class FakePilot:
             self.waypoint,
             "stopped until resume" if self.stopped else "",
             tuple(self._events),
+            answers=tuple(self._answers),
         )
         return PilotStep(self.sequence, now, Inputs(sightings, telemetry), outputs)
 

@@ -127,10 +127,11 @@ class Room:
             if place.name == name.lower():
                 return place
         known = [place.name for place in self.places]
-        raise KeyError(_unknown_place(name, known))
+        raise KeyError(unknown_place(name, known))
 
 
-def _unknown_place(name: str, known: list[str]) -> Words:
+def unknown_place(name: str, known: list[str]) -> Words:
+    """Return that no place has this name, and which there are."""
     places = ", ".join(known)
     if close := names_like(name, known):
         return Words(

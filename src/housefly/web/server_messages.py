@@ -220,7 +220,7 @@ class RefusedReply:
     """Request ``id`` was not passed on; the reason is in words."""
 
     id: int
-    reason: str
+    reason: Words
     type: Literal["refused"] = "refused"
 
 

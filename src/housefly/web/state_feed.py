@@ -23,7 +23,7 @@ from housefly.messages import (
     Sighting,
     TrajectoryPoint,
 )
-from housefly.messages.words import Words, literal
+from housefly.messages.words import Words
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
@@ -99,10 +99,10 @@ class StateFeed:
         bus.subscribe(LINK_TOPIC, self._on_link)
         bus.subscribe(TRAJECTORY_TOPIC, self._on_trajectory)
 
-    def log_event(self, severity: Severity, code: str, text: str) -> None:
+    def log_event(self, severity: Severity, code: str, text: Words) -> None:
         """Add a line of the console's own to the event log."""
         with self._lock:
-            self._add_event(severity, code, literal(text))
+            self._add_event(severity, code, text)
 
     def refusals(self) -> tuple[OrderAnswer, ...]:
         """Return which orders the pilot refused since the last call."""

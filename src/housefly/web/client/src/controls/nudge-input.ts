@@ -56,8 +56,7 @@ export const limit = computed(() => {
   const told = events.value.filter(
     (one) => one.code === "nudge_limited" && one.number > since.value,
   );
-  const text = told.at(-1)?.text ?? "";
-  return typeof text === "string" ? text : (text[1] as Said);
+  return (told.at(-1)?.text[1] as Said | undefined) ?? "";
 });
 
 /** Hold a direction, by the name of a key or a button. */

@@ -1,5 +1,5 @@
 // What the server says in English, in German: templates of its sentences.
-import type { Templates } from "./templates";
+import type { Templates } from "./speech";
 
 export const DE_TOLD: Templates = {
   // headlines and what is said beside them
@@ -141,7 +141,6 @@ export const DE_TOLD: Templates = {
   "carry it to its pad": "zum Landeplatz tragen",
   "{why} ({found})": "{why} ({found})",
   "{why}; {more}": "{why}; {more}",
-  "△ {why}": "△ {why}",
   // why an order would come to nothing
   "Motors are cut: hold Reset first.": "Motoren sind aus: erst „Zurücksetzen“ halten.",
   "Stopped: hold Resume first.": "Angehalten: erst „Fortsetzen“ halten.",
@@ -170,8 +169,6 @@ export const DE_TOLD: Templates = {
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "seit {n} s soll sie landen (Grenze {m} s) und ist noch oben: Sinken nach eigener Vorgabe",
   "the drone is silent for {n} s": "die Drohne schweigt seit {n} s",
-  "people may be unseen: a sensor that looks for them is silent for {n} s":
-    "Personen bleiben vielleicht ungesehen: ein Sensor für sie schweigt seit {n} s",
   "people may be unseen: a sensor that looks for them is not heard yet":
     "Personen bleiben vielleicht ungesehen: von einem Sensor für sie kam noch nichts",
   "the drone has not confirmed its limits for {n} s":
@@ -308,7 +305,6 @@ export const DE_TOLD: Templates = {
   "the battery is charged": "der Akku ist geladen",
   "the battery is too low": "der Akku ist zu leer",
   "{p}%": "{p} %",
-  "at least {p}%": "mindestens {p} %",
   "at least {p}%, and more for a long way": "mindestens {p} %, für weite Wege mehr",
   "it has to come home, and to land": "sie muss zurückkommen und landen",
   "charge it, or change the battery": "laden oder Akku wechseln",
@@ -390,9 +386,6 @@ export const DE_TOLD: Templates = {
     "`housefly sensors` ansehen: ist jeder an, in diesem Netz und unverdeckt?",
   "keep people out of the room, or add a scanner or a depth camera to the site":
     "niemanden in den Raum lassen, oder Scanner oder Tiefenkamera ergänzen",
-  "it makes way only for people whom a sensor sees":
-    "sie weicht nur Personen aus, die ein Sensor sieht",
-  "keep people out of the room": "niemanden in den Raum lassen",
   "the last frame check found nothing wrong": "die letzte Achsenprüfung fand keinen Fehler",
   "the last frame check found tracking wrong": "die letzte Achsenprüfung fand die Ortung falsch",
   "nothing known": "nichts bekannt",
@@ -441,11 +434,7 @@ export const DE_TOLD: Templates = {
     "die Platte wieder zum Schreiben einhängen oder diesen Benutzer dort schreiben lassen",
   "nothing here sees people: no scanner, no depth camera":
     "hier sieht nichts Personen: kein Scanner, keine Tiefenkamera",
-  "no picture for {n} s": "kein Bild seit {n} s",
-  "nobody answers at {name}": "niemand antwortet unter {name}",
   // why there is no way
-  "an obstacle is too close to this point": "ein Hindernis ist diesem Punkt zu nah",
-  "no free way leads to this point": "kein freier Weg führt zu diesem Punkt",
   "there is no free way from {name} to {place}": "kein freier Weg von {name} nach {place}",
   // what was refused
   "{asked} refused: {why}": "{asked} abgelehnt: {why}",
@@ -505,14 +494,10 @@ export const DE_TOLD: Templates = {
   "bed occupied": "Bett belegt",
   "appliance on": "Gerät an",
   "contact open": "Tür offen",
-  "{what} ({name})": "{what} ({name})",
   "no": "nein",
   "ignore": "nicht beachten",
   "not now": "jetzt nicht",
   "landing": "landet",
-  "found wrong, {name}": "falsch, {name}",
-  "checked, {name}": "geprüft, {name}",
-  "before the site's [tracking] was changed, {name}": "bevor [tracking] geändert wurde, {name}",
   "{why}: it holds itself": "{why}: sie hält sich selbst",
   "The drone flies somewhere: press Hover first.":
     "Die Drohne ist unterwegs: erst „Schweben“ drücken.",
@@ -758,41 +743,72 @@ export const DE_TOLD: Templates = {
   "{why}; nearest free place: ({x}, {y}) m": "{why}; nächster freier Ort: ({x}; {y}) m",
   "{why}; no way home, waiting here: {more}": "{why}; kein Weg nach Hause, wartet hier: {more}",
   "{why}; no way on, waiting here: {more}": "{why}; kein Weg weiter, wartet hier: {more}",
+  // who is here, and who has control
+  "a browser came in by {link}: {what}": "ein Browser kam herein über {link}: {what}",
+  "another tab says hello on a socket of its own":
+    "ein anderer Tab meldet sich mit eigener Verbindung",
+  "it may do everything": "er darf alles",
+  "it may fly": "er darf fliegen",
+  "it may watch": "er darf zusehen",
+  "it may watch and ask": "er darf zusehen und fragen",
+  "no path could be asked for: {why}": "nach dem Weg ließ sich nicht fragen: {why}",
+  "nobody has control: take it first": "niemand steuert: erst die Steuerung übernehmen",
+  "say hello first": "erst anmelden",
+  "the console was started again: what happened meanwhile is not in this log":
+    "die Konsole wurde neu gestartet: was inzwischen geschah, fehlt hier",
+  "the link of the terminal": "den Link des Terminals",
+  "the link that {who} made": "den Link von {who}",
+  "the order to {asked} takes no place and no goal":
+    "dieser Befehl braucht weder Ort noch Ziel: {asked}",
+  "your role is {name}, and this needs {what}: ask who runs Housefly":
+    "Ihre Rolle ist {name}, nötig ist {what}: den Betreiber von Housefly fragen",
+  "{who} handed control to {name}": "{who} hat die Steuerung an {name} übergeben",
+  "{who} has control": "{who} steuert",
+  "{who} laid down control": "{who} hat die Steuerung abgegeben",
+  "{who} may not fly any more and lost control":
+    "{who} darf nicht mehr fliegen und steuert nicht mehr",
+  "{who} saved places and zones": "{who} hat Orte und Zonen gespeichert",
+  "{who} took control": "{who} hat die Steuerung übernommen",
+  "{who} undid a change of places and zones":
+    "{who} hat eine Änderung an Orten und Zonen zurückgenommen",
+  "{who} was silent for {n} s and lost control: nobody has it now":
+    "{who} war {n} s still und steuert nicht mehr: jetzt steuert niemand",
+  "{who}: {what}, but the pilot is not heard": "{who}: {what}, doch der Autopilot schweigt",
   // services of the house
   "Look at a place or a thing": "Ort oder Ding ansehen",
-  "Flies to where it is seen from, takes a picture and comes home":
-    "Fliegt zum Blickpunkt, macht ein Bild und kommt zurück",
+  "Flies to where it is seen from, takes a picture and comes home.":
+    "Fliegt zum Blickpunkt, macht ein Bild und kommt zurück.",
   "Where is something": "Wo ist etwas",
-  "Says where the memory has it; when that is old or unsure, flies there and looks":
-    "Nennt den Ort aus dem Gedächtnis; ist er alt oder unsicher, sieht sie nach",
+  "Says where the memory has it; when that is old or unsure, flies there and looks.":
+    "Nennt den Ort aus dem Gedächtnis; ist er alt oder unsicher, sieht sie nach.",
   "Patrol": "Rundgang",
-  "Looks at every place in turn, takes pictures and tells what changed since the last time":
-    "Sieht jeden Ort an, macht Bilder und meldet, was sich geändert hat",
+  "Looks at every place in turn, takes pictures and tells what changed since the last time.":
+    "Sieht jeden Ort an, macht Bilder und meldet, was sich geändert hat.",
   "Night round": "Nachtrunde",
-  "Looks after everybody and every place once, quietly; tells only what is wrong":
-    "Sieht leise einmal überall nach; meldet nur, was nicht stimmt",
+  "Looks after everybody and every place once, quietly; tells only what is wrong.":
+    "Sieht leise einmal überall nach; meldet nur, was nicht stimmt.",
   "Look who is at the door": "Nachsehen, wer an der Tür ist",
-  "Flies to the entrance, films whoever stands there and tells everybody":
-    "Fliegt zum Eingang, filmt, wer dort steht, und meldet es allen",
+  "Flies to the entrance, films whoever stands there and tells everybody.":
+    "Fliegt zum Eingang, filmt, wer dort steht, und meldet es allen.",
   "Look around": "Umsehen",
-  "Takes pictures in all directions, where the drone starts or at a place":
-    "Macht Bilder in alle Richtungen, am Startort oder an einem Ort",
+  "Takes pictures in all directions, where the drone starts or at a place.":
+    "Macht Bilder in alle Richtungen, am Startort oder an einem Ort.",
   "Is everything all right?": "Ist alles in Ordnung?",
-  "Tells how everybody is; looks after who may have fallen or left their bed at night":
-    "Sagt, wie es allen geht; sieht nach, wer gestürzt oder nachts aufgestanden ist",
+  "Tells how everybody is; looks after who may have fallen or left their bed at night.":
+    "Sagt, wie es allen geht; sieht nach, wer gestürzt oder nachts aufgestanden ist.",
   "Inventory": "Bestand",
-  "Tells what is in the cabinet and the refrigerator, and takes a picture of each":
-    "Sagt, was in Schrank und Kühlschrank ist, und macht von beiden ein Bild",
+  "Tells what is in the cabinet and the refrigerator, and takes a picture of each.":
+    "Sagt, was in Schrank und Kühlschrank ist, und macht von beiden ein Bild.",
   "Follow somebody": "Jemandem folgen",
-  "Keeps a person in view for a while; looks for who is lost, then comes home":
-    "Behält eine Person eine Weile im Bild; sucht sie, kommt dann zurück",
+  "Keeps a person in view for a while; looks for who is lost, then comes home.":
+    "Behält eine Person eine Weile im Bild; sucht sie, kommt dann zurück.",
   "Find a lost thing": "Verlorenes suchen",
-  "Looks where it most likely is, shows pictures and asks; tells what was not looked at":
-    "Sieht nach, wo es wohl ist, zeigt Bilder und fragt; sagt, was nicht angesehen wurde",
+  "Looks where it most likely is, shows pictures and asks; tells what was not looked at.":
+    "Sieht nach, wo es wohl ist, zeigt Bilder und fragt; sagt, was nicht angesehen wurde.",
   "Come to somebody": "Zu jemandem kommen",
-  "Flies to a person, faces them and waits; goes home when told, or after a while":
-    "Fliegt zu einer Person, wendet sich ihr zu und wartet; kommt auf Wunsch oder nach einer " +
-      "Weile zurück",
+  "Flies to a person, faces them and waits; goes home when told, or after a while.":
+    "Fliegt zu einer Person, wendet sich ihr zu und wartet; kommt auf Wunsch oder nach " +
+      "einer Weile zurück.",
   "what to look at": "was anzusehen ist",
   "how long to look": "wie lange hinsehen",
   "how long to look at each": "wie lange jeweils hinsehen",

@@ -1,7 +1,6 @@
 // The page in German.
 import { DE_TOLD } from "./de-told";
 import type { Speech } from "./language";
-import { teller } from "./templates";
 
 const texts: Speech["texts"] = {
   // orders, STOP and what stands beside them
@@ -633,4 +632,4 @@ const ideas = [
   "Was ist heute passiert?",
 ];
 
-export const DE: Speech = { texts, ideas, templates: DE_TOLD, told: teller(DE_TOLD, { point: ",", stop: "." }) };
+export const DE: Speech = { texts, ideas, templates: DE_TOLD };

@@ -1,5 +1,5 @@
 // What the server says in English, in Japanese: templates of its sentences.
-import type { Templates } from "./templates";
+import type { Templates } from "./speech";
 
 export const JA_TOLD: Templates = {
   // headlines and what is said beside them
@@ -129,7 +129,6 @@ export const JA_TOLD: Templates = {
   "carry it to its pad": "パッドまで運んでください",
   "{why} ({found})": "{why}（{found}）",
   "{why}; {more}": "{why}。{more}",
-  "△ {why}": "△ {why}",
   // why an order would come to nothing
   "Motors are cut: hold Reset first.":
     "モーター遮断済みです。先に「リセット」を長押ししてください。",
@@ -157,8 +156,6 @@ export const JA_TOLD: Templates = {
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "着陸の指示から{n}秒（限度 {m}秒）、まだ空中です。こちらの指令で降下します",
   "the drone is silent for {n} s": "ドローンから{n}秒間応答がありません",
-  "people may be unseen: a sensor that looks for them is silent for {n} s":
-    "人が見えていない恐れ：人を見るセンサーが{n}秒間応答なし",
   "people may be unseen: a sensor that looks for them is not heard yet":
     "人が見えていない恐れ：人を見るセンサーからまだ応答なし",
   "the drone has not confirmed its limits for {n} s": "ドローンが{n}秒間、制限値を確認していません",
@@ -277,7 +274,6 @@ export const JA_TOLD: Templates = {
   "the battery is charged": "バッテリーは充電されています",
   "the battery is too low": "バッテリー残量が足りません",
   "{p}%": "{p}%",
-  "at least {p}%": "{p}% 以上",
   "at least {p}%, and more for a long way": "{p}% 以上、遠い場合はさらに必要",
   "it has to come home, and to land": "帰還と着陸に必要です",
   "charge it, or change the battery": "充電するか、バッテリーを交換してください",
@@ -351,8 +347,6 @@ export const JA_TOLD: Templates = {
     "`housefly sensors` で、各センサーの電源、ネットワーク、覆いの有無を見てください",
   "keep people out of the room, or add a scanner or a depth camera to the site":
     "人を部屋に入れないか、スキャナーか深度カメラを追加してください",
-  "it makes way only for people whom a sensor sees": "センサーに見える人だけをよけます",
-  "keep people out of the room": "人を部屋に入れないでください",
   "the last frame check found nothing wrong": "前回の座標点検は正常でした",
   "the last frame check found tracking wrong": "前回の座標点検で位置計測に誤りがありました",
   "nothing known": "分かっている異常なし",
@@ -396,11 +390,7 @@ export const JA_TOLD: Templates = {
   "mount the disk for writing again, or let this user write there":
     "ディスクを書き込み可能でマウントし直すか、このユーザーの書き込みを許可してください",
   "nothing here sees people: no scanner, no depth camera": "ここでは人を検知できません：スキャナーも深度カメラもありません",
-  "no picture for {n} s": "{n}秒間映像がありません",
-  "nobody answers at {name}": "{name} から応答がありません",
   // why there is no way
-  "an obstacle is too close to this point": "この地点は障害物に近すぎます",
-  "no free way leads to this point": "この地点へ行ける道がありません",
   "there is no free way from {name} to {place}": "{name} から {place} へ行ける道がありません",
   // what was refused
   "{asked} refused: {why}": "受け付けません（{asked}）：{why}",
@@ -452,14 +442,10 @@ export const JA_TOLD: Templates = {
   "bed occupied": "ベッドに人がいます",
   "appliance on": "家電がついています",
   "contact open": "扉が開いています",
-  "{what} ({name})": "{what}（{name}）",
   "no": "いいえ",
   "ignore": "無視",
   "not now": "あとで",
   "landing": "着陸中",
-  "found wrong, {name}": "誤りあり、{name}",
-  "checked, {name}": "点検済み、{name}",
-  "before the site's [tracking] was changed, {name}": "[tracking] を変える前、{name}",
   "{why}: it holds itself": "{why}。自力で静止します",
   "The drone flies somewhere: press Hover first.":
     "ドローンは移動中です。先に「ホバリング」を押してください。",
@@ -698,38 +684,67 @@ export const JA_TOLD: Templates = {
   "{why}; nearest free place: ({x}, {y}) m": "{why}。最も近い空いた位置：({x}, {y}) m",
   "{why}; no way home, waiting here: {more}": "{why}。戻る経路がないため、ここで待ちます：{more}",
   "{why}; no way on, waiting here: {more}": "{why}。先へ進む経路がないため、ここで待ちます：{more}",
+  // who is here, and who has control
+  "a browser came in by {link}: {what}": "{link} からブラウザが入りました：{what}",
+  "another tab says hello on a socket of its own": "別のタブが独自の接続を使っています",
+  "it may do everything": "すべての操作ができます",
+  "it may fly": "飛行の操作ができます",
+  "it may watch": "閲覧だけできます",
+  "it may watch and ask": "閲覧と質問ができます",
+  "no path could be asked for: {why}": "経路を問い合わせられません：{why}",
+  "nobody has control: take it first": "誰も操縦していません。先に操縦を引き受けてください",
+  "say hello first": "先に接続を始めてください",
+  "the console was started again: what happened meanwhile is not in this log":
+    "コンソールが再起動しました。その間の出来事は記録にありません",
+  "the link of the terminal": "端末のリンク",
+  "the link that {who} made": "{who} が作ったリンク",
+  "the order to {asked} takes no place and no goal": "この指示に場所や目的地は要りません：{asked}",
+  "your role is {name}, and this needs {what}: ask who runs Housefly":
+    "あなたの役割は {name} ですが、{what} が必要です。Houseflyの管理者に頼んでください",
+  "{who} handed control to {name}": "{who} が {name} に操縦を渡しました",
+  "{who} has control": "{who} が操縦中です",
+  "{who} laid down control": "{who} が操縦をやめました",
+  "{who} may not fly any more and lost control": "{who} は飛行の権限がなくなり、操縦を失いました",
+  "{who} saved places and zones": "{who} が場所と区域を保存しました",
+  "{who} took control": "{who} が操縦を引き受けました",
+  "{who} undid a change of places and zones": "{who} が場所と区域の変更を取り消しました",
+  "{who} was silent for {n} s and lost control: nobody has it now":
+    "{who} から{n}秒間応答がなく、操縦を失いました。いまは誰も操縦していません",
+  "{who}: {what}, but the pilot is not heard": "{who}：{what}（自動操縦の応答がありません）",
   // services of the house
   "Look at a place or a thing": "場所や物を見る",
-  "Flies to where it is seen from, takes a picture and comes home": "よく見える所まで飛び、写真を撮って戻ります",
+  "Flies to where it is seen from, takes a picture and comes home.":
+    "よく見える所まで飛び、写真を撮って戻ります。",
   "Where is something": "物の場所",
-  "Says where the memory has it; when that is old or unsure, flies there and looks":
-    "記憶にある場所を答え、古いか不確かなら見に行きます",
+  "Says where the memory has it; when that is old or unsure, flies there and looks.":
+    "記憶にある場所を答え、古いか不確かなら見に行きます。",
   "Patrol": "見回り",
-  "Looks at every place in turn, takes pictures and tells what changed since the last time":
-    "各場所を順に見て写真を撮り、前回との違いを知らせます",
+  "Looks at every place in turn, takes pictures and tells what changed since the last time.":
+    "各場所を順に見て写真を撮り、前回との違いを知らせます。",
   "Night round": "夜の見回り",
-  "Looks after everybody and every place once, quietly; tells only what is wrong":
-    "静かに一度ずつ見て回り、異常だけを知らせます",
+  "Looks after everybody and every place once, quietly; tells only what is wrong.":
+    "静かに一度ずつ見て回り、異常だけを知らせます。",
   "Look who is at the door": "玄関に誰がいるか見る",
-  "Flies to the entrance, films whoever stands there and tells everybody": "玄関へ飛び、来た人を撮影して皆に知らせます",
+  "Flies to the entrance, films whoever stands there and tells everybody.":
+    "玄関へ飛び、来た人を撮影して皆に知らせます。",
   "Look around": "周りを見る",
-  "Takes pictures in all directions, where the drone starts or at a place":
-    "離陸した所か選んだ場所で、全方向の写真を撮ります",
+  "Takes pictures in all directions, where the drone starts or at a place.":
+    "離陸した所か選んだ場所で、全方向の写真を撮ります。",
   "Is everything all right?": "異常はありませんか",
-  "Tells how everybody is; looks after who may have fallen or left their bed at night":
-    "皆の様子を知らせ、転倒や夜の離床を見に行きます",
+  "Tells how everybody is; looks after who may have fallen or left their bed at night.":
+    "皆の様子を知らせ、転倒や夜の離床を見に行きます。",
   "Inventory": "中身の確認",
-  "Tells what is in the cabinet and the refrigerator, and takes a picture of each":
-    "棚と冷蔵庫の中身を知らせ、それぞれ写真を撮ります",
+  "Tells what is in the cabinet and the refrigerator, and takes a picture of each.":
+    "棚と冷蔵庫の中身を知らせ、それぞれ写真を撮ります。",
   "Follow somebody": "人を追う",
-  "Keeps a person in view for a while; looks for who is lost, then comes home":
-    "しばらく人を映し続け、見失えば探してから戻ります",
+  "Keeps a person in view for a while; looks for who is lost, then comes home.":
+    "しばらく人を映し続け、見失えば探してから戻ります。",
   "Find a lost thing": "なくした物を探す",
-  "Looks where it most likely is, shows pictures and asks; tells what was not looked at":
-    "ありそうな所を見て写真で確認し、見ていない所を知らせます",
+  "Looks where it most likely is, shows pictures and asks; tells what was not looked at.":
+    "ありそうな所を見て写真で確認し、見ていない所を知らせます。",
   "Come to somebody": "人のところへ行く",
-  "Flies to a person, faces them and waits; goes home when told, or after a while":
-    "人のところへ飛び、向き合って待ちます。指示かしばらくのあと戻ります",
+  "Flies to a person, faces them and waits; goes home when told, or after a while.":
+    "人のところへ飛び、向き合って待ちます。指示かしばらくのあと戻ります。",
   "what to look at": "見るもの",
   "how long to look": "見る時間",
   "how long to look at each": "それぞれを見る時間",

@@ -1,7 +1,6 @@
 // The page in Japanese.
 import { JA_TOLD } from "./ja-told";
 import type { Speech } from "./language";
-import { teller } from "./templates";
 
 const texts: Speech["texts"] = {
   // orders, STOP and what stands beside them
@@ -598,4 +597,4 @@ const texts: Speech["texts"] = {
 
 const ideas = ["玄関に誰がいますか", "誰かいますか", "大丈夫ですか", "今日何がありましたか"];
 
-export const JA: Speech = { texts, ideas, templates: JA_TOLD, told: teller(JA_TOLD, { point: ".", stop: "。" }) };
+export const JA: Speech = { texts, ideas, templates: JA_TOLD };

@@ -1,7 +1,6 @@
 // English sentences of the server with numbers and names in them, put into another language.
 
-/** English template to the same in another language; the names in braces are the same in both. */
-export type Templates = Readonly<Record<string, string>>;
+import type { Templates } from "./speech";
 
 interface Rule {
   pattern: RegExp;
@@ -39,14 +38,6 @@ export interface Habits {
   point: string;
   stop: string;
 }
-
-const PLACE = /\{\w+\}/g;
-
-/** Return a template of another language with the values of the English one. */
-export const filled = (own: string, english: string, values: string[]): string => {
-  const names: string[] = english.match(PLACE) ?? [];
-  return own.replace(PLACE, (name) => values[names.indexOf(name)]!);
-};
 
 /** Return what puts a sentence into the language of the templates, or null where none fits. */
 export function teller(templates: Templates, habits: Habits): (english: string) => string | null {

@@ -503,7 +503,7 @@ export interface AcceptedReply {
 
 export interface RefusedReply {
   id: number;
-  reason: string;
+  reason: Said;
   type: "refused";
 }
 

@@ -209,4 +209,4 @@ const texts: Record<Key, string> = {
   "The real room": "Der echte Raum",
 };
 
-export const DE: Speech = { texts, templates: DE_TOLD, told: teller(DE_TOLD, { point: ",", stop: "." }) };
+export const DE: Speech = { texts, told: teller(DE_TOLD, { point: ",", stop: "." }) };

@@ -198,4 +198,4 @@ const texts: Record<Key, string> = {
   "The real room": "実際の部屋で",
 };
 
-export const JA: Speech = { texts, templates: JA_TOLD, told: teller(JA_TOLD, { point: ".", stop: "。" }) };
+export const JA: Speech = { texts, told: teller(JA_TOLD, { point: ".", stop: "。" }) };
