@@ -25,7 +25,7 @@ from _run import table
 from housefly.config.site import changed
 from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.oracle import Oracle
-from housefly.messages import Order, OrderKind, Severity
+from housefly.messages import EventCode, Order, OrderKind, Severity
 from housefly.sites.loaded_site import LoadedSite, load_site
 
 TRACKING = ((100.0, 0.0), (30.0, 0.0), (10.0, 0.0), (10.0, 0.3))
@@ -80,7 +80,7 @@ def fly_service(loaded: LoadedSite, place: str, flown: CalmFlights) -> None:
         oracle.watch(step)
         for event in step.outputs.events:
             if (
-                event.code in ("tracking_old", "tracking_gap")
+                event.code in (EventCode.TRACKING_OLD, EventCode.TRACKING_GAP)
                 or "limits.pose_age_level" in event.text
             ):
                 flown.poses_old += 1

@@ -22,7 +22,7 @@ from _run import table
 from housefly.config.site import changed
 from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.oracle import Oracle
-from housefly.messages import DroneStatus, Order, OrderKind, Phase, PilotStep
+from housefly.messages import DroneStatus, EventCode, Order, OrderKind, Phase, PilotStep
 from housefly.sites.loaded_site import LoadedSite, load_site
 from housefly.twin.lively import lively_changes
 
@@ -83,7 +83,7 @@ def spend_day(seed: int) -> RoomDay:
         oracle.watch(step)
         for event in step.outputs.events:
             day.told[event.code] += 1
-            if event.code == "order_refused":
+            if event.code is EventCode.ORDER_REFUSED:
                 day.refused[event.text] += 1
         if since is None or simulation.now - since < ANSWER_S:
             continue

@@ -12,7 +12,7 @@ from _run import percentile, table
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.lab.lockstep.service import fly_lockstep
-from housefly.messages import Obstacle, Order, OrderKind, PilotStep
+from housefly.messages import EventCode, Obstacle, Order, OrderKind, PilotStep
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
@@ -65,9 +65,9 @@ class Stop:
     def step(self, step: PilotStep) -> None:
         """Note what the pilot tells."""
         for event in step.outputs.events:
-            if event.code == "way_blocked" and not self.told_at:
+            if event.code is EventCode.WAY_BLOCKED and not self.told_at:
                 self.told_at = event.at
-            if event.code == "detour" and self.told_at and not self.detour_at:
+            if event.code is EventCode.DETOUR and self.told_at and not self.detour_at:
                 self.detour_at = event.at
 
     def measure(self) -> None:

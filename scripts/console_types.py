@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 from housefly import web
 from housefly.hub.api import answers as room_answers
+from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskAnswer
 from housefly.web.client_messages import ClientMessage
 from housefly.web.coverage_layer import CoverageView
@@ -34,6 +35,14 @@ _PLAIN: dict[Any, str] = {
     bool: "boolean",
     types.NoneType: "null",
 }
+_SAID = """\
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+"""
 
 
 def generated_files() -> dict[Path, str]:
@@ -98,6 +107,9 @@ class _Writer:
     def name(self, kind: Any) -> str:
         if kind in _PLAIN:
             return _PLAIN[kind]
+        if kind is Words:
+            self.declarations["Said"] = _SAID
+            return "Said"
         origin, arguments = get_origin(kind), get_args(kind)
         if origin is Annotated:
             return self.name(arguments[0])

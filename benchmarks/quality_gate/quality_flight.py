@@ -6,7 +6,7 @@ from math import floor
 
 from housefly.geometry import yaw_of
 from housefly.lab.lockstep.simulation import Simulation
-from housefly.messages import Order, OrderKind, Phase, PilotStep, Severity
+from housefly.messages import EventCode, Order, OrderKind, Phase, PilotStep, Severity
 from housefly.pilot.assembly import make_pilot
 from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.disturbance import NEUTRAL, Disturbances
@@ -108,9 +108,9 @@ class QualityFlight:
         step = simulation.step(simulation.inputs(*orders))
         for event in step.outputs.events:
             # "landing for safety" follows the reason for it.
-            if event.severity is not Severity.INFO and event.code != "forced_down":
+            if event.severity is not Severity.INFO and event.code is not EventCode.FORCED_DOWN:
                 self._trouble = event.text
-            if event.code == "order_refused":
+            if event.code is EventCode.ORDER_REFUSED:
                 self.refusal = event.text
         self.track.add(simulation.world, step, yaw_of(simulation.world.truth().pose.orientation))
         return step

@@ -8,6 +8,7 @@ from housefly.messages import (
     Command,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     Observation,
     Order,
@@ -84,7 +85,7 @@ def test_a_flight_begins_and_ends_once_and_says_who_asked() -> None:
 def test_what_the_pilot_says_to_people_is_remembered() -> None:
     outputs = Outputs(
         Command(Action.IDLE),
-        events=(Event(1.5, Severity.WARNING, "tracking_lost", "unseen for 2 s"),),
+        events=(Event(1.5, Severity.WARNING, EventCode.TRACKING_LOST, "unseen for 2 s"),),
     )
     (event,) = told(
         FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), PilotStep(1, 2.0, Inputs(), outputs)

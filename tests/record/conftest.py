@@ -20,6 +20,7 @@ from housefly.messages import (
     DroneStatus,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     Order,
     OrderKind,
@@ -153,7 +154,14 @@ def step_at(sequence: int, now: float, phase: Phase, share: float) -> PilotStep:
             goal_name="entrance" if phase in (Phase.OUTBOUND, Phase.LOOKING) else "",
             path=path,
             events=(
-                (Event(now, Severity.INFO, "take-off", "taking off for <entrance> & back"),)
+                (
+                    Event(
+                        now,
+                        Severity.INFO,
+                        EventCode.ORDER_ACCEPTED,
+                        "taking off for <entrance> & back",
+                    ),
+                )
                 if started
                 else ()
             ),

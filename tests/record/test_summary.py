@@ -70,7 +70,7 @@ def test_clearance_is_that_of_the_map_less_half_the_hull(
 
 def test_events_carry_the_time_since_the_start(summary: Summary) -> None:
     (event,) = summary.events
-    assert (event.at_s, event.severity, event.code) == (1.0, "info", "take-off")
+    assert (event.at_s, event.severity, event.code) == (1.0, "info", "order_accepted")
 
 
 def test_the_json_holds_every_key_that_was_promised(summary: Summary) -> None:

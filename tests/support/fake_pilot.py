@@ -39,10 +39,13 @@ from housefly.messages import (
     DroneStatus,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     LinkStatus,
     Order,
+    OrderAnswer,
     OrderKind,
+    OrderOutcome,
     Outputs,
     Path,
     Phase,
@@ -57,6 +60,8 @@ from housefly.messages import (
     Telemetry,
     TrackedFrame,
 )
+from housefly.messages.order_words import asked_words, refused_words
+from housefly.messages.words import Words, literal
 from housefly.web.server import create_app
 
 _CLIMB_RATE = 0.6
@@ -107,6 +112,7 @@ class FakePilot:
     link_notes: tuple[str, ...] = ()
     nudge: Order | None = None
     _events: list[Event] = field(default_factory=list)
+    _answers: list[OrderAnswer] = field(default_factory=list)
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def __post_init__(self) -> None:
@@ -152,6 +158,7 @@ class FakePilot:
             self._move(dt)
             step = self._step()
             self._events.clear()
+            self._answers.clear()
         if self.publishing:
             self.bus.publish(FRAME_TOPIC, TrackedFrame(step.inputs.sightings))
             self.bus.publish(STEP_TOPIC, step)
@@ -159,7 +166,16 @@ class FakePilot:
     def add_event(self, severity: Severity, code: str, text: str) -> None:
         """Add an event to the next step."""
         with self._lock:
-            self._events.append(Event(self.clock.now(), severity, code, text))
+            self._events.append(Event(self.clock.now(), severity, EventCode(code), literal(text)))
+
+    def refuse(self, why: str) -> None:
+        """Refuse the newest order after all, in the event log and as an answer."""
+        with self._lock:
+            order, words = self.orders[-1], literal(why)
+            self._answers.append(OrderAnswer(order.id, OrderOutcome.UNAVAILABLE, words))
+            self.add_event(
+                Severity.WARNING, "order_refused", refused_words(asked_words(order), words)
+            )
 
     # --- orders
 
@@ -213,7 +229,7 @@ class FakePilot:
         self.path, self.waypoint = answer.path, 1
         self.add_event(
             Severity.INFO,
-            "errand",
+            "going_on",
             f"Path of {answer.path.length:.1f} m planned" if answer.path else answer.reason,
         )
         if flying:
@@ -228,7 +244,9 @@ class FakePilot:
     def _take_nudge(self, order: Order) -> None:
         """Move by hand; it is told when it begins."""
         if self.nudge is None or order.issued_at - self.nudge.issued_at > _NUDGE_QUIET_TIME:
-            self.add_event(Severity.INFO, "nudge_began", f"moved by hand by {order.sender}")
+            self.add_event(
+                Severity.INFO, "nudge_began", Words("moved by hand by {who}", who=order.sender)
+            )
         self.nudge = order
 
     # --- motion
@@ -244,7 +262,7 @@ class FakePilot:
             self.height = max(0.0, self.height - _CLIMB_RATE * dt)
             if self.height == 0.0:
                 self.status, self.phase = DroneStatus.LANDED, Phase.IDLE
-                self.add_event(Severity.INFO, "landed", "Landed")
+                self.add_event(Severity.INFO, "grounded", "Landed")
         elif not self.stopped:
             self._follow(dt)
 
@@ -281,7 +299,7 @@ class FakePilot:
         quiet = self.clock.now() - nudge.issued_at
         if quiet > _NUDGE_QUIET_TIME:
             self.nudge = None
-            self.add_event(Severity.INFO, "nudge_ended", "moved by hand no longer")
+            self.add_event(Severity.INFO, "nudge_ended", Words("moved by hand no longer"))
         if nudge.velocity is None or quiet > _NUDGE_LIFETIME:
             return
         vx, vy, vz = nudge.velocity
@@ -289,7 +307,7 @@ class FakePilot:
         x, y = self.position[0] + vx * dt, self.position[1] + vy * dt
         place = (min(max(x, x0 + _KEEP), x1 - _KEEP), min(max(y, y0 + _KEEP), y1 - _KEEP))
         if place != (x, y) and self.position != place:
-            text = "moved by hand: a wall or furniture is ahead"
+            text = Words("moved by hand: {why}", why=Words("a wall or furniture is ahead"))
             self.add_event(Severity.INFO, "nudge_limited", text)
         self.position, self.height = place, max(0.4, min(2.0, self.height + vz * dt))
 
@@ -299,7 +317,9 @@ class FakePilot:
             self._begin(DroneStatus.LANDING, Phase.LANDING)
         elif self.mission is not None and self.mission.kind is OrderKind.SERVICE:
             self.phase, self.looking_until = Phase.LOOKING, self.clock.now() + self.mission.look_s
-            self.add_event(Severity.INFO, "arrived", f"Arrived at {self._goal_name()}, looking")
+            self.add_event(
+                Severity.INFO, "arrived_to_look", f"Arrived at {self._goal_name()}, looking"
+            )
         else:
             self.phase = Phase.HOLDING
 
@@ -346,6 +366,7 @@ class FakePilot:
             self.waypoint,
             "stopped until resume" if self.stopped else "",
             tuple(self._events),
+            answers=tuple(self._answers),
         )
         return PilotStep(self.sequence, now, Inputs(sightings, telemetry), outputs)
 

@@ -25,7 +25,7 @@ def looking(pilot: FakePilot) -> None:
 def fault(pilot: FakePilot) -> None:
     """Let it hit something, unseen by tracking."""
     pilot.status, pilot.pose_age = DroneStatus.EMERGENCY, 9.8
-    pilot.add_event(Severity.FAULT, "crash", "Motors cut: the drone hit something")
+    pilot.add_event(Severity.FAULT, "contact", "Motors cut: the drone hit something")
 
 
 def silent(pilot: FakePilot) -> None:

@@ -12,6 +12,7 @@ from housefly.hub.api.questions import Question, StateQuestion
 from housefly.messages import (
     DroneStatus,
     Event,
+    EventCode,
     Order,
     OrderAnswer,
     OrderKind,
@@ -108,7 +109,7 @@ class ScriptedPilot:
         self.phase, self.since = phase, self.now
 
     def _tell(self, code: str, text: str, severity: Severity = Severity.INFO) -> None:
-        self.events.append(Event(self.now, severity, code, text))
+        self.events.append(Event(self.now, severity, EventCode(code), text))
 
     def _move(self) -> None:
         elapsed = self.now - self.since

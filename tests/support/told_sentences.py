@@ -215,7 +215,7 @@ def _knowledge(draw: Random, reasons: list[str], failing: list[PreflightCheck]) 
     stop = draw.choice((latch, latch.acknowledged())).view(
         NOW, airborne=None, pilot_is_heard=step_age < 1.0
     )
-    moved = draw.choice(("", "", "moved by hand", "moved by hand by Anna"))
+    moved = draw.choice((None, None, "", "Anna"))
     known = ConsoleKnowledge(
         NOW, step, step_age, None, preflight, _ROOM, stop, 1, "Anna", hand_motion=moved
     )

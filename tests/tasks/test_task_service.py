@@ -424,13 +424,13 @@ def test_whatever_is_asked_it_is_answered_in_words_and_nothing_flies(
 def test_an_alarm_takes_the_drone_and_gives_it_back(stage: TaskStage) -> None:
     stage.ask(RequestTask("look", {"subject": "sofa", "time": 20.0}, by="kim"))
     assert stage.fly(lambda: stage.parts.inbox.status is DroneStatus.FLYING, 30.0)
-    stage.ask(
-        RequestTask("look", {"subject": "tv", "time": 1.0}, by="rule", priority=Priority.ALARM)
-    )
+    surface, times = RequestSurface.RULE, {"subject": "tv", "time": 1.0}
+    stage.ask(RequestTask("look", times, by="rule", surface=surface, priority=Priority.ALARM))
     assert stage.fly(lambda: stage.task(2).state is Stage.RUNNING, 60.0)
     assert stage.task(1).state is Stage.SUSPENDED
     assert stage.fly(lambda: stage.task(1).state in ENDED, 240.0)
     assert (stage.task(1).state, stage.task(2).state) == (Stage.DONE, Stage.DONE)
+    assert {order.source for order in stage.orders} == {OrderSource.TASK, OrderSource.RULE}
     assert stage.stands_on_pad()
     assert stage.loop is not None and not stage.loop.contacts()
 

@@ -307,7 +307,7 @@ async def test_old_numbers_are_greyed_then_struck_out_and_a_banner_says_what_the
 
 
 async def test_faults_are_announced(page: Page, console: Any) -> None:
-    console.pilot.add_event(Severity.FAULT, "battery", "Battery is empty")
+    console.pilot.add_event(Severity.FAULT, "battery_low", "Battery is empty")
     await expect(page.locator("[role=alert].spoken")).to_have_text("Battery is empty")
     await expect(page.locator(".log [data-severity=fault]")).to_contain_text("Battery is empty")
 

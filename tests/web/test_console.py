@@ -241,13 +241,13 @@ async def test_a_socket_that_will_not_stop_flooding_is_closed(console: Any) -> N
 
 
 async def test_events_before_and_after_a_viewer_came_all_arrive(console: Any) -> None:
-    console.pilot.add_event(Severity.INFO, "test", "before")
+    console.pilot.add_event(Severity.INFO, "going_on", "before")
     await asyncio.sleep(0.1)
     async with console.talk(await console.session()) as one:
         welcome = await one.hear("welcome")
         assert [event["text"] for event in welcome["events"]] == ["before"]
         for number in range(200):
-            console.pilot.add_event(Severity.INFO, "test", f"after {number}")
+            console.pilot.add_event(Severity.INFO, "going_on", f"after {number}")
         texts: list[str] = []
         while len(texts) < 200:
             texts += [event["text"] for event in (await one.hear("events"))["events"]]

@@ -75,7 +75,7 @@ async def test_after_a_restart_control_waits_for_its_holder_and_the_log_is_there
             served.talk(cookie, "a-watchers-tab", "Ben") as ben,
         ):
             await ben.hear("verdict", pilot=1, control="Anna")
-            served.pilot.add_event(Severity.WARNING, "test", "something happened")
+            served.pilot.add_event(Severity.WARNING, "going_on", "something happened")
             await anna.hear("events")
             await anna.say(type="stop", id=1)
             await anna.hear("accepted", id=1)

@@ -110,7 +110,7 @@ def flown(folder: Path, seconds: float = 12.0, after: float = 6.0) -> FlightBook
     fly(0.5)
     bus.publish(ORDER_TOPIC, Order(OrderKind.GO, place="entrance", sender="me"))
     fly(seconds)
-    pilot.add_event(Severity.WARNING, "test", "something to worry about")
+    pilot.add_event(Severity.WARNING, "going_on", "something to worry about")
     bus.publish(ORDER_TOPIC, Order(OrderKind.LAND, sender="me"))
     fly(after)
     assert after < 6.0 or pilot.status is DroneStatus.LANDED

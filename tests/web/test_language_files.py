@@ -7,7 +7,12 @@ import re
 from pathlib import Path
 
 import pytest
+from word_templates import made_words, templates
 
+from housefly.messages import DroneFault, DroneStatus, Phase
+from housefly.messages.preflight import FrameCheckState
+from housefly.pilot.behavior.mission_tables import Response
+from housefly.pilot.estimation.validation import RejectionReason
 from housefly.web.page_routes import STATIC_FOLDER
 
 CLIENT = STATIC_FOLDER.parent / "client" / "src"
@@ -15,6 +20,8 @@ CONSOLE, NEW_SITE = CLIENT / "messages", CLIENT / "new" / "messages"
 PAGES = {CONSOLE: 300, NEW_SITE: 150}
 """Where the texts of a page are, and how many it has at least."""
 OTHERS = ("ja", "de")
+SPOKEN = (DroneFault, DroneStatus, FrameCheckState, Phase, RejectionReason, Response)
+"""Enums whose values are said as they are (``messages.words.said``)."""
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _TEXT = r'"(?:[^"\\]|\\.)*"(?:\s*\+\s*"(?:[^"\\]|\\.)*")*'
 _STAGES = set(re.findall(r'\| "([a-z ]+)"', (CLIENT / "wire/task-messages.ts").read_text()))
@@ -45,6 +52,20 @@ def test_each_language_has_every_text_of_the_page_once(page: Path) -> None:
     for name in OTHERS:
         assert set(texts(page, name)) == set(keys), name
     assert set(texts(page, "ja-told")) == set(texts(page, "de-told"))
+
+
+def test_every_template_of_the_source_is_a_literal_that_is_given_its_values() -> None:
+    made = list(made_words())
+    assert len(made) > 400
+    for one in made:
+        assert one.template is not None, one.where
+        assert sorted(PLACEHOLDER.findall(one.template)) == sorted(one.names), one.where
+
+
+@pytest.mark.parametrize("name", ["de-told", "ja-told"])
+def test_every_template_of_the_source_is_there_in_each_language(name: str) -> None:
+    wanted = templates() | {member.value for kind in SPOKEN for member in kind}
+    assert wanted - set(texts(CONSOLE, name)) == set()
 
 
 @pytest.mark.parametrize("name", ["ja", "de", "ja-told", "de-told"])

@@ -13,7 +13,7 @@ import pytest_asyncio
 from fake_room import example_room
 from playwright.async_api import Browser, Page, expect
 
-from housefly.messages import DroneStatus, OrderKind, Phase, Severity
+from housefly.messages import DroneStatus, OrderKind, Phase
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -143,8 +143,7 @@ async def test_what_the_pilot_refuses_is_sent_no_more_until_it_is_let_go(
     await toggle(page).click()
     await page.keyboard.down("d")
     await until(lambda: len(nudges(console)) > 1)
-    text = "nudge refused: Eve comes near: making way"
-    console.pilot.add_event(Severity.WARNING, "order_refused", text)
+    console.pilot.refuse("Eve comes near: making way")
     await expect(says(page)).to_contain_text("Eve comes near: making way")
     await page.wait_for_timeout(200)
     count = len(nudges(console))

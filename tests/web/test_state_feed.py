@@ -12,6 +12,7 @@ from housefly.clock import SteppedClock
 from housefly.config.furniture import FurnitureConfig
 from housefly.messages import (
     Event,
+    EventCode,
     LinkStatus,
     Order,
     OrderKind,
@@ -69,12 +70,12 @@ def test_what_the_drone_notes_of_its_settings_and_sensors_is_part_of_the_state(
 def test_no_event_is_ever_lost_between_two_looks(listening: Listening) -> None:
     feed, pilot, _, _ = listening
     for n in range(50):
-        pilot.add_event(Severity.INFO, "test", f"event {n}")
+        pilot.add_event(Severity.INFO, "going_on", f"event {n}")
         pilot.advance(0.01)
     first = feed.events_after(0)
     assert [event.text for event in first] == [f"event {n}" for n in range(50)]
     assert [event.number for event in first] == list(range(1, 51))
-    pilot.add_event(Severity.FAULT, "test", "one more")
+    pilot.add_event(Severity.FAULT, "going_on", "one more")
     pilot.advance(0.01)
     assert [event.text for event in feed.events_after(50)] == ["one more"]
 
@@ -183,7 +184,10 @@ def test_a_step_without_telemetry_and_estimate_can_be_shown(listening: Listening
     step = feed.step
     assert step is not None
     outputs = replace(
-        step.outputs, estimate=None, reference=None, events=(Event(1.0, Severity.INFO, "x", "y"),)
+        step.outputs,
+        estimate=None,
+        reference=None,
+        events=(Event(1.0, Severity.INFO, EventCode.GOING_ON, "y"),),
     )
     bus.publish(
         STEP_TOPIC, PilotStep(step.sequence + 1, 1.0, replace(step.inputs, telemetry=None), outputs)

@@ -167,7 +167,7 @@ async def test_what_happens_now_brings_the_present_back(
         "goal": "Live again: a goal was chosen",
     }[what]
     if what == "fault":
-        console.pilot.add_event(Severity.FAULT, "test", "the battery is loose")
+        console.pilot.add_event(Severity.FAULT, "going_on", "the battery is loose")
     elif what == "flight":
         console.pilot.status = DroneStatus.FLYING
         console.pilot.phase = Phase.HOLDING

@@ -28,8 +28,9 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import literal
 from housefly.web.console_knowledge import ConsoleKnowledge
-from housefly.web.verdict import SAID_BY_A_CHECK, console_verdict, says_the_same
+from housefly.web.verdict import console_verdict, says_the_same
 from housefly.web.verdict_message import (
     ConsoleVerdict,
     HeadlineShape,
@@ -59,7 +60,7 @@ def knowing(
     goal: str = "",
     checks: PreflightView = PASSED,
     stop: StopView | None = None,
-    moved: str = "",
+    moved: str | None = None,
 ) -> ConsoleKnowledge:
     """Return what the server knows of a drone that is as told."""
     at = NOW - step_age
@@ -231,14 +232,16 @@ def test_a_silent_drone_that_is_told_to_take_off_is_not_said_to_stand() -> None:
 
 
 def test_a_drone_that_somebody_moves_is_said_to_be_moved_and_by_whom() -> None:
-    moved = "moved by hand by Anna"
-    flying = knowing(status=DroneStatus.FLYING, phase=Phase.HOLDING, moved=moved)
+    flying = knowing(status=DroneStatus.FLYING, phase=Phase.HOLDING, moved="Anna")
     verdict = console_verdict(flying)
     assert verdict.headline == "Moved by hand by Anna" and verdict.shape is HeadlineShape.MOVING
     assert "let go" in verdict.detail
     silent = console_verdict(replace(flying, step_age=6.0))
-    assert silent.headline == "No contact with the pilot" and f"it was {moved}" in silent.detail
-    still = console_verdict(replace(flying, hand_motion=""))
+    assert (
+        silent.headline == "No contact with the pilot"
+        and "it was moved by hand by Anna" in silent.detail
+    )
+    still = console_verdict(replace(flying, hand_motion=None))
     assert still.headline == "Hovering" and still.shape is HeadlineShape.HOLDING
 
 
@@ -280,16 +283,15 @@ def test_one_thing_is_one_reason() -> None:
 
 def test_what_is_known_is_said_once() -> None:
     unseen = replace(EXAMPLE_CHECKS[1], passed=False, value="no sensor")
-    notes = (UNSEEN_PEOPLE, "the ultrasound sensor is deaf")
+    notes = (UNSEEN_PEOPLE, literal("the ultrasound sensor is deaf"))
     known = replace(
         knowing(checks=PreflightView(True, (EXAMPLE_CHECKS[0], unseen))),
         link=LinkStatus(NOW, notes=notes),
     )
-    assert UNSEEN_PEOPLE.startswith(SAID_BY_A_CHECK)
-    assert console_verdict(known).known == (
-        "people without markers are unseen (no sensor)",
-        "the ultrasound sensor is deaf",
-    )
+    said = "people without markers are unseen (no sensor)"
+    assert console_verdict(known).known == (said, *notes)
+    twice = replace(known, link=LinkStatus(NOW, notes=(*notes, unseen.fault, *notes)))
+    assert console_verdict(twice).known == (said, *notes)
     without_checks = replace(known, preflight=PreflightView())
     assert console_verdict(without_checks).known == notes
 

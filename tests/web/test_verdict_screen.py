@@ -13,7 +13,7 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.messages import DroneStatus, OrderKind, Phase, Severity
+from housefly.messages import DroneStatus, OrderKind, Phase
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -127,15 +127,15 @@ async def test_a_refusal_comes_back_to_the_button_that_was_held_and_stays_until_
     await expect(page.locator(".ghost .preview")).to_be_visible()
     await hold(page, "and come back")
     await until(lambda: len(console.pilot.orders) == 1)
-    console.pilot.add_event(Severity.WARNING, "order_refused", "service sofa refused: too near")
+    console.pilot.refuse("too near")
     said, button = page.locator(".said"), page.locator(".primary")
-    await expect(said).to_contain_text("Service sofa refused: too near.")
+    await expect(said).to_contain_text("Too near.")
     where, at = await said.bounding_box(), await button.bounding_box()
     assert where is not None and at is not None
     assert where["y"] + where["height"] <= at["y"] and at["y"] - where["y"] < 150
     for name in SCREENS:
         await screen(page, name)
-        await expect(said).to_contain_text("too near")
+        await expect(said).to_contain_text("Too near")
         bar, box = await page.locator(".stop").bounding_box(), await said.bounding_box()
         assert bar is not None and box is not None and box["y"] + box["height"] <= bar["y"]
     await said.get_by_role("button", name="OK").click()

@@ -22,6 +22,7 @@ from housefly.config.state import database_file, tasks_folder
 from housefly.errors import HouseflyError
 from housefly.messages import Order, OrderOutcome
 from housefly.messages.preflight import PreflightCheck
+from housefly.messages.words import UNSAID, Words, figure, percentage
 
 FREE_SHARE_MIN = 0.07
 """With a smaller share of a disk free nothing takes off."""
@@ -29,11 +30,11 @@ FREE_ENOUGH_GB = 10
 """So much room is enough on a disk of any size [1e9 bytes]; a flight takes some 10 MB a minute."""
 DISK_LOOK_PERIOD = 2.0
 """How often to look [s]."""
-_FAULT = "a disk is nearly full"
-_MEND = "delete old flights, or move them to another disk"
-_LOSS = "what happens in the flight could not be kept"
-_UNWRITABLE = "a disk cannot be written to"
-_WRITABLE_MEND = "mount the disk for writing again, or let this user write there"
+_FAULT = Words("a disk is nearly full")
+_MEND = Words("delete old flights, or move them to another disk")
+_LOSS = Words("what happens in the flight could not be kept")
+_UNWRITABLE = Words("a disk cannot be written to")
+_WRITABLE_MEND = Words("mount the disk for writing again, or let this user write there")
 
 
 class DiskSpace:
@@ -46,8 +47,8 @@ class DiskSpace:
             written there to see whether that can be.
 
     Attributes:
-        shortage: what is too full, in words, or "".
-        refusal: where nothing can be written, in words, or "".
+        shortage: what is too full, in words, or UNSAID.
+        refusal: where nothing can be written, in words, or UNSAID.
     """
 
     def __init__(
@@ -56,10 +57,10 @@ class DiskSpace:
         usage: Callable[[Path], Any] = shutil.disk_usage,
         kept: Iterable[Path] = (),
     ) -> None:
-        self.shortage = self.refusal = ""
+        self.shortage = self.refusal = UNSAID
         self._kept = tuple(kept)
         self._folders, self._usage = (*folders, *self._kept), usage
-        self._fullest = "unknown"
+        self._fullest = Words("unknown")
 
     def look(self) -> None:
         """Look again; blocks for as long as a disk does."""
@@ -71,10 +72,10 @@ class DiskSpace:
                 shares[folder] = share = found.free / max(found.total, 1)
                 if share < FREE_SHARE_MIN and found.free < FREE_ENOUGH_GB * 1e9:
                     short[folder] = share
-        self._fullest = _words(shares) if shares else "unknown"
-        self.shortage = _words(short) if short else ""
+        self._fullest = _words(shares) if shares else Words("unknown")
+        self.shortage = _words(short) if short else UNSAID
         refusals = (why_unwritable(folder) for folder in self._kept)
-        self.refusal = next(filter(None, refusals), "")
+        self.refusal = next(filter(None, refusals), UNSAID)
 
     def checks(self) -> tuple[PreflightCheck, ...]:
         """Return the lines of the pre-flight list."""
@@ -83,12 +84,16 @@ class DiskSpace:
     def _space(self) -> PreflightCheck:
         return PreflightCheck(
             code="disk_space",
-            title="there is room on the disk",
+            title=Words("there is room on the disk"),
             fault=_FAULT,
             passed=not self.shortage,
             required=True,
             value=self.shortage or self._fullest,
-            limit=f"at least {FREE_SHARE_MIN:.0%} free, or {FREE_ENOUGH_GB} GB",
+            limit=Words(
+                "at least {p}% free, or {n} GB",
+                p=percentage(FREE_SHARE_MIN),
+                n=figure(FREE_ENOUGH_GB),
+            ),
             why=_LOSS,
             mend=_MEND,
         )
@@ -96,20 +101,24 @@ class DiskSpace:
     def _writing(self) -> PreflightCheck:
         return PreflightCheck(
             code="disk_writable",
-            title="the disk can be written to",
+            title=Words("the disk can be written to"),
             fault=_UNWRITABLE,
             passed=not self.refusal,
             required=True,
-            value=self.refusal or "written a moment ago",
-            limit="a file can be written",
+            value=self.refusal or Words("written a moment ago"),
+            limit=Words("a file can be written"),
             why=_LOSS,
             mend=_WRITABLE_MEND,
         )
 
-    def _fault(self) -> str:
+    def _fault(self) -> Words:
         if self.shortage:
-            return f"{_FAULT}: {self.shortage}, must be {self._space().limit}; {_MEND}"
-        return f"{_UNWRITABLE}: {self.refusal}; {_WRITABLE_MEND}" if self.refusal else ""
+            return self._space().refusal
+        if not self.refusal:
+            return UNSAID
+        return Words(
+            "{why}: {found}; {mend}", why=_UNWRITABLE, found=self.refusal, mend=_WRITABLE_MEND
+        )
 
     def allowed(
         self, orders: tuple[Order, ...]
@@ -131,12 +140,13 @@ def _existing(folder: Path) -> Path:
     return next((path for path in (folder, *folder.parents) if path.exists()), folder)
 
 
-def _words(shares: dict[Path, float]) -> str:
+def _words(shares: dict[Path, float]) -> Words:
     folder = min(shares, key=lambda path: shares[path])
-    return f"{shares[folder]:.1%} free at {folder}"
+    share = figure(100.0 * shares[folder], ".1f")
+    return Words("{p}% free at {name}", p=share, name=str(folder))
 
 
-def why_unwritable(folder: Path) -> str:
+def why_unwritable(folder: Path) -> Words:
     """Write a file that never has a name, and return in words why that cannot be, or "".
 
     A folder that is not there yet will be made in the nearest one that is; one that does not even
@@ -149,5 +159,6 @@ def why_unwritable(folder: Path) -> str:
             probe.write(b"x")
             probe.flush()
     except OSError as error:
-        return f"nothing can be written at {place} ({error.strerror})"
-    return ""
+        why = str(error.strerror)
+        return Words("nothing can be written at {name} ({why})", name=str(place), why=why)
+    return UNSAID

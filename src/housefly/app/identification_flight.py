@@ -30,7 +30,15 @@ from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationMa
 from housefly.lab.identification.pattern import Block, largest_excursion
 from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.lab.lockstep.pilot_loop import PilotLoop
-from housefly.messages import DroneStatus, Order, OrderKind, Phase, PilotStep, SafetyMode
+from housefly.messages import (
+    DroneStatus,
+    Order,
+    OrderKind,
+    OrderSource,
+    Phase,
+    PilotStep,
+    SafetyMode,
+)
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tracking.trackers import tracker_of
@@ -111,7 +119,7 @@ class IdentificationFlight:
         if now - self._asked_at < _REPEAT_ORDER_AFTER:
             return None
         self._asked_at = now
-        return Order(kind, goal=goal, issued_at=now, sender=_SENDER)
+        return Order(kind, goal=goal, issued_at=now, sender=_SENDER, source=OrderSource.PROGRAM)
 
 
 def fly_identification_lockstep(

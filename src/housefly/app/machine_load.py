@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from housefly.messages.preflight import PreflightCheck
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.preflight import MACHINE_CHECK
 
 _PER_CORE_MAX, _PER_CORE_BUSY = 2.0, 1.5
@@ -44,33 +45,38 @@ class MachineLoad:
         return per_core >= _PER_CORE_MAX or crowded or self.lateness >= _LATENESS_MAX
 
     @property
-    def words(self) -> str:
+    def words(self) -> Words:
         """The load in words."""
-        late = f", {1000.0 * self.lateness:.0f} ms late" if self.lateness >= _LATENESS_MAX else ""
-        return f"load {self.running:.0f} on {self.cores} core{'s' * (self.cores != 1)}{late}"
+        n, k = figure(self.running, ".0f"), figure(self.cores)
+        load = Words("load {n} on {k} core", n=n, k=k)
+        if self.cores != 1:
+            load = Words("load {n} on {k} cores", n=n, k=k)
+        if self.lateness < _LATENESS_MAX:
+            return load
+        return Words("{why}, {d} ms late", why=load, d=figure(1000.0 * self.lateness, ".0f"))
 
     @property
-    def note(self) -> str:
-        """That it is too high, in words, or ""."""
-        return _FAULT if self.is_too_high else ""
+    def note(self) -> Words:
+        """That it is too high, in words, or UNSAID."""
+        return _FAULT if self.is_too_high else UNSAID
 
     def check(self) -> PreflightCheck:
         """Return the line of the pre-flight list; it forbids nothing by itself."""
         return PreflightCheck(
             code=MACHINE_CHECK,
-            title="this machine keeps up",
+            title=Words("this machine keeps up"),
             fault=_FAULT,
             passed=not self.is_too_high,
             required=False,
             value=self.words,
-            limit=f"a load below {_PER_CORE_MAX * self.cores:.0f}",
-            why="what comes late is refused, as if it had not come",
+            limit=Words("a load below {n}", n=figure(_PER_CORE_MAX * self.cores, ".0f")),
+            why=Words("what comes late is refused, as if it had not come"),
             mend=OVERLOAD_REMEDY,
         )
 
 
-_FAULT = "this machine is overloaded"
-OVERLOAD_REMEDY = "end other programs; the simulated picture costs most (twin.video = false)"
+_FAULT = Words("this machine is overloaded")
+OVERLOAD_REMEDY = Words("end other programs; the simulated picture costs most (twin.video = false)")
 
 
 def machine_load(lateness: float = 0.0) -> MachineLoad:

@@ -7,6 +7,7 @@ from threading import Lock
 
 from housefly.clock import Clock
 from housefly.messages import Obstacle
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.planning.obstacles import OBSTACLES_MAX, MapExtent, obstacle_fault
 
 REFUSED_OBSTACLE_SHOWN_FOR = 5.0
@@ -30,14 +31,14 @@ class ObstacleInbox:
         self.refused = 0
         self._extent, self._clock, self._lock = extent, clock, Lock()
         self._waiting: dict[tuple[str, str], Obstacle] = {}
-        self._problem, self._problem_at = "", -inf
+        self._problem, self._problem_at = UNSAID, -inf
 
     @property
-    def problem(self) -> str:
-        """What was refused in the last seconds, in words, or ""."""
+    def problem(self) -> Words:
+        """What was refused in the last seconds, in words, or UNSAID."""
         with self._lock:
             is_shown = self._clock.now() - self._problem_at < REFUSED_OBSTACLE_SHOWN_FOR
-            return self._problem if is_shown else ""
+            return self._problem if is_shown else UNSAID
 
     def add(self, obstacle: Obstacle) -> None:
         """Add an obstacle, or refuse it."""
@@ -55,11 +56,15 @@ class ObstacleInbox:
         name = obstacle.source, obstacle.id
         fault = obstacle_fault(obstacle, now, self._extent)
         if not fault and name not in self._waiting and len(self._waiting) >= OBSTACLES_MAX:
-            fault = f"there are more than {OBSTACLES_MAX} at once"
+            fault = Words("there are more than {n} at once", n=figure(OBSTACLES_MAX))
         if fault:
             self.refused += 1
             self._problem, self._problem_at = (
-                f"an obstacle of {obstacle.source[:40]!r} is refused: {fault}",
+                Words(
+                    "an obstacle of {who} is refused: {why}",
+                    who=repr(obstacle.source[:40]),
+                    why=fault,
+                ),
                 now,
             )
             return

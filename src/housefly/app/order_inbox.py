@@ -11,6 +11,8 @@ from threading import Lock
 
 from housefly.clock import Clock
 from housefly.messages import Event, Order, OrderAnswer, OrderKind, OrderOutcome, Severity
+from housefly.messages.event_code import EventCode
+from housefly.messages.words import Words, figure
 
 SENDER_ORDERS_MAX, ORDERS_MAX = 20, 40
 """Orders in a second of one sender, and of all of them."""
@@ -20,8 +22,8 @@ STOPPING_ORDERS = frozenset({OrderKind.STOP, OrderKind.LAND, OrderKind.CUT})
 """These always pass: one of each kind and sender in a step."""
 _PERIOD = 1.0
 _REASONS = {
-    OrderOutcome.TOO_MANY: "too many orders in a second",
-    OrderOutcome.SUPERSEDED: "an order to stop or land came before it was taken",
+    OrderOutcome.TOO_MANY: Words("too many orders in a second"),
+    OrderOutcome.SUPERSEDED: Words("an order to stop or land came before it was taken"),
 }
 _NAME_MAX = 40
 
@@ -112,13 +114,15 @@ class OrderInbox:
             self._since, refused = now, self._refused
             self._taken, self._refused = {}, Counter()
         return tuple(
-            Event(now, Severity.WARNING, "orders_flooded", _words(name, count))
+            Event(now, Severity.WARNING, EventCode.ORDERS_FLOODED, _words(name, count))
             for name, count in refused.items()
         )
 
 
-def _words(name: str, count: int) -> str:
-    return (
-        f"{name[:_NAME_MAX]!r} gives too many orders: {count} were refused in a second"
-        f" (limit {SENDER_ORDERS_MAX} a second)"
+def _words(name: str, count: int) -> Words:
+    return Words(
+        "{who} gives too many orders: {n} were refused in a second (limit {m} a second)",
+        who=repr(name[:_NAME_MAX]),
+        n=figure(count),
+        m=figure(SENDER_ORDERS_MAX),
     )

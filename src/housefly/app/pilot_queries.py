@@ -63,7 +63,7 @@ class PilotQueryServer:
             try:
                 goal = self._loaded.room.place(request.place).viewpoint
             except KeyError as error:
-                return PlanAnswer(start, start, None, str(error.args[0]))
+                return PlanAnswer(start, start, None, error.args[0])
         elif request.goal is not None:
             goal = request.goal
         else:

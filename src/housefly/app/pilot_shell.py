@@ -61,7 +61,9 @@ from housefly.messages import (
     Sighting,
     VideoFrame,
 )
+from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import UNSAID, Words, literal
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.contracts import Maneuver
 from housefly.pilot.estimation.estimation_report import NOTHING_ESTIMATED, EstimationReport
@@ -122,7 +124,7 @@ class PilotShell:
         self._leaving = False
         self._gap = Gap(self._rate.period)
         self._drone_problem = ""
-        self._failure = ""
+        self._failure = UNSAID
         self._is_cut = False
         self._publisher = PilotPublisher(bus)
 
@@ -238,8 +240,10 @@ class PilotShell:
         try:
             return self.pilot.step(now, inputs)
         except Exception as error:
-            self._failure = f"the pilot failed ({type(error).__name__}: {error}): landing"
-            event = Event(now, Severity.FAULT, "step_failed", self._failure)
+            self._failure = Words(
+                "the pilot failed ({name}): landing", name=f"{type(error).__name__}: {error}"
+            )
+            event = Event(now, Severity.FAULT, EventCode.STEP_FAILED, self._failure)
             outputs = replace(self._landing(now, inputs), events=(event,))
             self._drone.send(outputs.command)  # before a disk that takes its time
             log_traceback()
@@ -341,7 +345,7 @@ class PilotShell:
             loop_max_s=worst,
             missed_ticks=self._rate.missed,
             notes=tuple(
-                note
+                literal(note)
                 for note in (
                     self._failure,
                     self._tracker.problem,
@@ -349,7 +353,7 @@ class PilotShell:
                     self._obstacles.problem,
                     self._publisher.problem,
                     self._recording.note,
-                    self._people_note,
+                    self._people_note if self._airborne() else "",
                     self._load.note,
                 )
                 if note

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.messages import Event, Order, OrderAnswer, OrderKind, OrderOutcome, Severity
+from housefly.messages.event_code import EventCode
+from housefly.messages.order_words import ORDER_WORDS, refused_words
+from housefly.messages.words import Words
 
 RISING_ORDERS = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
 """Orders that take off."""
@@ -16,7 +19,7 @@ class RefusedOrder:
 
     order: Order
     outcome: OrderOutcome
-    why: str
+    why: Words
 
     @property
     def answer(self) -> OrderAnswer:
@@ -25,14 +28,14 @@ class RefusedOrder:
 
     def event(self, now: float) -> Event:
         """Return what people are told; ``now`` is the pilot's clock [s]."""
-        asked = self.order.kind.value.replace("_", " ")
-        return Event(now, Severity.WARNING, "order_refused", f"{asked} refused: {self.why}")
+        text = refused_words(ORDER_WORDS[self.order.kind], self.why)
+        return Event(now, Severity.WARNING, EventCode.ORDER_REFUSED, text)
 
 
 def refuse_rising(
-    orders: tuple[Order, ...], outcome: OrderOutcome, why: str
+    orders: tuple[Order, ...], outcome: OrderOutcome, why: Words
 ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
-    """Return the orders without those that take off, and those; all pass where ``why`` is ""."""
+    """Return the orders without those that take off, and those; all where ``why`` is UNSAID."""
     refused = [order for order in orders if why and order.kind in RISING_ORDERS]
     passed = tuple(order for order in orders if order not in refused)
     return passed, tuple(RefusedOrder(order, outcome, why) for order in refused)

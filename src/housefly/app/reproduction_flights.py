@@ -29,7 +29,7 @@ from housefly.lab.reproduction.angular_step import fit_step
 from housefly.lab.reproduction.fig11_angles import ALPHA, StepFlight
 from housefly.lab.reproduction.flight import FlightTracks, flight_tracks
 from housefly.lab.reproduction.kept_steps import read_step_flight, write_step_flight
-from housefly.messages import Order, OrderKind, PilotStep
+from housefly.messages import Order, OrderKind, OrderSource, PilotStep
 from housefly.numeric import FloatArray
 from housefly.pilot.assembly import make_pilot
 from housefly.record.recorder import FlightRecorder
@@ -80,7 +80,7 @@ def fly_recorded_service(
         recorder.add_step(step)
         on_tick()
 
-    order = Order(OrderKind.SERVICE, place=GOAL, look_s=LOOK_TIME)
+    order = Order(OrderKind.SERVICE, place=GOAL, look_s=LOOK_TIME, source=OrderSource.PROGRAM)
     outcome = "interrupted"
     try:
         outcome = fly_lockstep(loaded, order, on_step, truth_file=recorder.truth_file)

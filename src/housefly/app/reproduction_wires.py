@@ -20,7 +20,7 @@ from housefly.app.reproduction_store import ReproductionStore
 from housefly.config.site import Site, changed
 from housefly.errors import LinkError, RecordingError
 from housefly.lab.reproduction.fig17_service import RgbImage
-from housefly.messages import Order, OrderKind, PilotStep
+from housefly.messages import Order, OrderKind, OrderSource, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.sites.loaded_site import open_site
 from housefly.web.exposure import console_address
@@ -71,7 +71,13 @@ def fly_wire_service(
     logs.mkdir(parents=True, exist_ok=True)
     runtime = new_runtime(loaded.site, logs, web=has_browser())
     recorder = FlightRecorder(folder, loaded.site, loaded.room, loaded.grid)
-    order = Order(OrderKind.SERVICE, place=GOAL, look_s=LOOK_TIME, sender="reproduction")
+    order = Order(
+        OrderKind.SERVICE,
+        place=GOAL,
+        look_s=LOOK_TIME,
+        sender="reproduction",
+        source=OrderSource.PROGRAM,
+    )
     outcome = "failed"
     with ConsoleCamera(f"{console_address(runtime.site())}/?token={runtime.token}") as camera:
         moments = MomentShots(camera)

@@ -35,6 +35,7 @@ from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import to_json
 from housefly.messages import LinkStatus, PlanAnswer, Sighting, TrackedFrame
+from housefly.messages.words import literal
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.document.open_library import NO_DRONE
 from housefly.tracking.contracts import Tracker
@@ -99,7 +100,7 @@ class DronelessPilot:
         self._frames, self._late = frames, 0.0
         self._bus = bus
         room, home = to_json(room_view(loaded)), loaded.room.home
-        refused = to_json(PlanAnswer(home, home, None, NO_DRONE))
+        refused = to_json(PlanAnswer(home, home, None, literal(NO_DRONE)))
         unready = to_json(PreflightView())
         self._answering = [
             bus.answer(ROOM_QUERY, lambda _: room),
@@ -129,7 +130,7 @@ class DronelessPilot:
             tracking_rate_hz=self._frames.rate_hz(now),
             loop_p99_s=max(0.0, self._late),
             loop_max_s=max(0.0, self._late),
-            notes=tuple(filter(None, notes)),
+            notes=tuple(map(literal, filter(None, notes))),
         )
 
 

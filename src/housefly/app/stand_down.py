@@ -5,10 +5,11 @@ from __future__ import annotations
 from housefly.app.refused_orders import RISING_ORDERS, RefusedOrder, refuse_rising
 from housefly.messages import DroneStatus, Order, OrderOutcome, Outputs, Phase, Telemetry
 from housefly.messages.sensing import REPORT_AGE_MAX
+from housefly.messages.words import UNSAID, Words
 
 STAND_DOWN_TIME = 5.0
 """So long it takes no order that flies [s]; then it goes on, if nobody has ended it."""
-_REFUSAL = "the pilot starts again with the new map; order it anew in a moment"
+_REFUSAL = Words("the pilot starts again with the new map; order it anew in a moment")
 
 
 class StandDown:
@@ -41,7 +42,7 @@ class StandDown:
         self, orders: tuple[Order, ...], now: float
     ) -> tuple[tuple[Order, ...], tuple[RefusedOrder, ...]]:
         """Return the orders without those that would take off now, and those."""
-        why = _REFUSAL if now < self._until else ""
+        why = _REFUSAL if now < self._until else UNSAID
         return refuse_rising(orders, OrderOutcome.RESTARTING, why)
 
 

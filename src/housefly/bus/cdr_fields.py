@@ -11,6 +11,7 @@ from rosbags.typesys.store import Typestore
 
 from housefly.bus.interfaces import ros_name
 from housefly.errors import WireError
+from housefly.messages.words import Words
 
 TUPLES = {
     "geometry_msgs/msg/Point": ("x", "y", "z"),
@@ -21,6 +22,8 @@ TUPLES = {
 """The types that our messages hold as tuples, and the fields in the order of the tuple."""
 
 
+WORDS = ros_name("Words")
+"""The type of ``messages.words.Words``."""
 EnumCodes = dict[Enum, int | str]
 """What stands for each member on the wire: its number, or its value where that is a text."""
 
@@ -35,6 +38,12 @@ def fields_of(kind: type[Any], store: Typestore) -> list[tuple[str, Any, EnumCod
     _check_fields(kind, [field for field, _ in written])
     numbers = {constant: int(value) for constant, _, value in constants}
     return [(field, of, _enumerated(field, of, hints[field], numbers)) for field, of in written]
+
+
+def was_plain_text(kind: type[Any], field: str, description: Any) -> bool:
+    """Return whether a field of words, or of several, holds texts: an older version wrote it."""
+    hint = get_type_hints(kind)[field]
+    return next(iter(get_args(hint)), hint) is Words and _base_type(description) == "string"
 
 
 def _check_fields(kind: type[Any], written: list[str]) -> None:
@@ -66,4 +75,6 @@ def _enumerated(
 def _base_type(description: Any) -> str:
     """Return the plain type of a field, or of the elements of a sequence."""
     shape, content = description
+    if shape == Nodetype.NAME:
+        return str(content)
     return str(content[0] if shape == Nodetype.BASE else content[0][1][0])

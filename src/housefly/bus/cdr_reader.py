@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from enum import Enum
 from functools import cache
 from typing import Any
 
@@ -11,8 +12,9 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from housefly import messages
-from housefly.bus.cdr_fields import TUPLES, EnumCodes, fields_of
+from housefly.bus.cdr_fields import TUPLES, WORDS, EnumCodes, fields_of, was_plain_text
 from housefly.bus.cdr_source import BASE_CODES, CdrSource
+from housefly.messages.words import literal, unflattened
 
 
 @cache
@@ -33,14 +35,25 @@ class _Reading:
         """Read a dataclass."""
         kind = getattr(messages, name)
         read = [
-            f"{field}={self._field(description, enum)}"
+            f"{field}={self._worded(kind, field, description, self._field(description, enum))}"
             for field, description, enum in fields_of(kind, self._store)
         ]
         return f"{self._source.constant(kind)}({', '.join(read)})"
 
+    def _worded(self, kind: type[Any], field: str, description: Any, read: str) -> str:
+        """Return what was read; as words where an older version wrote a text for them."""
+        if not was_plain_text(kind, field, description):
+            return read
+        made = self._source.constant(literal)
+        return (
+            f"{made}({read})" if description[0] == Nodetype.BASE else f"tuple(map({made}, {read}))"
+        )
+
     def _field(self, description: Any, enum: EnumCodes | None) -> str:
         shape, content = description
-        members = enum and self._source.constant({code: member for member, code in enum.items()})
+        members = enum and self._source.constant(
+            _Members((code, member) for member, code in enum.items())
+        )
         if shape == Nodetype.NAME:
             return self._named(content)
         if shape == Nodetype.BASE:
@@ -55,6 +68,9 @@ class _Reading:
         return f"tuple(map({members}.__getitem__, {read}))" if members else read
 
     def _named(self, name: str) -> str:
+        if name == WORDS:
+            _, parts = self._store.fielddefs[name][1][0]
+            return f"{self._source.constant(unflattened)}({self._field(parts, None)})"
         order = TUPLES.get(name)
         if order is None:
             return self.record(name.rsplit("/", 1)[1])
@@ -95,6 +111,16 @@ class _Reading:
             source.flush()
             source.line(f"{value}.append({read})")
         return f"tuple({value})"
+
+
+class _Members(dict[int | str, Enum]):
+    """Members of an enum by their codes; where there is an OTHER, it stands for unknown ones."""
+
+    def __missing__(self, code: int | str) -> Enum:
+        kind = type(next(iter(self.values())))
+        if "OTHER" not in kind.__members__:
+            raise KeyError(code)
+        return kind["OTHER"]
 
 
 _AT_MOST = "where at most one is allowed"

@@ -11,9 +11,10 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from housefly import messages
-from housefly.bus.cdr_fields import TUPLES, EnumCodes, fields_of
+from housefly.bus.cdr_fields import TUPLES, WORDS, EnumCodes, fields_of
 from housefly.bus.cdr_source import BASE_CODES, CdrSource
 from housefly.bus.interfaces import type_store
+from housefly.messages.words import flat
 
 _ZERO = r"b'\0'"
 """The end of a text, in the source that is made."""
@@ -54,6 +55,10 @@ class _Writing:
             self._sequence(content[0], numbers)
 
     def _named(self, name: str, value: str) -> None:
+        if name == WORDS:
+            _, of = self._store.fielddefs[name][1][0]
+            self._field(of, None, f"{self._source.constant(flat)}({value})")
+            return
         order = TUPLES.get(name)
         if order is None:
             self.record(name.rsplit("/", 1)[1], value)

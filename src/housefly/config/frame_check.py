@@ -19,6 +19,7 @@ from housefly.config.toml import parse_toml
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import ConfigError
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FrameCheckState, FramesKnown
+from housefly.messages.words import literal
 
 _DATABASE = "room.db"
 _WORDS_MAX = 200
@@ -110,14 +111,14 @@ def frames_known(site: Site) -> FramesKnown:
     try:
         record = read_frame_check(site)
     except ConfigError as error:
-        return FramesKnown(FrameCheckState.NEVER, str(error))
+        return FramesKnown(FrameCheckState.NEVER, literal(str(error)))
     if record is None:
         return FramesKnown(FrameCheckState.NEVER)
     if record.tracking != tracking_digest(site.tracking):
-        return FramesKnown(FrameCheckState.STALE, record.checked_at)
+        return FramesKnown(FrameCheckState.STALE, literal(record.checked_at))
     if record.findings:
-        return FramesKnown(FrameCheckState.WRONG, record.findings[0])
-    return FramesKnown(FrameCheckState.RIGHT, record.checked_at)
+        return FramesKnown(FrameCheckState.WRONG, literal(record.findings[0]))
+    return FramesKnown(FrameCheckState.RIGHT, literal(record.checked_at))
 
 
 def _text(words: str) -> str:

@@ -121,12 +121,18 @@ def without_numbers(words: str) -> str:
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """Return ": did you mean 'fly'?" for what looks like a slip of the pen, or ""."""
+    close = names_like(word, known)
+    return f": did you mean {close}?" if close else ""
+
+
+def names_like(word: str, known: Iterable[str]) -> str:
+    """Return "'fly' or 'ply'" for what looks like a slip of the pen, or ""."""
     names = {name.casefold(): name for name in known}
     wanted = word.casefold()
     close = get_close_matches(wanted, names, _SUGGESTIONS_MAX, _SIMILARITY_MIN)
     likeness = [SequenceMatcher(None, one, wanted).ratio() for one in close]
     best = [one for one, alike in zip(close, likeness, strict=True) if alike > likeness[0] - 0.1]
-    return f": did you mean {_either([repr(names[one]) for one in best])}?" if best else ""
+    return _either([repr(names[one]) for one in best]) if best else ""
 
 
 def _either(words: list[str]) -> str:

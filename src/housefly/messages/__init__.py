@@ -8,6 +8,7 @@ REP-103: positive theta is nose down (accelerates forward), positive phi is righ
 """
 
 from housefly.messages.depth import DepthImage
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import (
     Event,
     Inputs,
@@ -76,6 +77,7 @@ __all__ = [
     "DroneStatus",
     "Estimate",
     "Event",
+    "EventCode",
     "EventNews",
     "Fact",
     "Facts",

@@ -7,9 +7,11 @@ from enum import Enum
 from math import inf
 
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.event_code import EventCode
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Estimate, Sighting, Telemetry
 from housefly.messages.steering import Behavior, Clearing, Command, Path, Reference, SafetyMode
+from housefly.messages.words import UNSAID, Words
 
 
 class OrderKind(Enum):
@@ -111,7 +113,7 @@ class OrderAnswer:
 
     order_id: str
     outcome: OrderOutcome = OrderOutcome.TAKEN
-    reason: str = ""
+    reason: Words = UNSAID
 
     @property
     def is_taken(self) -> bool:
@@ -133,8 +135,8 @@ class Event:
 
     at: float
     severity: Severity
-    code: str
-    text: str
+    code: EventCode
+    text: Words
 
 
 class Phase(Enum):
@@ -202,9 +204,9 @@ class Outputs:
     goal_name: str = ""
     path: Path | None = None
     waypoint: int = 0
-    reason: str = ""
+    reason: Words = UNSAID
     events: tuple[Event, ...] = ()
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Words, ...] = ()
     clears: Clearing = Clearing.ITSELF
     answers: tuple[OrderAnswer, ...] = ()
 
@@ -253,7 +255,7 @@ class LinkStatus:
     loop_p99_s: float = 0.0
     loop_max_s: float = 0.0
     missed_ticks: int = 0
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[Words, ...] = field(default=())
     tracking_latency_s: float = 0.0
     command_delay_s: float = 0.0
     command_delay_std_s: float = 0.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from housefly.messages.flight import Order, OrderKind
+from housefly.messages.words import UNSAID, Words, figure
 
 CALMING_ORDERS = frozenset({OrderKind.STOP, OrderKind.LAND, OrderKind.CUT, OrderKind.HOVER})
 """Orders that make things safer: they pass whatever their other values are."""
@@ -18,25 +19,29 @@ NAME_LENGTH_MAX = 100
 """Longest name of a place, a sender or an order."""
 
 
-def order_fault(order: Order) -> str:
-    """Return what is wrong with an order's values, in words with range and unit, or ""."""
+def order_fault(order: Order) -> Words:
+    """Return what is wrong with an order's values, in words with range and unit, or UNSAID."""
     if order.kind in CALMING_ORDERS:
-        return ""
-    far = f"coordinates of at most {COORDINATE_MAX:g} m"
-    name = f"at most {NAME_LENGTH_MAX} printable letters"
+        return UNSAID
+    far = Words("coordinates of at most {d} m", d=figure(COORDINATE_MAX, "g"))
+    name = Words("at most {n} printable letters", n=figure(NAME_LENGTH_MAX))
+    fast = Words("at most {d} m/s, and only by nudge", d=figure(SPEED_MAX, "g"))
+    long = Words("0 to {n} s", n=figure(LOOK_TIME_MAX, "g"))
     checks = (
-        (_within(order.goal or ()), "goal is not a position in a room", far),
-        (_within(order.look_at or ()), "look_at is not a position in a room", far),
-        (0.0 <= order.look_s <= LOOK_TIME_MAX, "look_s is wrong", f"0 to {LOOK_TIME_MAX:g} s"),
-        (_is_velocity(order), "velocity is wrong", f"at most {SPEED_MAX:g} m/s, and only by nudge"),
-        (_is_name(order.place), "place is not a name", name),
-        (_is_name(order.sender), "sender is not a name", name),
-        (_is_name(order.id), "id is not a name", name),
+        (_within(order.goal or ()), Words("goal is not a position in a room"), far),
+        (_within(order.look_at or ()), Words("look_at is not a position in a room"), far),
+        (0.0 <= order.look_s <= LOOK_TIME_MAX, Words("look_s is wrong"), long),
+        (_is_velocity(order), Words("velocity is wrong"), fast),
+        (_is_name(order.place), Words("place is not a name"), name),
+        (_is_name(order.sender), Words("sender is not a name"), name),
+        (_is_name(order.id), Words("id is not a name"), name),
     )
     faults = (
-        f"the order's {what}; allowed: {allowed}" for well, what, allowed in checks if not well
+        Words("the order's {what}; allowed: {limit}", what=what, limit=allowed)
+        for well, what, allowed in checks
+        if not well
     )
-    return next(faults, "")
+    return next(faults, UNSAID)
 
 
 def shown_name(text: str) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from housefly.messages.words import UNSAID, Words, joined, said
+
 
 @dataclass(frozen=True, slots=True)
 class PreflightCheck:
@@ -23,14 +25,25 @@ class PreflightCheck:
     """
 
     code: str
-    title: str
-    fault: str
+    title: Words
+    fault: Words
     passed: bool
     required: bool
-    value: str
-    limit: str
-    why: str
-    mend: str
+    value: Words
+    limit: Words
+    why: Words
+    mend: Words
+
+    @property
+    def refusal(self) -> Words:
+        """Why there is no take-off while it fails, and what to do."""
+        return Words(
+            "{why}: {found}, must be {limit}; {mend}",
+            why=self.fault,
+            found=self.value,
+            limit=self.limit,
+            mend=self.mend,
+        )
 
 
 class FrameCheckState(Enum):
@@ -53,12 +66,12 @@ class FramesKnown:
     """
 
     state: FrameCheckState = FrameCheckState.NOT_NEEDED
-    words: str = ""
+    words: Words = UNSAID
 
     @property
-    def said(self) -> str:
+    def said(self) -> Words:
         """What is known, in words."""
-        return f"{self.state.value}, {self.words}" if self.words else self.state.value
+        return joined(", ", filter(None, (said(self.state), self.words)))
 
 
 FRAMES_NOT_NEEDED = FramesKnown()

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.words import UNSAID, Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +62,7 @@ class PlanAnswer:
     start: Vec2
     goal: Vec2
     path: Path | None
-    reason: str = ""
+    reason: Words = UNSAID
     suggestion: Vec2 | None = None
     duration: float = 0.0
 

@@ -14,6 +14,7 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.messages.steering import PlanAnswer, Setpoint
+from housefly.messages.words import Words
 from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.mission import (
     PEOPLE_SILENCE_MAX,
@@ -64,7 +65,7 @@ class Map(Protocol):
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
-    ) -> list[str]:
+    ) -> list[Words]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
         ...
 

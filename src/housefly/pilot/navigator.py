@@ -14,6 +14,7 @@ from housefly.messages.flight import Order, OrderKind, OrderOutcome
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.braking import BESIDE_MAX, BESIDE_SPEED
 from housefly.pilot.behavior.mission import STAY, Mission, Refused
@@ -118,7 +119,7 @@ class RoomNavigator:
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
-    ) -> list[str]:
+    ) -> list[Words]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
         tracked = (*self._furniture.step(sightings, now), *self._bodies.step(sightings, now))
         known = (*obstacles, *tracked)
@@ -127,7 +128,11 @@ class RoomNavigator:
         is_due = now - self._refreshed >= MAP_REFRESH_PERIOD
         if accepted or (self._memory.obstacles and is_due):
             self._refresh(accepted, now)
-        return [f"{obstacle.source or 'somebody'}: {fault}" for obstacle, fault in faults if fault]
+        return [
+            Words("{who}: {why}", who=obstacle.source or Words("somebody"), why=fault)
+            for obstacle, fault in faults
+            if fault
+        ]
 
     def _refresh(self, accepted: list[Obstacle], now: float) -> None:
         self._memory, self._refreshed = self._memory.updated(accepted, now), now
@@ -210,8 +215,8 @@ class RoomNavigator:
             self._corners = path, np.array([(*place, z) for place, z in ways])
         return self._corners[1]
 
-    def closed(self, rows: FloatArray, now: float) -> str:
-        """Return what closes a short motion that begins where the drone is, in words, or "".
+    def closed(self, rows: FloatArray, now: float) -> Words:
+        """Return what closes a short motion that begins where the drone is, in words, or UNSAID.
 
         The room, what is known to stand in it, and people with their comfort distance; who walks
         counts where the drone would come nearer to them than by staying.
@@ -225,21 +230,22 @@ class RoomNavigator:
         places, speeds = looked[:, :3], np.linalg.norm(looked[:, 3:6], axis=1)
         return self._space.closed_along(places, speeds) or self._closed_by_live(places, now)
 
-    def _closed_by_live(self, places: FloatArray, now: float) -> str:
+    def _closed_by_live(self, places: FloatArray, now: float) -> Words:
         assert self._space is not None
         known, space, hanging = self._standing, self._space, self._height
         soon = live_rows(known, now, WATCH_HORIZON, self._kept[0], hanging)
         standing = live_rows(known, now, 0.0, 0.0, hanging)
         _, row = first_block_in_space(soon, standing, places, space.hull, space.keep)
         if row >= 0:
-            return f"{known[row].id} is near"
+            return Words("{thing} is near", thing=known[row].id)
         ends = np.repeat(places[-1:], max(0, WALKERS_AHEAD - len(places)), axis=0)
         ways = np.concatenate((places, ends))[:, :2]
         met = self.people.separation_along(ways, now)
         if met.closest >= self._kept[0]:
-            return ""
+            return UNSAID
         stays = self.people.separation_along(np.repeat(ways[:1], len(ways), axis=0), now)
-        return f"{met.name} comes near" if met.closest < stays.closest - NEARER else ""
+        is_nearer = met.closest < stays.closest - NEARER
+        return Words("{who} comes near", who=met.name) if is_nearer else UNSAID
 
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:
         """Return whether there is a way once the obstacles of now are gone."""
@@ -258,7 +264,7 @@ class RoomNavigator:
         if order.place:
             return self._at_place(order)
         if order.goal is None:
-            return Refused(OrderOutcome.WRONG_VALUE, "it names neither a place nor a goal")
+            return Refused(OrderOutcome.WRONG_VALUE, Words("it names neither a place nor a goal"))
         name = f"({order.goal[0]:.1f}, {order.goal[1]:.1f})"
         return Mission(order.kind, name, order.goal, order.look_at, order.look_s)
 
@@ -360,7 +366,7 @@ class RoomNavigator:
         try:
             place = self._room.place(order.place)
         except KeyError as error:
-            return Refused(OrderOutcome.UNKNOWN_PLACE, str(error.args[0]))
+            return Refused(OrderOutcome.UNKNOWN_PLACE, error.args[0])
         return Mission(
             order.kind, place.name, place.viewpoint, order.look_at or place.look_at, order.look_s
         )

@@ -14,6 +14,7 @@ from dataclasses import replace
 from math import inf, nan
 
 from housefly.geometry import Vec2
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Inputs, Outputs, Phase, Severity
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
@@ -33,6 +34,7 @@ from housefly.messages.steering import (
     Reference,
     SafetyMode,
 )
+from housefly.messages.words import Words
 from housefly.numeric import boxed, wrapped
 from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.mission import PeopleSilence, TrajectoryReference, VehicleStatus
@@ -110,7 +112,7 @@ class Pilot:
         self._telemetry: Telemetry | None = None
         self._reported, self._sent = ReportedStatus(), Command(Action.IDLE)
         self._now = -inf
-        self._refused: set[str] = set()
+        self._refused: set[Words] = set()
         self._vehicle: VehicleStatus | None = None
         self._way_home = WayHome(
             room_map.route, settings.home, self._params.speed, in_space=room_map.in_space
@@ -246,7 +248,12 @@ class Pilot:
         refused = refused[: REFUSALS_MAX - len(self._refused)]
         self._refused.update(refused)
         return [
-            Event(now, Severity.WARNING, "obstacle_refused", f"obstacle refused: {words}")
+            Event(
+                now,
+                Severity.WARNING,
+                EventCode.OBSTACLE_REFUSED,
+                Words("obstacle refused: {why}", why=words),
+            )
             for words in refused
         ]
 
@@ -560,7 +567,7 @@ class Pilot:
         )
 
     @staticmethod
-    def _warnings(verdict: GateVerdict, waiting: str) -> tuple[str, ...]:
+    def _warnings(verdict: GateVerdict, waiting: Words) -> tuple[Words, ...]:
         words = (verdict.reason, *(rule.words for rule in verdict.broken), waiting)
         return tuple(dict.fromkeys(filter(None, words)))
 

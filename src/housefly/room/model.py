@@ -9,8 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from housefly.config.text import did_you_mean
+from housefly.config.text import names_like
 from housefly.geometry import Quaternion, Vec2, Vec3
+from housefly.messages.words import Words
 
 
 class Shape(Enum):
@@ -126,7 +127,17 @@ class Room:
             if place.name == name.lower():
                 return place
         known = [place.name for place in self.places]
-        raise KeyError(
-            f"no place called {name!r}{did_you_mean(name, known) or ';'}"
-            f" known places: {', '.join(known)}"
+        raise KeyError(unknown_place(name, known))
+
+
+def unknown_place(name: str, known: list[str]) -> Words:
+    """Return that no place has this name, and which there are."""
+    places = ", ".join(known)
+    if close := names_like(name, known):
+        return Words(
+            "no place called {name}: did you mean {place}? known places: {places}",
+            name=repr(name),
+            place=close,
+            places=places,
         )
+    return Words("no place called {name}; known places: {places}", name=repr(name), places=places)

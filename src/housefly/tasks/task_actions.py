@@ -9,7 +9,7 @@ from typing import Any
 from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource
-from housefly.tasks.api.values import ParameterValue, PersonQuestion
+from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface
 from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import task_sender
@@ -30,6 +30,11 @@ from housefly.tasks.scheduler.values import ScheduledTask
 from housefly.tasks.task_outlet import TaskOutlet
 from housefly.tasks.task_record import TaskRecord
 
+_SOURCES = {
+    RequestSurface.RULE: OrderSource.RULE,
+    RequestSurface.ASSISTANT: OrderSource.ASSISTANT,
+}
+"""What gives the orders of a task that no person asked for."""
 _MAX_REPORT = 100
 """Most lines of a task's report."""
 _KEPT: dict[str, ToldEventKind] = {"clip": "clip kept", "snapshot": "snapshot kept"}
@@ -120,8 +125,11 @@ class TaskActions:
             self._clips.stop()
 
     def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
-        sender = task_sender(doing.task.id, doing.task.request.service)
-        self._outlet.order(replace(wanted.order, issued_at=doing.now, sender=sender))
+        request = doing.task.request
+        sender = task_sender(doing.task.id, request.service)
+        source = _SOURCES.get(request.surface, OrderSource.TASK)
+        order = replace(wanted.order, issued_at=doing.now, sender=sender, source=source)
+        self._outlet.order(order)
 
     def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
         self._films = doing.task.id

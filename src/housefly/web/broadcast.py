@@ -71,6 +71,7 @@ class Broadcast:
             self._send_state()
             self._send_verdict()
             self._console.viewers.send_events(self._console.feed)
+            self._console.viewers.send_refusals(self._console.feed.refusals())
 
     def _send_state(self) -> None:
         step = self._console.feed.step

@@ -14,7 +14,8 @@ from housefly.clock import Clock
 from housefly.config.validation import dotted, words_of
 from housefly.errors import MissingPartError
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
-from housefly.messages import OrderKind, Severity
+from housefly.messages import Order, OrderKind, Severity
+from housefly.messages.words import UNSAID, Words, figure, literal
 from housefly.web.audit_log import AuditLog
 from housefly.web.client_messages import (
     CLIENT_MESSAGE,
@@ -134,7 +135,7 @@ class Console:
         except ValidationError as error:
             first = error.errors()[0]
             key = dotted(first["loc"]) or "message"
-            reason = f"{key}: {words_of(first)}"
+            reason = literal(f"{key}: {words_of(first)}")
             self._refuse(viewer, "a message that cannot be read", reason)
             self._within_rate(viewer)
             return
@@ -203,11 +204,11 @@ class Console:
         """Return the name that others see for a tab of a session's owner."""
         return self.viewers.name_of_tab(owner, tab)
 
-    def control_objection(self, owner: str, tab: str) -> str:
-        """Return why this tab of a session's owner does not have control, in words, or ""."""
+    def control_objection(self, owner: str, tab: str) -> Words:
+        """Return why this tab of a session's owner does not have control, in words, or UNSAID."""
         return self.control.objection(self.viewers.tabs.number_of(owner, tab))
 
-    def announce(self, words: str) -> None:
+    def announce(self, words: Words) -> None:
         """Put a line into everybody's event log."""
         _LOG.info("%s", words)
         self._record("", "", words)
@@ -215,20 +216,22 @@ class Console:
 
     # --- messages
 
-    def _objection(self, viewer: Viewer, message: Any) -> str:
-        """Return why a viewer may not say this at all, in words, or ""."""
+    def _objection(self, viewer: Viewer, message: Any) -> Words:
+        """Return why a viewer may not say this at all, in words, or UNSAID."""
         # Who is nobody yet would share number 0, and control with it, with all others.
         if not (viewer.present or isinstance(message, Hello) or _is_unlimited(message)):
-            return "say hello first"
+            return Words("say hello first")
         return self._role_objection(viewer, message)
 
-    def _role_objection(self, viewer: Viewer, message: Any) -> str:
-        """Return why a viewer's role is not enough, in words, or ""; STOP and LAND look nowhere."""
+    def _role_objection(self, viewer: Viewer, message: Any) -> Words:
+        """Return why a viewer's role is not enough, or UNSAID; STOP and LAND look nowhere."""
         needed = role_for_message(message)
         if needed is Role.WATCH:
-            return ""
+            return UNSAID
         session = self._auth.renewed(viewer.session)
-        return role_objection(session.role, needed) if session else "this session is over"
+        if session is None:
+            return Words("this session is over")
+        return role_objection(session.role, needed)
 
     def _within_rate(self, viewer: Viewer) -> bool:
         if viewer.limiter.spend(self._clock.now()):
@@ -237,7 +240,7 @@ class Console:
         if viewer.limiter.refused > _MAX_REFUSALS:
             viewer.close(1008, "too many commands")
         elif viewer.limiter.refused == 1:
-            viewer.send(RefusedReply(0, "too many commands at once: wait a moment"))
+            viewer.send(RefusedReply(0, Words("too many commands at once: wait a moment")))
         return False
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
@@ -245,7 +248,7 @@ class Console:
         tabs = self.viewers.tabs
         number = tabs.number_of(owner, message.tab)
         if viewer.present and number != viewer.number:
-            reason = "another tab says hello on a socket of its own"
+            reason = Words("another tab says hello on a socket of its own")
             self._refuse(viewer, "hello refused", reason)
             return
         self.viewers.close_others_of(viewer, number)
@@ -296,8 +299,7 @@ class Console:
             self._refuse(viewer, f"{message.order.value} refused", reason, message.id)
         else:
             self._audit(viewer.name, order_in_words(message), viewer.session.name)
-            sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
-            self._start(self._confirm(viewer, message, sent))
+            self._pass_on(viewer, message, to_order(message, viewer.name, self._clock.now()))
 
     def _nudge(self, viewer: Viewer, message: NudgeRequest) -> None:
         """Pass a nudge on; many of them in a row are one line in the log."""
@@ -307,30 +309,33 @@ class Console:
             OrderKind.NUDGE, self.verdict()
         )
         if not reason and late > LATE_MAX:
-            reason = f"the line is slow: this came {late:.1f} s late"
+            reason = Words("the line is slow: this came {n} s late", n=figure(late, ".1f"))
         if reason:
             self._refuse(viewer, f"{ORDER_WORDS[OrderKind.NUDGE]} refused", reason, message.id)
             return
         if now - viewer.nudged_at > NEW_TIME:
             self._audit(viewer.name, ORDER_WORDS[OrderKind.NUDGE], viewer.session.name)
         viewer.nudged_at = now
-        sent = self.link.send(nudge_order(message, viewer.name, now - late))
-        self._start(self._confirm(viewer, message, sent))
+        self._pass_on(viewer, message, nudge_order(message, viewer.name, now - late))
 
-    def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
+    def _pass_on(self, viewer: Viewer, message: OrderRequest | NudgeRequest, order: Order) -> None:
+        viewer.gave(order)
+        self._start(self._confirm(viewer, message, self.link.send(order)))
+
+    def _order_objection(self, viewer: Viewer, message: OrderRequest) -> Words:
         if message.order in ORDERS_WITHOUT_CONTROL:
             return order_objection(message, self.room)
         if problem := self.control.objection(viewer.number):
             return problem
         if not self.pilot_is_heard and message.order is not OrderKind.CUT:
-            return "no contact with the pilot"
+            return Words("no contact with the pilot")
         return order_objection(message, self.room)
 
     async def _confirm(
         self, viewer: Viewer, asked: OrderRequest | NudgeRequest, sent: asyncio.Future[str]
     ) -> None:
         if problem := await sent:
-            self._refuse(viewer, f"{asked.type} was not passed on", problem, asked.id)
+            self._refuse(viewer, f"{asked.type} was not passed on", literal(problem), asked.id)
         else:
             viewer.send(AcceptedReply(asked.id))
 
@@ -344,7 +349,7 @@ class Console:
             self._refuse(viewer, f"{message.action} control refused", problem, message.id)
             return
         self._record(viewer.name, viewer.session.name, words)
-        self.feed.log_event(Severity.INFO, "control", f"{viewer.name} {words}")
+        self.feed.log_event(Severity.INFO, "control", words)
         viewer.send(AcceptedReply(message.id))
         self.control.broadcast()
 
@@ -353,7 +358,7 @@ class Console:
         try:
             viewer.send(self._links.make(viewer, message))
         except MissingPartError as error:
-            self._refuse(viewer, f"{message.type} refused", str(error), message.id)
+            self._refuse(viewer, f"{message.type} refused", literal(str(error)), message.id)
 
     # --- helpers
 
@@ -365,7 +370,9 @@ class Console:
         if control.holder is not None:
             self.control.reserve(control.holder)
         if not kept.is_new:
-            text = "the console was started again: what happened meanwhile is not in this log"
+            text = Words(
+                "the console was started again: what happened meanwhile is not in this log"
+            )
             self.feed.log_event(Severity.WARNING, "console", text)
 
     @property
@@ -383,14 +390,14 @@ class Console:
         _LOG.info("%s: %s", sender, words)
         self._record(sender, session, words)
         if not self.pilot_is_heard:
-            text = f"{sender}: {words}, but the pilot is not heard"
+            text = Words("{who}: {what}, but the pilot is not heard", who=sender, what=words)
             self.feed.log_event(Severity.WARNING, "order", text)
 
     def _record(self, who: str, session: str, what: str) -> None:
         if self._audit_log is not None:
             self._audit_log.record(who, session, what)
 
-    def _refuse(self, viewer: Viewer, what: str, reason: str, number: int = 0) -> None:
+    def _refuse(self, viewer: Viewer, what: str, reason: Words, number: int = 0) -> None:
         """Write down that a message was refused, and answer why; 0 where its number is unknown."""
         self.refusals.refused(viewer.name, viewer.session.name, f"{what}: {reason}")
         viewer.send(RefusedReply(number, reason))

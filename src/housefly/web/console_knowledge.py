@@ -9,6 +9,7 @@ from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import DroneStatus, Estimate, LinkStatus, PilotStep, SafetyMode, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import Number, Words, figure
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX
 from housefly.web.last_status import TELEMETRY_AGE_MAX, LastStatus
 from housefly.web.verdict_message import Standing, StopView
@@ -34,7 +35,7 @@ class ConsoleKnowledge:
         stop: the STOP that holds.
         pilot, control: number and name of who has control.
         task_subject: what the task that flies looks at, as people call it, or "".
-        hand_motion: the pilot's words while somebody moves the drone by hand, or "".
+        hand_motion: who moves the drone by hand, "" without a name; None while nobody does.
         told_last: what the drone said last, also through a pilot before this one.
         has_drone: whether there is a drone at all.
     """
@@ -49,7 +50,7 @@ class ConsoleKnowledge:
     pilot: int | None = None
     control: str = ""
     task_subject: str = ""
-    hand_motion: str = ""
+    hand_motion: str | None = None
     told_last: LastStatus = field(default_factory=LastStatus)
     has_drone: bool = True
 
@@ -157,28 +158,45 @@ class ConsoleKnowledge:
         return next((one.thing for one in standing if _inside(place, one.corners)), "")
 
 
-def place_in_words(known: ConsoleKnowledge) -> str:
+def place_in_words(known: ConsoleKnowledge) -> Words:
     """Return where the drone is, in words."""
-    away = known.pad_distance
     match known.standing:
         case Standing.ON_PAD:
-            return "on the pad"
+            return Words("on the pad")
         case Standing.OFF_PAD:
-            inside = f", under, on or in {known.caught_in}" if known.caught_in else ""
-            return f"on the ground, {away:.1f} m from the pad{inside}"
+            return _off_pad(figure(known.pad_distance or 0.0, ".1f"), known.caught_in)
         case Standing.ON_GROUND:
-            return f"on the ground; tracking {last_seen(known)}"
+            return Words("on the ground; {why}", why=last_seen(known))
+        case Standing.IN_AIR if known.is_seen:
+            return Words("in the air")
         case Standing.IN_AIR:
-            return "in the air" if known.is_seen else f"in the air; tracking {last_seen(known)}"
+            return Words("in the air; {why}", why=last_seen(known))
         case Standing.UNKNOWN:
-            return "not known"
+            return Words("not known")
 
 
-def last_seen(known: ConsoleKnowledge) -> str:
-    """Return since when tracking has not seen the drone, in words."""
+def _off_pad(away: Number, thing: str) -> Words:
+    if not thing:
+        return Words("on the ground, {d} m from the pad", d=away)
+    return Words("on the ground, {d} m from the pad, under, on or in {thing}", d=away, thing=thing)
+
+
+def last_seen(known: ConsoleKnowledge) -> Words:
+    """Return since when tracking has not seen "it", the drone, in words."""
     if known.estimate is None:
-        return "has not seen it yet"
-    return f"saw it last {known.pose_age:.0f} s ago" if known.pose_age >= 1.0 else "does not see it"
+        return Words("tracking has not seen it yet")
+    if known.pose_age < 1.0:
+        return Words("tracking does not see it")
+    return Words("tracking saw it last {n} s ago", n=figure(known.pose_age, ".0f"))
+
+
+def drone_last_seen(known: ConsoleKnowledge) -> Words:
+    """Return the same of "the drone"."""
+    if known.estimate is None:
+        return Words("tracking has not seen the drone yet")
+    if known.pose_age < 1.0:
+        return Words("tracking does not see the drone")
+    return Words("tracking saw the drone last {n} s ago", n=figure(known.pose_age, ".0f"))
 
 
 def _inside(point: Vec2, corners: tuple[Vec2, ...]) -> bool:

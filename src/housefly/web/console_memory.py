@@ -19,6 +19,7 @@ from pathlib import Path
 from pydantic import TypeAdapter
 
 from housefly.config.durable import append_lines
+from housefly.messages.words import with_trees
 from housefly.web.server_messages import EventView
 
 _LOG = logging.getLogger(__name__)
@@ -151,4 +152,5 @@ class ConsoleMemory:
 
 def _line(one: KeptControl | EventView) -> str:
     kind = "control" if isinstance(one, KeptControl) else "event"
-    return json.dumps({kind: asdict(one)}, default=lambda value: value.value)
+    told = asdict(one, dict_factory=with_trees)
+    return json.dumps({kind: told}, default=lambda value: value.value)

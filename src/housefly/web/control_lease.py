@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from housefly.clock import Clock
 from housefly.messages import Severity
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.web.client_messages import LeaseRequest
 from housefly.web.lease import LEASE_TIMEOUT, Lease
 from housefly.web.roles import Role
@@ -48,11 +49,13 @@ class ControlLease:
         """Name of who has control, or ""."""
         return "" if self.holder is None else self._viewers.name_of(self.holder)
 
-    def objection(self, number: int | None) -> str:
-        """Return why this number may not fly now, in words, or ""."""
+    def objection(self, number: int | None) -> Words:
+        """Return why this number may not fly now, in words, or UNSAID."""
         if self.holder is None:
-            return "nobody has control: take it first"
-        return "" if self.holder == number else f"{self.holder_name} has control"
+            return Words("nobody has control: take it first")
+        if self.holder == number:
+            return UNSAID
+        return Words("{who} has control", who=self.holder_name)
 
     def reserve(self, number: int) -> None:
         """Keep control for who had it before a restart of the console."""
@@ -73,32 +76,38 @@ class ControlLease:
         if is_alone and viewer.session.role.includes(Role.FLY) and not self._is_flying():
             self._lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
 
-    def change(self, viewer: Viewer, message: LeaseRequest) -> tuple[str, str]:
+    def change(self, viewer: Viewer, message: LeaseRequest) -> tuple[Words, Words]:
         """Take, release or hand over control; return the objection, and what was done, in words."""
-        now, me = self._clock.now(), viewer.number
+        now, me, who = self._clock.now(), viewer.number, viewer.name
         if message.action == "take":
             flying = self._is_flying()
             problem = self._lease.acquire(me, now, flying=flying, held=message.held)
-            return problem, "took control"
+            return problem, Words("{who} took control", who=who)
         if message.action == "release":
-            return self._lease.release(me), "laid down control"
+            return self._lease.release(me), Words("{who} laid down control", who=who)
         if message.to in {other.number for other in self._viewers if self._may_fly(other)}:
-            words = f"handed control to {self._viewers.name_of(message.to)}"
+            to = self._viewers.name_of(message.to)
+            words = Words("{who} handed control to {name}", who=who, name=to)
             return self._lease.hand_over(me, message.to, now), words
-        return "that viewer is not here any more, or may not fly", ""
+        return Words("that viewer is not here any more, or may not fly"), UNSAID
 
     def expire(self) -> None:
         """Free control when its holder has fallen silent."""
         name = self.holder_name
         if self._lease.expire(self._clock.now()):
-            silent = f"was silent for {LEASE_TIMEOUT:.0f} s"
-            self._lost(f"{name} {silent} and lost control: nobody has it now")
+            self._lost(
+                Words(
+                    "{who} was silent for {n} s and lost control: nobody has it now",
+                    who=name,
+                    n=figure(LEASE_TIMEOUT, ".0f"),
+                )
+            )
 
     def take_from_who_may_not_fly(self, viewer: Viewer) -> None:
         """Free control when its holder's session is over, or flies no more."""
         if viewer.present and viewer.number == self.holder and not self._may_fly(viewer):
             self._lease.release(viewer.number)
-            self._lost(f"{viewer.name} may not fly any more and lost control")
+            self._lost(Words("{who} may not fly any more and lost control", who=viewer.name))
 
     def broadcast(self) -> None:
         """Send everybody who is here and who has control."""
@@ -106,7 +115,7 @@ class ControlLease:
         here = tuple(ViewerView(number, name) for number, name in sorted(people.items()))
         self._viewers.broadcast("viewers", to_text(ViewersMessage(self.holder, here)))
 
-    def _lost(self, words: str) -> None:
+    def _lost(self, words: Words) -> None:
         self._feed.log_event(Severity.WARNING, "control", words)
         self.broadcast()
 

@@ -21,6 +21,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from housefly.errors import EditsError, HouseflyError, StaleEdits
+from housefly.messages.words import Words
 from housefly.web.edit_service import EditService, EditsNotUsed, EditsView
 from housefly.web.request_bodies import bounded_body
 from housefly.web.responses import error_response, json_response
@@ -42,7 +43,7 @@ class _Control(Protocol):
     def control_objection(self, owner: str, tab: str) -> str:
         """Return why this tab does not have control, in words, or ""."""
 
-    def announce(self, words: str) -> None:
+    def announce(self, words: Words) -> None:
         """Put a line into everybody's event log."""
 
 
@@ -95,21 +96,21 @@ class EditsApi:
         return await self._changed(
             request,
             lambda service, asked, by: service.save(asked.edits, asked.based_on, by),
-            "saved",
+            lambda by: Words("{who} saved places and zones", who=by),
         )
 
     async def _undo(self, request: Request) -> Response:
         return await self._changed(
             request,
             lambda service, asked, by: service.undo(asked.based_on, by),
-            "undid a change of",
+            lambda by: Words("{who} undid a change of places and zones", who=by),
         )
 
     async def _use(self, request: Request) -> Response:
         return await self._changed(
             request,
             lambda service, asked, by: service.use(asked.based_on),
-            "starts the pilot again, so that the drone has the newest",
+            _starts_again,
             self._objection,
         )
 
@@ -117,7 +118,7 @@ class EditsApi:
         self,
         request: Request,
         work: Callable[[EditService, _EditRequest, str], EditsView],
-        did: str,
+        did: Callable[[str], Words],
         also: Callable[[], str] = lambda: "",
     ) -> Response:
         session = self._auth.session_of(request) if self._auth.is_own_page(request) else None
@@ -137,7 +138,7 @@ class EditsApi:
         by = self._control.name_of_tab(session.owner, asked.tab)
         answer = await self._answer(lambda service: work(service, asked, by))
         if answer.status_code == 200:
-            self._control.announce(f"{by} {did} places and zones")
+            self._control.announce(did(by))
         return answer
 
     async def _answer(self, work: Callable[[EditService], EditsView]) -> Response:
@@ -173,3 +174,9 @@ def _parsed(body: bytes) -> _EditRequest:
     if not isinstance(tab, str) or len(tab) > 64:
         raise ValueError("tab: which tab of the console asks, as text")
     return _EditRequest(based_on, tab, tree.get("edits", {}))
+
+
+def _starts_again(by: str) -> Words:
+    return Words(
+        "{who} starts the pilot again, so that the drone has the newest places and zones", who=by
+    )

@@ -15,6 +15,7 @@ from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from housefly.errors import RecordingError
 from housefly.messages import Phase, SafetyMode, Severity
+from housefly.messages.words import Words
 
 FLIGHT_ID = re.compile(r"\d{8}T\d{9}Z")
 """Date and time of the start in UTC, to the millisecond."""
@@ -99,7 +100,7 @@ class FlightNote:
     t: _Elapsed
     severity: Severity
     code: Annotated[str, Field(max_length=NAME_MAX)]
-    text: Annotated[str, Field(max_length=TEXT_MAX)]
+    text: Annotated[Words, Field(max_length=TEXT_MAX)]
 
 
 @dataclass(frozen=True, slots=True)

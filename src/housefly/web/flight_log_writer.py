@@ -14,6 +14,7 @@ from typing import Protocol
 
 from housefly.config.durable import SyncPace, append_lines
 from housefly.messages import DroneStatus, Estimate, PilotStep, Severity
+from housefly.messages.words import literal
 from housefly.numeric import wrapped
 from housefly.web.flight_log import (
     DURATION_MAX,
@@ -124,8 +125,8 @@ class FlightLogWriter:
             self._put(_path(t, path()))
         for event in out.events:
             self._worst = max(self._worst, event.severity, key=_SEVERITIES.index)
-            code, text = event.code[:NAME_MAX], event.text[:TEXT_MAX]
-            self._put(FlightNote(t, event.severity, code, text))
+            text = event.text if len(event.text) <= TEXT_MAX else literal(event.text[:TEXT_MAX])
+            self._put(FlightNote(t, event.severity, event.code, text))
         if t - self._sampled_at >= SAMPLE_PERIOD - 1e-3:
             self._sampled_at = t
             self._put(_sample(t, step))

@@ -8,10 +8,11 @@ from math import dist
 
 from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PlaceView
+from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.values import TaskStage
 
-UNNAMED_GOAL = "the chosen point"
+UNNAMED_GOAL = Words("the chosen point")
 _POINT = re.compile(r"\((-?\d+\.\d), (-?\d+\.\d)\)")
 """How the pilot calls a goal that is no place."""
 _SAME = 0.4

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from housefly.messages.words import Words
 from housefly.web.client_messages import InviteRequest
 from housefly.web.invitations import Invitation
 from housefly.web.qr_code import qr_view
@@ -15,10 +16,10 @@ from housefly.web.viewer import Viewer
 _MAX_HOSTS = 200
 """Links whose makers are told when they are used."""
 _GUEST_WORDS = {
-    Role.WATCH: "may watch",
-    Role.ASK: "may watch and ask",
-    Role.FLY: "may fly",
-    Role.ADMIN: "may do everything",
+    Role.WATCH: Words("it may watch"),
+    Role.ASK: Words("it may watch and ask"),
+    Role.FLY: Words("it may fly"),
+    Role.ADMIN: Words("it may do everything"),
 }
 
 
@@ -36,7 +37,7 @@ class GuestLinks:
         self,
         auth: SessionAuth,
         address: str,
-        tell: Callable[[str], None],
+        tell: Callable[[Words], None],
         record: Callable[[str], None],
     ) -> None:
         self._auth, self._address, self._tell, self._record = auth, address, tell, record
@@ -56,8 +57,11 @@ class GuestLinks:
     def _used(self, invitation: Invitation) -> None:
         """Tell everybody that a link was used, and who made it by whose link somebody came."""
         host = self._hosts.pop(invitation.name, None)
-        by = f"the link that {host.name} made" if host else "the link of the terminal"
-        self._tell(f"a browser came in by {by}: it {_GUEST_WORDS[invitation.role]}")
+        by = Words("the link of the terminal")
+        if host is not None:
+            by = Words("the link that {who} made", who=host.name)
+        may = _GUEST_WORDS[invitation.role]
+        self._tell(Words("a browser came in by {link}: {what}", link=by, what=may))
         self._record(f"a one-time link was used: {invitation.role.value}, by {by}")
         if host is not None:
             host.send(InvitationUsed(invitation.name))

@@ -1,21 +1,21 @@
-"""Whether somebody moves the drone by hand now, and who: the pilot's own words, as they come."""
+"""Whether somebody moves the drone by hand now, and who, as the pilot tells it."""
 
 from __future__ import annotations
 
-from housefly.messages import Phase, PilotStep
+from housefly.messages import EventCode, Phase, PilotStep
 
 
-def hand_motion_words(before: str, step: PilotStep) -> str:
-    """Return the pilot's words while the drone is moved by hand; "" while nobody moves it.
+def moved_by(before: str | None, step: PilotStep) -> str | None:
+    """Return who moves the drone by hand, "" without a name; None while nobody does.
 
     Args:
-        before: what was returned of the step before; "" at a pilot's first.
+        before: what was returned of the step before; None at a pilot's first.
         step: the newest step.
     """
-    words = before
+    who = before
     for event in step.outputs.events:
-        if event.code == "nudge_began":
-            words = event.text
-        elif event.code == "nudge_ended":
-            words = ""
-    return words if step.outputs.phase is Phase.HOLDING else ""
+        if event.code is EventCode.NUDGE_BEGAN:
+            who = event.text.value("who")
+        elif event.code is EventCode.NUDGE_ENDED:
+            who = None
+    return who if step.outputs.phase is Phase.HOLDING else None

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from housefly.messages.words import UNSAID, Words
+
 LEASE_TIMEOUT = 3.0
 """Control is lost when its holder was not heard for this long [s]."""
 RETURN_TIMEOUT = 10.0
@@ -26,26 +28,26 @@ class Lease:
         """Keep control for who had it before a restart of the console, and soon comes back."""
         self.holder, self.renewed_at = viewer, now + RETURN_TIMEOUT - LEASE_TIMEOUT
 
-    def acquire(self, viewer: int, now: float, *, flying: bool, held: bool) -> str:
-        """Give control to the viewer; returns "" or, in words, why not."""
+    def acquire(self, viewer: int, now: float, *, flying: bool, held: bool) -> Words:
+        """Give control to the viewer; returns UNSAID or, in words, why not."""
         if self.holder not in (None, viewer) and flying and not held:
-            return "someone else flies the drone: hold the button to take over"
+            return Words("someone else flies the drone: hold the button to take over")
         self.holder, self.renewed_at = viewer, now
-        return ""
+        return UNSAID
 
-    def release(self, viewer: int) -> str:
-        """Give up control; returns "" or, in words, why not."""
+    def release(self, viewer: int) -> Words:
+        """Give up control; returns UNSAID or, in words, why not."""
         if self.holder != viewer:
-            return "you do not have control"
+            return Words("you do not have control")
         self.holder = None
-        return ""
+        return UNSAID
 
-    def hand_over(self, viewer: int, to: int, now: float) -> str:
-        """Pass control to another viewer; returns "" or, in words, why not."""
+    def hand_over(self, viewer: int, to: int, now: float) -> Words:
+        """Pass control to another viewer; returns UNSAID or, in words, why not."""
         if self.holder != viewer:
-            return "you do not have control"
+            return Words("you do not have control")
         self.holder, self.renewed_at = to, now
-        return ""
+        return UNSAID
 
     def renew(self, viewer: int, now: float) -> None:
         """Note a sign of life of the holder."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass, field
+from secrets import token_hex
 
 from housefly.messages import Order, OrderKind
 from housefly.messages.order_fault import NAME_LENGTH_MAX
@@ -38,4 +39,6 @@ class LineDelay:
 def nudge_order(request: NudgeRequest, sender: str, given_at: float) -> Order:
     """Return the order that goes on the bus, given at a time of ours [s]."""
     by = sender[:NAME_LENGTH_MAX]
-    return Order(OrderKind.NUDGE, issued_at=given_at, sender=by, velocity=request.velocity)
+    return Order(
+        OrderKind.NUDGE, issued_at=given_at, sender=by, velocity=request.velocity, id=token_hex(6)
+    )

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from secrets import token_hex
 
-from housefly.config.text import did_you_mean
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.messages import Order, OrderKind
 from housefly.messages.order_fault import NAME_LENGTH_MAX
+from housefly.messages.words import UNSAID, Words, literal
+from housefly.room.model import unknown_place
 from housefly.web.client_messages import OrderRequest
 
 ORDERS_WITHOUT_CONTROL = frozenset({OrderKind.STOP, OrderKind.LAND})
@@ -29,26 +30,26 @@ ORDER_WORDS = {
 }
 
 
-def order_objection(request: OrderRequest, room: RoomView | None) -> str:
-    """Return why a request makes no sense by itself, in words, or ""."""
+def order_objection(request: OrderRequest, room: RoomView | None) -> Words:
+    """Return why a request makes no sense by itself, in words, or UNSAID."""
     if request.order is OrderKind.NUDGE:
-        return "moving by hand is asked for by nudges, each with a velocity"
+        return Words("moving by hand is asked for by nudges, each with a velocity")
     targets = bool(request.place) + (request.goal is not None)
     if request.order not in _ORDERS_WITH_TARGET:
         if targets == 0:
-            return ""
-        return f"the order to {ORDER_WORDS[request.order]} takes no place and no goal"
+            return UNSAID
+        asked = literal(ORDER_WORDS[request.order])
+        return Words("the order to {asked} takes no place and no goal", asked=asked)
     if targets != 1:
-        return "the order needs either a place or a goal"
+        return Words("the order needs either a place or a goal")
     if room is None:
-        return "the room is not known yet"
+        return Words("the room is not known yet")
     known = [place.name for place in room.places]
     if request.place and request.place not in known:
-        meant = did_you_mean(request.place, known) or ";"
-        return f"no place called {request.place!r}{meant} known places: {', '.join(known)}"
+        return unknown_place(request.place, known)
     if request.goal is not None and not _within(request.goal, room.bounds):
-        return "the goal is outside the room"
-    return ""
+        return Words("the goal is outside the room")
+    return UNSAID
 
 
 def to_order(request: OrderRequest, sender: str, now: float) -> Order:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest
+from housefly.messages.words import Words
 from housefly.web.pilot_link import PilotLink
 from housefly.web.server_messages import PlanReply, RefusedReply
 from housefly.web.viewer import Viewer
@@ -19,7 +20,11 @@ async def answer_plans(viewer: Viewer, link: PilotLink) -> None:
         try:
             answer = await link.plan(PlanRequest(question.place, question.goal))
         except HouseflyError as error:
-            viewer.send(RefusedReply(question.id, f"no path could be asked for: {error}"))
+            viewer.send(
+                RefusedReply(
+                    question.id, Words("no path could be asked for: {why}", why=str(error))
+                )
+            )
         else:
             viewer.send(PlanReply(question.id, answer))
     viewer.asking = False

@@ -10,6 +10,7 @@ from typing import Any
 
 from housefly.hub.api.endpoints import API_PREFIX
 from housefly.messages import OrderKind
+from housefly.messages.words import UNSAID, Words
 from housefly.web.client_messages import (
     Hello,
     InviteRequest,
@@ -149,8 +150,12 @@ def _role_for_change_of_one(path: str) -> Role:
     return Role.ADMIN
 
 
-def role_objection(role: Role, needed: Role) -> str:
-    """Return why a role is not enough, in words, or ""."""
+def role_objection(role: Role, needed: Role) -> Words:
+    """Return why a role is not enough, in words, or UNSAID."""
     if role.includes(needed):
-        return ""
-    return f"your role is {role.value!r}, and this needs {needed.value!r}: ask who runs Housefly"
+        return UNSAID
+    return Words(
+        "your role is {name}, and this needs {what}: ask who runs Housefly",
+        name=repr(role.value),
+        what=repr(needed.value),
+    )

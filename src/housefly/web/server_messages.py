@@ -20,11 +20,13 @@ from housefly.messages import (
     Clearing,
     DroneStatus,
     LinkStatus,
+    OrderKind,
     Phase,
     PlanAnswer,
     SafetyMode,
     Severity,
 )
+from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskBoard
 from housefly.web.qr_code import QrView
 from housefly.web.role import Role
@@ -39,7 +41,7 @@ class EventView:
     at: float
     severity: Severity
     code: str
-    text: str
+    text: Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +122,7 @@ class StateMessage:
     clears: Clearing
     action: Action
     goal_name: str
-    reason: str
+    reason: Words
     path: int
     waypoint: int
     others: tuple[OtherBody, ...]
@@ -218,8 +220,17 @@ class RefusedReply:
     """Request ``id`` was not passed on; the reason is in words."""
 
     id: int
-    reason: str
+    reason: Words
     type: Literal["refused"] = "refused"
+
+
+@dataclass(frozen=True, slots=True)
+class OrderRefused:
+    """The pilot refused an order of this page that was passed on."""
+
+    order: OrderKind
+    reason: Words
+    type: Literal["order_refused"] = "order_refused"
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,6 +285,7 @@ ServerMessage = (
     | PlanReply
     | AcceptedReply
     | RefusedReply
+    | OrderRefused
     | PongReply
     | InviteReply
     | InvitationUsed

@@ -17,6 +17,7 @@ from housefly.config.furniture import FurnitureConfig
 from housefly.geometry import Vec2
 from housefly.messages import (
     LinkStatus,
+    OrderAnswer,
     Path,
     PilotStep,
     PlannedTrajectory,
@@ -25,9 +26,10 @@ from housefly.messages import (
     TrackedFrame,
     TrajectoryPoint,
 )
+from housefly.messages.words import Words
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
-from housefly.web.hand_motion import hand_motion_words
+from housefly.web.hand_motion import moved_by
 from housefly.web.last_status import LastStatus
 from housefly.web.server_messages import (
     EventView,
@@ -38,6 +40,7 @@ from housefly.web.server_messages import (
 )
 from housefly.web.stop_latch import StopLatch
 
+_REFUSALS_KEPT = 100
 _EVENTS_KEPT = 300
 _TRAIL_KEPT = 600
 _TRAIL_STEP = 0.04
@@ -79,13 +82,14 @@ class StateFeed:
     _link: LinkMessage | None = None
     _events: deque[EventView] = field(default_factory=lambda: deque(maxlen=_EVENTS_KEPT))
     _event_number: int = 0
+    _refusals: deque[OrderAnswer] = field(default_factory=lambda: deque(maxlen=_REFUSALS_KEPT))
     _trail: deque[Vec2] = field(default_factory=lambda: deque(maxlen=_TRAIL_KEPT))
     _others: dict[str, _TrackedBody] = field(default_factory=dict)
     _path: Path | None = None
     _path_number: int = 0
     _trajectory: tuple[TrajectoryPoint, ...] = ()
     _restarts: int = 0
-    _hand_motion: str = ""
+    _hand_motion: str | None = None
     _last_status: LastStatus = field(default_factory=LastStatus)
     _stop: StopLatch = field(default_factory=StopLatch)
 
@@ -96,10 +100,17 @@ class StateFeed:
         bus.subscribe(LINK_TOPIC, self._on_link)
         bus.subscribe(TRAJECTORY_TOPIC, self._on_trajectory)
 
-    def log_event(self, severity: Severity, code: str, text: str) -> None:
+    def log_event(self, severity: Severity, code: str, text: Words) -> None:
         """Add a line of the console's own to the event log."""
         with self._lock:
             self._add_event(severity, code, text)
+
+    def refusals(self) -> tuple[OrderAnswer, ...]:
+        """Return which orders the pilot refused since the last call."""
+        with self._lock:
+            refusals = tuple(self._refusals)
+            self._refusals.clear()
+            return refusals
 
     def restore(self, events: Sequence[EventView], stop: StopLatch) -> None:
         """Go on with the event log and the STOP that an earlier console kept."""
@@ -132,8 +143,8 @@ class StateFeed:
             return self.clock.now() - self._heard_at if self._step else float("inf")
 
     @property
-    def hand_motion(self) -> str:
-        """The pilot's words while somebody moves the drone by hand, or ""."""
+    def hand_motion(self) -> str | None:
+        """Who moves the drone by hand, "" without a name; None while nobody does."""
         with self._lock:
             return self._hand_motion
 
@@ -225,7 +236,7 @@ class StateFeed:
         with self._lock:
             if self._step is not None and step.sequence < self._step.sequence:
                 self._restarts += 1
-                self._hand_motion = ""
+                self._hand_motion = None
                 self._stop = self._stop.pilot_restarted(now)
             word = self._last_status.after(step)
             if word.may_be_airborne and not self._last_status.may_be_airborne:
@@ -233,9 +244,10 @@ class StateFeed:
             self._last_status = word
             self._step, self._heard_at = step, now
             self._stop = self._stop.heard(step)
-            self._hand_motion = hand_motion_words(self._hand_motion, step)
+            self._hand_motion = moved_by(self._hand_motion, step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
+            self._refusals.extend(one for one in step.outputs.answers if not one.is_taken)
             if step.outputs.path != self._path:
                 self._path, self._path_number = step.outputs.path, self._path_number + 1
             estimate = step.outputs.estimate
@@ -264,7 +276,7 @@ class StateFeed:
         with self._lock:
             self._link = LinkMessage(self.clock.now(), link)
 
-    def _add_event(self, severity: Severity, code: str, text: str) -> None:
+    def _add_event(self, severity: Severity, code: str, text: Words) -> None:
         self._event_number += 1
         event = EventView(self._event_number, self.clock.now(), severity, code, text)
         self._events.append(event)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from housefly.messages import OrderKind, PilotStep, SafetyMode
+from housefly.messages.words import Words
 from housefly.web.verdict_message import StopProgress, StopView
 
 CONFIRM_TIMEOUT = 1.5
@@ -12,7 +13,6 @@ CONFIRM_TIMEOUT = 1.5
 RESEND_PERIOD = 0.5
 """How often one that must be confirmed is sent again [s]."""
 _RANKS = {mode: rank for rank, mode in enumerate(SafetyMode)}
-_UNTIL_RESUME = "takes no orders until Resume is held"
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,16 +76,15 @@ class StopLatch:
         if not self.holds:
             return StopView()
         if self.is_confirmed and pilot_is_heard:
-            words = f"The drone hovers and {_UNTIL_RESUME}"
-            return StopView(
-                StopProgress.CONFIRMED,
-                self.by,
-                words if airborne else f"The drone {_UNTIL_RESUME}",
-            )
+            words = Words("The drone takes no orders until Resume is held")
+            if airborne:
+                words = Words("The drone hovers and takes no orders until Resume is held")
+            return StopView(StopProgress.CONFIRMED, self.by, words)
         if self.is_confirmed:
-            words = "its pilot is not heard; the next one is stopped, too"
+            words = Words("its pilot is not heard; the next one is stopped, too")
             return StopView(StopProgress.CONFIRMED, self.by, words)
         if now - self.sent_at < CONFIRM_TIMEOUT:
-            return StopView(StopProgress.SENT, self.by, "sent, the pilot has not confirmed it yet")
-        words = "the pilot has not confirmed it: it is sent again and again"
+            words = Words("sent, the pilot has not confirmed it yet")
+            return StopView(StopProgress.SENT, self.by, words)
+        words = Words("the pilot has not confirmed it: it is sent again and again")
         return StopView(StopProgress.FAILED, self.by, words)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from housefly.messages.words import UNSAID, Words, figure, literal, parts_of, said
 from housefly.web.console_knowledge import ConsoleKnowledge, place_in_words
 from housefly.web.headline import headline
 from housefly.web.lost_contact import if_page_is_lost, without_word
@@ -11,9 +12,6 @@ from housefly.web.next_order import next_order
 from housefly.web.order_objections import check_in_words, order_objections, take_off_objections
 from housefly.web.verdict_message import ConsoleVerdict
 from housefly.web.watching import watching_verdict
-
-SAID_BY_A_CHECK = "nothing here sees people"
-"""How the pilot's note begins that one of the checks says as well."""
 
 
 def console_verdict(known: ConsoleKnowledge) -> ConsoleVerdict:
@@ -54,28 +52,33 @@ def says_the_same(one: ConsoleVerdict, other: ConsoleVerdict) -> bool:
     return replace(one, at=other.at) == other
 
 
-def _banner(known: ConsoleKnowledge) -> str:
+def _banner(known: ConsoleKnowledge) -> Words:
     if known.step is None or (known.pilot_is_heard and known.drone_is_heard):
-        return ""
+        return UNSAID
+    if known.pilot_is_heard and not known.may_be_airborne:
+        return UNSAID
+    then = without_word(known)
     if known.pilot_is_heard:
-        silent, age = "drone", known.telemetry_age
-        if not known.may_be_airborne:
-            return ""
-    else:
-        silent, age = "pilot", known.step_age
-    words = without_word(known)
-    return f"No word from the {silent} for {age:.0f} s: {words}. STOP and Land are still sent."
+        return Words(
+            "No word from the drone for {n} s: {then}. STOP and Land are still sent.",
+            n=figure(known.telemetry_age, ".0f"),
+            then=then,
+        )
+    return Words(
+        "No word from the pilot for {n} s: {then}. STOP and Land are still sent.",
+        n=figure(known.step_age, ".0f"),
+        then=then,
+    )
 
 
-def _what_else(known: ConsoleKnowledge) -> tuple[str, ...]:
+def _what_else(known: ConsoleKnowledge) -> tuple[Words, ...]:
     """Return what forbids nothing but should be known, each thing once."""
     checks = () if known.airborne else known.preflight.checks
     failing = [one for one in checks if not one.passed]
     told = [check_in_words(one) for one in failing if not one.required]
-    drone, link = known.telemetry, known.link
-    faults = (fault.value for fault in drone.faults) if drone else ()
-    for note in [*(link.notes if link else ()), *(drone.notes if drone else ()), *faults]:
-        is_check = bool(checks) and note.startswith(SAID_BY_A_CHECK)
-        if not is_check and not any(note in one for one in (*told, *(c.value for c in failing))):
-            told.append(note)
+    said_already = {part for one in failing for part in parts_of(check_in_words(one))}
+    drone, notes = known.telemetry, known.link.notes if known.link else ()
+    if drone is not None:
+        notes = (*notes, *map(literal, drone.notes), *map(said, drone.faults))
+    told += [note for note in dict.fromkeys(notes) if note not in said_already]
     return tuple(told)

@@ -7,6 +7,7 @@ from enum import Enum
 from typing import Literal
 
 from housefly.messages import OrderKind
+from housefly.messages.words import UNSAID, Words
 
 
 class HeadlineShape(Enum):
@@ -44,8 +45,8 @@ class FlightObjection:
     """One reason why the drone may not take off, and what to do about it."""
 
     code: str
-    words: str
-    mend: str
+    words: Words
+    mend: Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ class OrderObjection:
     """Why an order would come to nothing now; who has control is not in it."""
 
     order: OrderKind
-    words: str
+    words: Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +69,7 @@ class StopView:
 
     progress: StopProgress = StopProgress.NONE
     by: str = ""
-    words: str = ""
+    words: Words = UNSAID
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +79,7 @@ class ConsoleVerdict:
     Attributes:
         at: when it was made, on the server's clock [s].
         shape, headline, detail: the state in one line.
-        banner: what must be read first, or "".
+        banner: what must be read first, or UNSAID.
         standing, place: where the drone is, as a value and in words.
         pad_distance: from its pad [m]; None when the place is not known.
         airborne: whether it flies; None when nobody knows.
@@ -97,11 +98,11 @@ class ConsoleVerdict:
 
     at: float
     shape: HeadlineShape
-    headline: str
-    detail: str
-    banner: str
+    headline: Words
+    detail: Words
+    banner: Words
     standing: Standing
-    place: str
+    place: Words
     pad_distance: float | None
     airborne: bool | None
     may_be_airborne: bool
@@ -109,10 +110,10 @@ class ConsoleVerdict:
     pose_is_old: bool
     may_take_off: bool
     reasons: tuple[FlightObjection, ...]
-    known: tuple[str, ...]
+    known: tuple[Words, ...]
     orders: tuple[OrderObjection, ...]
     next_order: OrderKind | None
-    if_contact_lost: str
+    if_contact_lost: Words
     stop: StopView
     pilot: int | None
     control: str

@@ -9,12 +9,14 @@ from math import inf
 
 from starlette.websockets import WebSocket
 
+from housefly.messages import Order, OrderKind
 from housefly.web.client_messages import PlanQuestion
 from housefly.web.nudges import LineDelay
 from housefly.web.rate_limit import CommandLimiter
 from housefly.web.server_messages import ServerMessage, to_text
 from housefly.web.session import Session
 
+_ORDERS_KEPT = 30
 _MAX_QUEUED_MESSAGES = 1000
 """Answers and events that may wait for one browser; with more its socket is closed."""
 
@@ -33,6 +35,7 @@ class Viewer:
         asking: whether a plan question is being answered now.
         delay: how late its messages arrive.
         nudged_at: when it last moved the drone by hand [s].
+        orders: its newest ones, by id.
     """
 
     socket: WebSocket
@@ -45,6 +48,7 @@ class Viewer:
     asking: bool = False
     delay: LineDelay = field(default_factory=LineDelay)
     nudged_at: float = -inf
+    orders: dict[str, OrderKind] = field(default_factory=dict)
     _queue: deque[str] = field(default_factory=deque)
     _slots: dict[str, str] = field(default_factory=dict)
     _wake: asyncio.Event = field(default_factory=asyncio.Event)
@@ -54,6 +58,12 @@ class Viewer:
     def present(self) -> bool:
         """Whether the browser has said hello."""
         return self.number > 0
+
+    def gave(self, order: Order) -> None:
+        """Remember an order that was passed on: the pilot answers later."""
+        self.orders[order.id] = order.kind
+        if len(self.orders) > _ORDERS_KEPT:
+            del self.orders[next(iter(self.orders))]
 
     def send(self, message: ServerMessage) -> None:
         """Queue a message that must arrive."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from housefly.web.server_messages import EventsMessage
+from housefly.messages import OrderAnswer
+from housefly.web.server_messages import EventsMessage, OrderRefused
 from housefly.web.state_feed import StateFeed
 from housefly.web.tab_numbers import TabNumbers
 from housefly.web.viewer import Viewer
@@ -57,6 +58,13 @@ class Viewers:
             if events := feed.events_after(viewer.event):
                 viewer.event = events[-1].number
                 viewer.send(EventsMessage(events))
+
+    def send_refusals(self, answers: tuple[OrderAnswer, ...]) -> None:
+        """Tell each page which of its orders the pilot refused."""
+        for viewer in self.present() if answers else ():
+            for answer in answers:
+                if (kind := viewer.orders.pop(answer.order_id, None)) is not None:
+                    viewer.send(OrderRefused(kind, answer.reason))
 
     def name_of(self, number: int | None) -> str:
         """Return the name that others see for a number, of who is gone too."""

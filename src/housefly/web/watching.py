@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from housefly.messages import OrderKind
+from housefly.messages.words import UNSAID, Words
 from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.verdict_message import (
     ConsoleVerdict,
@@ -11,7 +12,7 @@ from housefly.web.verdict_message import (
     Standing,
 )
 
-_NO_DRONE = "This room has no drone."
+_NO_DRONE = Words("This room has no drone.")
 
 
 def watching_verdict(known: ConsoleKnowledge) -> ConsoleVerdict:
@@ -21,11 +22,11 @@ def watching_verdict(known: ConsoleKnowledge) -> ConsoleVerdict:
     return ConsoleVerdict(
         at=known.now,
         shape=HeadlineShape.READY if heard else HeadlineShape.LOST,
-        headline="Watching the room" if heard else "Waiting for tracking",
-        detail="no drone",
-        banner="",
+        headline=Words("Watching the room") if heard else Words("Waiting for tracking"),
+        detail=Words("no drone"),
+        banner=UNSAID,
         standing=Standing.UNKNOWN,
-        place="",
+        place=UNSAID,
         pad_distance=None,
         airborne=False,
         may_be_airborne=False,
@@ -36,7 +37,7 @@ def watching_verdict(known: ConsoleKnowledge) -> ConsoleVerdict:
         known=notes,
         orders=tuple(OrderObjection(kind, _NO_DRONE) for kind in OrderKind),
         next_order=None,
-        if_contact_lost="",
+        if_contact_lost=UNSAID,
         stop=known.stop,
         pilot=known.pilot,
         control=known.control,

@@ -7,6 +7,7 @@ from housefly.messages import (
     DroneStatus,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     Outputs,
     Phase,
@@ -62,7 +63,7 @@ def test_it_is_not_over_while_the_drone_is_in_the_air() -> None:
 
 
 def test_an_early_landing_gives_the_last_trouble_as_its_reason() -> None:
-    trouble = Event(2.0, Severity.FAULT, "pose_lost", "no pose for 2 s: landing")
+    trouble = Event(2.0, Severity.FAULT, EventCode.TRACKING_LOST, "no pose for 2 s: landing")
     steps = [
         step(0, Phase.TAKING_OFF, DroneStatus.TAKING_OFF),
         step(2, Phase.LANDING, DroneStatus.LANDING, trouble),
@@ -74,7 +75,7 @@ def test_an_early_landing_gives_the_last_trouble_as_its_reason() -> None:
 
 
 def test_a_refused_order_ends_with_the_refusal() -> None:
-    refusal = Event(0.1, Severity.WARNING, "refused", "battery too low")
+    refusal = Event(0.1, Severity.WARNING, EventCode.ORDER_REFUSED, "battery too low")
     steps = [
         step(0.1, Phase.IDLE, DroneStatus.LANDED, refusal),
         step(4.0, Phase.IDLE, DroneStatus.LANDED),

@@ -18,6 +18,7 @@ from housefly.messages import (
     Command,
     DroneFault,
     DroneStatus,
+    EventCode,
     Phase,
     Reference,
     SafetyMode,
@@ -53,7 +54,7 @@ FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
 REPORT = Telemetry(10.0, DroneStatus.FLYING, 0.9)
 DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=(DroneFault.ULTRASOUND_DEAF,))
 CLEAR = GateVerdict(Command(Action.HOVER), SafetyMode.NOMINAL)
-OLD = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old")
+OLD = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, EventCode.TRACKING_OLD, "old")
 LOST = GateVerdict(Command(Action.HOVER), SafetyMode.LAND, "tracking_lost", "lost")
 BOLDNESS = {
     Action.FLY: 3,
@@ -507,10 +508,10 @@ def test_a_worse_trouble_is_told_although_another_is_known() -> None:
 
 def test_each_trouble_of_a_step_is_told_once() -> None:
     two = (
-        BrokenRule("tracking_old", SafetyMode.HOLD, "old"),
-        BrokenRule("battery_weak", SafetyMode.WARN, "weak"),
+        BrokenRule(EventCode.TRACKING_OLD, SafetyMode.HOLD, "old"),
+        BrokenRule(EventCode.BATTERY_WEAK, SafetyMode.WARN, "weak"),
     )
-    both = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old", two)
+    both = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, EventCode.TRACKING_OLD, "old", two)
     notices = GateNotices()
     assert [event.code for event in notices.update(OLD, 1.0)] == ["tracking_old"]
     assert [event.code for event in notices.update(both, 1.1)] == ["battery_weak"]

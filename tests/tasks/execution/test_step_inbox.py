@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -10,6 +11,7 @@ from housefly.messages import (
     Command,
     Estimate,
     Event,
+    EventCode,
     Inputs,
     Order,
     OrderKind,
@@ -20,10 +22,12 @@ from housefly.messages import (
 )
 from housefly.tasks.execution.step_inbox import StepInbox, task_sender
 
+OF_TASKS = (OrderSource.TASK, OrderSource.RULE, OrderSource.ASSISTANT)
+
 
 def step(sequence: int, order: Order | None = None) -> PilotStep:
     orders = () if order is None else (order,)
-    event = Event(float(sequence), Severity.INFO, "x", str(sequence))
+    event = Event(float(sequence), Severity.INFO, EventCode.GOING_ON, str(sequence))
     return PilotStep(
         sequence,
         float(sequence),
@@ -43,9 +47,11 @@ def test_each_event_is_told_once_whenever_the_ticks_come(ticks: list[bool]) -> N
     assert told == [str(number) for number in range(len(ticks))]
 
 
-@given(st.integers(1, 10**6), st.text(max_size=200))
-def test_an_order_of_a_task_is_known_as_such_and_a_persons_is_told(task: int, service: str) -> None:
-    ours = Order(OrderKind.GO, sender=task_sender(task, service), source=OrderSource.TASK)
+@given(st.integers(1, 10**6), st.text(max_size=200), st.sampled_from(OF_TASKS))
+def test_an_order_of_a_task_is_known_as_such_and_a_persons_is_told(
+    task: int, service: str, source: OrderSource
+) -> None:
+    ours = Order(OrderKind.GO, sender=task_sender(task, service), source=source)
     assert len(ours.sender) <= 100
     inbox = StepInbox()
     inbox.add(step(1, ours))
@@ -54,6 +60,13 @@ def test_an_order_of_a_task_is_known_as_such_and_a_persons_is_told(task: int, se
     inbox.add(step(2, theirs))
     assert not inbox.is_flown_by_task, "what gave an order decides, and no name"
     assert inbox.drain(2.0, 0.0).orders == (theirs,)
+
+
+@pytest.mark.parametrize("source", OrderSource)
+def test_a_stop_takes_the_drone_from_a_task_whoever_gives_it(source: OrderSource) -> None:
+    inbox = StepInbox()
+    inbox.add(step(1, Order(OrderKind.STOP, source=source)))
+    assert not inbox.is_flown_by_task and len(inbox.drain(1.0, 0.0).orders) == 1
 
 
 def test_a_tick_knows_how_old_the_place_of_the_drone_is() -> None:

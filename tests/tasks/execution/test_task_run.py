@@ -14,6 +14,7 @@ from housefly.geometry import distance
 from housefly.messages import (
     DroneStatus,
     Event,
+    EventCode,
     Order,
     OrderAnswer,
     OrderKind,
@@ -282,7 +283,7 @@ def test_what_the_pilot_decides_for_safety_ends_it(event: str, code: ReasonCode)
         flying.tick()
     pilot = flying.pilot
     pilot.advance([])
-    pilot.events = [Event(pilot.now, Severity.WARNING, event, "in the pilot's words")]
+    pilot.events = [Event(pilot.now, Severity.WARNING, EventCode(event), "in the pilot's words")]
     assert flying.run.step(pilot.inputs()) == ()
     assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, code)
     assert flying.run.words == "in the pilot's words"
@@ -295,7 +296,7 @@ def test_a_landing_for_safety_is_told_with_its_reason() -> None:
     pilot = flying.pilot
     pilot.advance([])
     pilot.safety = SafetyMode.LAND
-    pilot.events = [Event(pilot.now, Severity.WARNING, "forced_down", "landing for safety")]
+    pilot.events = [Event(pilot.now, Severity.WARNING, EventCode.FORCED_DOWN, "landing for safety")]
     inputs = replace(pilot.inputs(), warnings=("the drone is silent: 1.2 s", "somebody is near"))
     flying.run.step(inputs)
     assert flying.run.code is ReasonCode.SAFETY
@@ -309,7 +310,7 @@ def test_a_landing_where_there_is_no_room_to_make_way_ends_a_way_home_too() -> N
     pilot, words = flying.pilot, "somebody comes near and there is no room: landing here"
     pilot.advance([])
     pilot.phase = Phase.LANDING
-    pilot.events = [Event(pilot.now, Severity.WARNING, "cornered_landing", words)]
+    pilot.events = [Event(pilot.now, Severity.WARNING, EventCode.CORNERED_LANDING, words)]
     flying.run.step(pilot.inputs())
     assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, ReasonCode.SAFETY)
     assert flying.run.words == words

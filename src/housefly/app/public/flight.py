@@ -17,7 +17,7 @@ from housefly.app.replaying import recorded_site, verify_recording
 from housefly.errors import ConfigError, RecordingError
 from housefly.geometry import Vec2
 from housefly.lab.lockstep.service import fly_lockstep
-from housefly.messages import Order, OrderKind, PilotStep
+from housefly.messages import Order, OrderKind, OrderSource, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import ReplayResult, read_steps
 from housefly.record.summary import Summary
@@ -136,8 +136,12 @@ def _order(goal: str | Vec2, loaded: LoadedSite, look_s: float) -> Order:
         raise ConfigError("look_s", f"is {look_s:g}; allowed: a number from 0 to {_MAX_LOOK:g} s")
     point = loaded.point_of(goal)
     if isinstance(goal, str):
-        return Order(OrderKind.SERVICE, place=goal, look_s=look_s, sender=_SENDER)
-    return Order(OrderKind.SERVICE, goal=point, look_s=look_s, sender=_SENDER)
+        return Order(
+            OrderKind.SERVICE, place=goal, look_s=look_s, sender=_SENDER, source=OrderSource.PROGRAM
+        )
+    return Order(
+        OrderKind.SERVICE, goal=point, look_s=look_s, sender=_SENDER, source=OrderSource.PROGRAM
+    )
 
 
 def _fly_over_wires(

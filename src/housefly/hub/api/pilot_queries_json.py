@@ -12,6 +12,7 @@ from housefly.config.validation import dotted, words_of
 from housefly.errors import WireError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.messages import PlanAnswer
+from housefly.messages.words import with_trees
 
 _Value = TypeVar("_Value", PlanRequest, RoomView, PlanAnswer, PreflightView)
 
@@ -27,7 +28,8 @@ _READERS: dict[Any, TypeAdapter[Any]] = {
 def to_json(value: PlanRequest | RoomView | PlanAnswer | PreflightView) -> str:
     """Return the value as one JSON object; raises WireError for numbers that are not finite."""
     try:
-        return json.dumps(asdict(value), allow_nan=False, ensure_ascii=False)
+        tree = asdict(value, dict_factory=with_trees)
+        return json.dumps(tree, allow_nan=False, ensure_ascii=False)
     except ValueError as error:
         raise WireError(f"{type(value).__name__} has no JSON form: {error}") from error
 

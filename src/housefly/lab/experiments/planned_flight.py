@@ -10,7 +10,7 @@ from housefly.messages.flight import OrderKind, OrderOutcome
 from housefly.messages.sensing import Estimate
 from housefly.pilot.behavior.mission import UNHEARD, Mission, Refused, TrackingTask
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.behavior.way_planner import planned_task
+from housefly.pilot.behavior.way_planner import NOWHERE_TO_GO, planned_task
 
 
 def planned_flight(
@@ -39,7 +39,7 @@ def planned_flight(
         navigator, Mission(OrderKind.GO, goal=goal), TrackingTask(), vehicle, coast_time=0.0
     )
     if planned is None or isinstance(planned, Refused):
-        return planned or Refused(OrderOutcome.NO_WAY, "there is nowhere to go")
+        return planned or Refused(OrderOutcome.NO_WAY, NOWHERE_TO_GO)
     assert planned.path is not None
     return FlightPlan(
         task=task,

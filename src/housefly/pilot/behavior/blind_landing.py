@@ -14,8 +14,10 @@ from math import hypot, inf
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import DroneStatus
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.braking import BESIDE_SPEED
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER
@@ -42,7 +44,7 @@ LOOK_PERIOD = 1.0
 """How often another place is looked for [s]."""
 LOWEST = 1.0
 """It holds no lower than this: the sonar's beam is a cone [m]."""
-NOWHERE = "no clear place to land within 2 m: holding by the drone's own motion"
+NOWHERE = Words("no clear place to land within 2 m: holding by the drone's own motion")
 _STEP = 0.1
 """Over so long the velocity of the setpoint is taken [s]."""
 
@@ -64,18 +66,18 @@ class BlindLanding:
         self._highest = limits.height_max
         self._landing: SteeredLanding | None = None
         self._blocked_at = self._shown_at = self._look_at = -inf
-        self._told = ""
+        self._told = UNSAID
         self.plan = LAND
 
     def step(self, vehicle: VehicleStatus) -> list[Event]:
         """Look below once, and say what is done about it."""
         here = vehicle.reckoned
         if self._paper or here is None or vehicle.status is not DroneStatus.FLYING:
-            return self._end(vehicle, "the drone does not tell how it moves")
+            return self._end(vehicle, Words("the drone does not tell how it moves"))
         below = self._below(vehicle, here)
         fault = below or self._unsettled(vehicle, here)
         if not fault:
-            return self._end(vehicle, "")
+            return self._end(vehicle, UNSAID)
         if why := self._must_land(vehicle, here):
             return self._end(vehicle, why)
         events = self._tell(vehicle, fault)
@@ -87,29 +89,30 @@ class BlindLanding:
         self.plan = self._planned(vehicle, here, landing, fault)
         return events
 
-    def _below(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
-        """Return who or what stands below, in words, or ""."""
+    def _below(self, vehicle: VehicleStatus, here: ReckonedPose) -> Words:
+        """Return who or what stands below, in words, or UNSAID."""
         place = here.position[:2]
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
-        person = f"{near.name} is below" if near.now < 0.0 else ""
+        person = Words("{who} is below", who=near.name) if near.now < 0.0 else UNSAID
         fault = person or self._commander.fault_below(place, vehicle)
-        if not fault and self._people.is_above_furniture(place, self._people.hull):
-            fault = "furniture stands below"
+        is_furniture = not fault and self._people.is_above_furniture(place, self._people.hull)
+        if is_furniture:
+            fault = Words("furniture stands below")
         if not fault and self._commander.sonar.found:
-            fault = "looking below"
+            fault = Words("looking below")
         if fault:
             self._blocked_at = vehicle.now
-        if person or self._commander.sonar.found or "furniture" in fault:
+        if person or self._commander.sonar.found or is_furniture:
             self._shown_at = vehicle.now
         return fault
 
-    def _unsettled(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
-        """Return why a drone with nothing below does not land yet, in words, or ""."""
+    def _unsettled(self, vehicle: VehicleStatus, here: ReckonedPose) -> Words:
+        """Return why a drone with nothing below does not land yet, in words, or UNSAID."""
         if self._landing is None:
-            return ""
+            return UNSAID
         if not self._is_there(vehicle, here, self._landing):
-            return "moving aside"
-        return "looking below" if vehicle.now - self._blocked_at < CLEAR_TIME else ""
+            return Words("moving aside")
+        return Words("looking below") if vehicle.now - self._blocked_at < CLEAR_TIME else UNSAID
 
     @staticmethod
     def _is_there(vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding) -> bool:
@@ -120,17 +123,18 @@ class BlindLanding:
                 return False
         return landing.sinks(vehicle.now, here.position[:2])
 
-    def _must_land(self, vehicle: VehicleStatus, here: ReckonedPose) -> str:
-        """Return why it cannot be held where it is, in words, or ""."""
+    def _must_land(self, vehicle: VehicleStatus, here: ReckonedPose) -> Words:
+        """Return why it cannot be held where it is, in words, or UNSAID."""
         if self._commander.insists:
-            return "ordered to"
+            return Words("ordered to")
         if not vehicle.consistency.flow_believed:
-            return "its own motion is in doubt"
+            return Words("its own motion is in doubt")
         if self._landing is not None and self._landing.moves > MOVES_MAX:
-            return "its sonar shows something everywhere"
+            return Words("its sonar shows something everywhere")
         x, y, z = here.position
         spare = self._people.open_air((x, y), z) - self._people.hull
-        return "a wall may be near" if spare < WALL_MARGIN + SIGMAS * here.deviation else ""
+        is_near = spare < WALL_MARGIN + SIGMAS * here.deviation
+        return Words("a wall may be near") if is_near else UNSAID
 
     def _held(self, vehicle: VehicleStatus, here: ReckonedPose) -> SteeredLanding:
         """Return the landing that stays where the drone is."""
@@ -161,37 +165,40 @@ class BlindLanding:
         spot = self._people.clear_floor((x, y), z, vehicle.now, FARTHEST, BESIDE_SPEED, found)
         if spot is None:
             return landing, self._nowhere(vehicle)
-        text = f"moving {distance((x, y), spot):.1f} m aside by the drone's own motion, to land"
-        event = Event(vehicle.now, Severity.INFO, "landing_elsewhere", text)
+        text = Words(
+            "moving {d} m aside by the drone's own motion, to land",
+            d=figure(distance((x, y), spot), ".1f"),
+        )
+        event = Event(vehicle.now, Severity.INFO, EventCode.LANDING_ELSEWHERE, text)
         return landing.moved((x, y), vehicle.now, spot), [event]
 
     def _planned(
-        self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding, fault: str
+        self, vehicle: VehicleStatus, here: ReckonedPose, landing: SteeredLanding, fault: Words
     ) -> BlindPlan:
         target, later = landing.setpoint(vehicle.now), landing.setpoint(vehicle.now + _STEP)
         velocity = (later[0] - target[0]) / _STEP, (later[1] - target[1]) / _STEP
         may_sink = not self._commander.sonar.found
         return BlindPlan(fault, target, velocity, landing.height, here, may_sink)
 
-    def _tell(self, vehicle: VehicleStatus, fault: str) -> list[Event]:
+    def _tell(self, vehicle: VehicleStatus, fault: Words) -> list[Event]:
         if self._told or not vehicle.landing_waits:
             return []
         self._told = fault
-        text = f"not landing: {fault}. Press Land to land here all the same"
-        return [Event(vehicle.now, Severity.WARNING, "landing_blocked", text)]
+        text = Words("not landing: {why}. Press Land to land here all the same", why=fault)
+        return [Event(vehicle.now, Severity.WARNING, EventCode.LANDING_BLOCKED, text)]
 
     def _nowhere(self, vehicle: VehicleStatus) -> list[Event]:
         if self._told == NOWHERE:
             return []
         self._told = NOWHERE
-        return [Event(vehicle.now, Severity.WARNING, "landing_blocked", NOWHERE)]
+        return [Event(vehicle.now, Severity.WARNING, EventCode.LANDING_BLOCKED, NOWHERE)]
 
-    def _end(self, vehicle: VehicleStatus, why: str) -> list[Event]:
+    def _end(self, vehicle: VehicleStatus, why: Words) -> list[Event]:
         """Let the drone land, or go on; told where the floor below is not what lets it."""
-        was_told, self._told = self._told, ""
+        was_told, self._told = self._told, UNSAID
         self.plan, self._landing, self._blocked_at = LAND, None, -inf
         is_flying = vehicle.status is DroneStatus.FLYING
         if not (why and was_told and vehicle.landing_forced and is_flying):
             return []
-        text = f"landing all the same: {why}"
-        return [Event(vehicle.now, Severity.WARNING, "landing_insisted", text)]
+        text = Words("landing all the same: {why}", why=why)
+        return [Event(vehicle.now, Severity.WARNING, EventCode.LANDING_INSISTED, text)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import OrderKind, OrderOutcome
+from housefly.messages.words import Words, figure, percentage
 from housefly.pilot.behavior.mission import Mission, Refused, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.way_home import charge_for
@@ -23,11 +24,13 @@ def charge_refusal(
     needed = charge_for(seconds, 1.0 / limits.flight_time, limits)
     if vehicle.battery >= needed:
         return None
-    return Refused(
-        OrderOutcome.BATTERY,
-        f"the battery is too low: {vehicle.battery:.0%}, there and back ({seconds:.0f} s) needs"
-        f" {needed:.0%}; charge it",
+    words = Words(
+        "the battery is too low: {p}%, there and back ({n} s) needs {q}%; charge it",
+        p=percentage(vehicle.battery),
+        n=figure(seconds, ".0f"),
+        q=percentage(needed),
     )
+    return Refused(OrderOutcome.BATTERY, words)
 
 
 def _duration(navigator: Navigator, start: Vec2, goal: Vec2 | None) -> float:

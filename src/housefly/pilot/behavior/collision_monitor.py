@@ -11,7 +11,9 @@ from __future__ import annotations
 from math import hypot, inf
 
 from housefly.config.airframe import BrakingConstants
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, OrderKind, Phase, Severity
+from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator, PathBlock
@@ -81,20 +83,23 @@ class CollisionMonitor:
     def _stop_before(self, block: PathBlock, vehicle: VehicleStatus) -> list[Event]:
         is_relapse = vehicle.now - self._resumed_at < RELAPSE_TIME
         self._patience = min(PATIENCE_MAX, max(0.5, 2.0 * self._patience)) if is_relapse else 0.0
-        reason = f"{block.name} is in the way, {block.along:.1f} m ahead"
+        reason = Words(
+            "{thing} is in the way, {d} m ahead", thing=block.name, d=figure(block.along, ".1f")
+        )
         self._commander.wait(reason, vehicle)
         self._asked_at, self._reported = vehicle.now, False
-        return [Event(vehicle.now, Severity.WARNING, "way_blocked", f"{reason}: stopping")]
+        text = Words("{why}: stopping", why=reason)
+        return [Event(vehicle.now, Severity.WARNING, EventCode.WAY_BLOCKED, text)]
 
     def _tell_detour(self, block: PathBlock, vehicle: VehicleStatus) -> list[Event]:
         """Say that the drone goes around, once for many small changes of its way."""
         last, self._told_at = self._told_at, vehicle.now
         if vehicle.now - last < RELAPSE_TIME:
             return []
-        text = f"{block.name} is in the way: going around"
-        return [Event(vehicle.now, Severity.INFO, "detour", text)]
+        text = Words("{thing} is in the way: going around", thing=block.name)
+        return [Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)]
 
-    def waits_instead(self, reason: str, vehicle: VehicleStatus) -> bool:
+    def waits_instead(self, reason: Words, vehicle: VehicleStatus) -> bool:
         """Wait for the way that a new phase lacks, if only obstacles of now close it.
 
         Returns whether it waits.
@@ -127,14 +132,16 @@ class CollisionMonitor:
         refused = self._commander.go_around(vehicle)
         if refused is None:
             self._resumed_at = vehicle.now
-            return [Event(vehicle.now, Severity.INFO, "detour", "there is a way: going on")]
+            text = Words("there is a way: going on")
+            return [Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)]
         if self._reported:
             return []
         self._reported = True
-        is_homing = self._commander.state.mission.kind is OrderKind.HOME
-        whither = "home" if is_homing else "on"
-        text = f"{task.waiting}; no way {whither}, waiting here: {refused.reason}"
-        return [Event(vehicle.now, Severity.WARNING, "no_way", text)]
+        why, more = task.waiting, refused.reason
+        text = Words("{why}; no way on, waiting here: {more}", why=why, more=more)
+        if self._commander.state.mission.kind is OrderKind.HOME:
+            text = Words("{why}; no way home, waiting here: {more}", why=why, more=more)
+        return [Event(vehicle.now, Severity.WARNING, EventCode.NO_WAY, text)]
 
 
 def braking_distance(speed: float, braking: BrakingConstants) -> float:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import (
     Event,
     Order,
@@ -19,9 +20,11 @@ from housefly.messages.flight import (
     Severity,
 )
 from housefly.messages.order_fault import shown_name
+from housefly.messages.order_words import asked_words, refused_words
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.messages.words import UNSAID, Words, said
 from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.found_below import FoundBelow
@@ -39,7 +42,7 @@ from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
 from housefly.pilot.behavior.origin import OriginMonitor
 from housefly.pilot.behavior.preflight import PreflightInputs, preflight, preflight_refusal
-from housefly.pilot.behavior.way_planner import planned_task, refusal_of
+from housefly.pilot.behavior.way_planner import NOWHERE_TO_GO, planned_task, refusal_of
 
 LANDING_PLACE = "a clear place to land"
 """Name of the mission that lands elsewhere than at home."""
@@ -119,20 +122,20 @@ class Commander:
         refused = refused or self._handlers[response](order, vehicle)
         if order.id:
             self.answers += (_answer(order, refused),)
-        asked = " ".join(
-            filter(None, (order.kind.value.replace("_", " "), shown_name(order.place)))
-        )
+        asked = asked_words(order)
         if refused:
-            text = f"{asked} refused: {refused.reason}"
-            return Event(vehicle.now, Severity.WARNING, "order_refused", text)
-        by = f" by {shown_name(order.sender)}" if order.sender else ""
-        text = f"{asked}{by}: {response.value}"
-        return Event(vehicle.now, Severity.INFO, "order_accepted", text)
+            text = refused_words(asked, refused.reason)
+            return Event(vehicle.now, Severity.WARNING, EventCode.ORDER_REFUSED, text)
+        who, what = shown_name(order.sender), said(response)
+        text = Words("{asked}: {what}", asked=asked, what=what)
+        if who:
+            text = Words("{asked} by {who}: {what}", asked=asked, who=who, what=what)
+        return Event(vehicle.now, Severity.INFO, EventCode.ORDER_ACCEPTED, text)
 
     def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
         """Return what the pre-flight checks find now."""
         navigator, place = self._navigator, vehicle.place
-        fault = navigator.people.take_off_fault(place, vehicle.now) if place is not None else ""
+        fault = navigator.people.take_off_fault(place, vehicle.now) if place is not None else UNSAID
         return preflight(
             PreflightInputs(
                 vehicle=vehicle,
@@ -186,7 +189,7 @@ class Commander:
         """Ask no longer for a motor cut or a reset."""
         self._state = self._state.released()
 
-    def wait(self, why: str, vehicle: VehicleStatus, mission: Mission | None = None) -> None:
+    def wait(self, why: Words, vehicle: VehicleStatus, mission: Mission | None = None) -> None:
         """Hold the place where the drone comes to rest until the way is free.
 
         Args:
@@ -210,7 +213,7 @@ class Commander:
     def other_way(self, vehicle: VehicleStatus) -> TrackingTask | Refused:
         """Return a new task for the same mission, from where the drone is."""
         task = self._planned(self._state.mission, vehicle)
-        return Refused(OrderOutcome.NO_WAY, "there is nowhere to go") if task is None else task
+        return Refused(OrderOutcome.NO_WAY, NOWHERE_TO_GO) if task is None else task
 
     def take(self, task: TrackingTask) -> None:
         """Track another task of the same mission."""
@@ -225,15 +228,15 @@ class Commander:
         """Show people the same path with other times."""
         self._task = replace(self._task, path=path)
 
-    def wait_on_way(self, why: str, since: float) -> None:
+    def wait_on_way(self, why: Words, since: float) -> None:
         """Come to rest on the trajectory in use; in words why, and since when it waits [s]."""
         self._task = replace(self._task, halted=True, waiting=why, since=since)
 
     def go_on(self) -> None:
         """Fly on along the trajectory on which the drone waits."""
-        self._task = replace(self._task, halted=False, waiting="")
+        self._task = replace(self._task, halted=False, waiting=UNSAID)
 
-    def give_way(self, hold: Vec2, yaw: float, why: str, vehicle: VehicleStatus) -> None:
+    def give_way(self, hold: Vec2, yaw: float, why: Words, vehicle: VehicleStatus) -> None:
         """Make for a place out of somebody's way, in the phase that the drone is in.
 
         Args:
@@ -286,7 +289,7 @@ class Commander:
         if mission.goal is None:
             return None
         if vehicle.place is None:
-            return Refused(OrderOutcome.UNTRACKED, "tracking has not seen the drone yet")
+            return Refused(OrderOutcome.UNTRACKED, Words("tracking has not seen the drone yet"))
         answer = self._navigator.route(vehicle.place, mission.goal)
         return answer if answer.path is not None else refusal_of(answer)
 
@@ -374,8 +377,8 @@ class Commander:
         elif vehicle.position is not None and not self.sonar.found:
             self.found.look(vehicle.position, vehicle.now)
 
-    def fault_below(self, place: Vec2, vehicle: VehicleStatus) -> str:
-        """Return what the drone's own sensor shows below a landing at a place [m], or "".
+    def fault_below(self, place: Vec2, vehicle: VehicleStatus) -> Words:
+        """Return what the drone's own sensor shows below a landing at a place [m], or UNSAID.
 
         What it shows is remembered, because a landing is tried; but for what the map shows.
         """
@@ -384,7 +387,7 @@ class Commander:
             if not self._navigator.people.is_above_furniture(place, beam):
                 self.found.show(vehicle.position, vehicle.now)
             return self.sonar.words
-        return "something was found below here" if self.found.is_near(place) else ""
+        return Words("something was found below here") if self.found.is_near(place) else UNSAID
 
     def _must_wait_to_land(self, order: Order, vehicle: VehicleStatus) -> bool:
         """Return whether somebody or something is below; a second order lands all the same.
@@ -419,14 +422,13 @@ class Commander:
     def _nudge(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
         """Say whether the drone may be moved by hand; ``nudging`` moves it."""
         if self._limits.nudge_speed <= 0.0:
-            return Refused(
-                OrderOutcome.UNAVAILABLE, "moving by hand is switched off here (limits.nudge_speed)"
-            )
+            words = Words("moving by hand is switched off here (limits.nudge_speed)")
+            return Refused(OrderOutcome.UNAVAILABLE, words)
         if not self._navigator.in_space:
-            words = 'moving by hand needs map.planner = "space", and mode default'
+            words = Words('moving by hand needs map.planner = "space", and mode default')
             return Refused(OrderOutcome.UNAVAILABLE, words)
         if vehicle.maneuvering:
-            return Refused(OrderOutcome.WAITING, "a maneuver flies the drone")
+            return Refused(OrderOutcome.WAITING, Words("a maneuver flies the drone"))
         waiting = self._task.waiting
         return Refused(OrderOutcome.WAITING, waiting) if waiting else None
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from housefly.messages.sensing import DroneFault
+from housefly.messages.words import Words, joined, said
 
 LANDING_FAULTS = frozenset(
     {
@@ -23,6 +24,6 @@ GROUNDING_FAULTS = LANDING_FAULTS | {DroneFault.ULTRASOUND_DEAF}
 """No take-off with one of these: who is deaf does not know its height."""
 
 
-def fault_list(faults: Iterable[DroneFault]) -> str:
-    """Return complaints of the drone in words, "" for none."""
-    return ", ".join(fault.value for fault in faults)
+def fault_list(faults: Iterable[DroneFault]) -> Words:
+    """Return complaints of the drone in words, UNSAID for none."""
+    return joined(", ", map(said, faults))

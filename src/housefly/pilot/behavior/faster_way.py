@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from math import inf
 
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
+from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.collision_monitor import ON_THE_WAY
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
@@ -54,5 +56,8 @@ class FasterWayMonitor:
         if not isinstance(other, TrackingTask) or other.arrival >= enough:
             return []
         self._commander.take(other)
-        text = f"a way has become free that is {left - other.arrival:.0f} s faster: taking it"
-        return [Event(vehicle.now, Severity.INFO, "detour", text)]
+        text = Words(
+            "a way has become free that is {n} s faster: taking it",
+            n=figure(left - other.arrival, ".0f"),
+        )
+        return [Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)]

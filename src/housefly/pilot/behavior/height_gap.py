@@ -8,6 +8,7 @@ from math import dist, inf, isfinite, nan
 from housefly.config.airframe import SonarConstants
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
+from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.pad_floor import PadFloor
 
@@ -55,11 +56,13 @@ class SonarMonitor:
         return self._everywhere.is_wrong
 
     @property
-    def words(self) -> str:
+    def words(self) -> Words:
         """What seems to stand below, in words."""
         if self._found > HEIGHT_GAP_MAX:
-            return f"something {self._found:.1f} m high seems to stand below"
-        return f"something {self._found:.2f} m high seems to lie on the pad: is it clear?"
+            height = figure(self._found, ".1f")
+            return Words("something {d} m high seems to stand below", d=height)
+        height = figure(self._found, ".2f")
+        return Words("something {d} m high seems to lie on the pad: is it clear?", d=height)
 
     def is_sure(self, now: float) -> bool:
         """Return whether it has seemed so for long enough, now [s]."""

@@ -17,7 +17,9 @@ from math import inf
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Phase, Severity
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
@@ -65,7 +67,7 @@ class LandingMonitor:
         self._guided = navigator.sees_people or not paper
         self._ask_at = -inf
         self._unreachable: set[Vec2] = set()
-        self._fault = self._told = ""
+        self._fault = self._told = UNSAID
         self._sinking: TrackingTask | None = None
         self._sonar_wrong = False
 
@@ -78,7 +80,7 @@ class LandingMonitor:
             if signal in _CHOSEN and SIGNALS[signal][phase] is Phase.LANDING
         ]
         if phase in (Phase.LANDING, Phase.TAKING_OFF, Phase.IDLE):
-            self._sinking, self._fault = None, ""
+            self._sinking, self._fault = None, UNSAID
             return found
         if self._commander.task is not self._sinking:
             self._sinking = None
@@ -100,12 +102,12 @@ class LandingMonitor:
         """Say what holds a landing back, and look for another place."""
         events = self._tell_of_sonar(vehicle)
         if not self._fault:
-            self._told = ""
+            self._told = UNSAID
             return events
-        fault, self._fault = self._fault, ""
+        fault, self._fault = self._fault, UNSAID
         if not self._told:
-            text = f"not landing: {fault}"
-            events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
+            text = Words("not landing: {why}", why=fault)
+            events.append(Event(vehicle.now, Severity.WARNING, EventCode.LANDING_BLOCKED, text))
             self._told = fault
             self._ask_at = vehicle.now + self._patience(vehicle)
             self._unreachable.clear()
@@ -118,7 +120,7 @@ class LandingMonitor:
         was_wrong, self._sonar_wrong = self._sonar_wrong, self._commander.sonar.is_wrong
         if was_wrong or not self._sonar_wrong:
             return []
-        return [Event(vehicle.now, Severity.WARNING, "sonar_wrong", _SONAR_WRONG)]
+        return [Event(vehicle.now, Severity.WARNING, EventCode.SONAR_WRONG, _SONAR_WRONG)]
 
     def _patience(self, vehicle: VehicleStatus) -> float:
         """Return how long to wait for what is below to go away [s]."""
@@ -130,9 +132,9 @@ class LandingMonitor:
         gap = vehicle.estimate.position[2] - sonar.found
         return OVERHEAD_PERIOD if sonar.is_sure(vehicle.now) and gap < OVERHEAD else SPOT_PERIOD
 
-    def _column_fault(self, vehicle: VehicleStatus) -> str:
+    def _column_fault(self, vehicle: VehicleStatus) -> Words:
         if vehicle.place is None:
-            return ""
+            return UNSAID
         fault = self._people.landing_fault(vehicle.place, vehicle.now)
         fault = fault or self._people.ground_fault(vehicle.place)
         return fault or self._commander.fault_below(vehicle.place, vehicle)
@@ -188,15 +190,15 @@ class LandingMonitor:
             self._unreachable.add(spot)
             self._ask_at = vehicle.now + SPOT_RETRY
             return []
-        text = f"landing {distance(place, spot):.1f} m beside"
-        return [Event(vehicle.now, Severity.INFO, "landing_elsewhere", text)]
+        text = Words("landing {d} m beside", d=figure(distance(place, spot), ".1f"))
+        return [Event(vehicle.now, Severity.INFO, EventCode.LANDING_ELSEWHERE, text)]
 
     def _nowhere(self, vehicle: VehicleStatus) -> list[Event]:
         if self._told == _NOWHERE:
             return []
         self._told = _NOWHERE
-        return [Event(vehicle.now, Severity.WARNING, "landing_blocked", _NOWHERE)]
+        return [Event(vehicle.now, Severity.WARNING, EventCode.LANDING_BLOCKED, _NOWHERE)]
 
 
-_SONAR_WRONG = "the drone's sonar shows something everywhere: landing by the tracked height"
-_NOWHERE = "no clear place to land within 2 m: waiting in the air"
+_SONAR_WRONG = Words("the drone's sonar shows something everywhere: landing by the tracked height")
+_NOWHERE = Words("no clear place to land within 2 m: waiting in the air")

@@ -9,6 +9,7 @@ from housefly.geometry import Vec2, Vec3, heading_to
 from housefly.messages.flight import OrderKind, OrderOutcome, Phase
 from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.messages.steering import Path
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS, fault_list
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
@@ -27,7 +28,7 @@ class Refused:
     """The answer when something cannot be done: which kind of reason, and the reason in words."""
 
     outcome: OrderOutcome
-    reason: str
+    reason: Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +135,7 @@ class TrackingTask:
     duration: float = 0.0
     hold: Vec2 | None = None
     hold_yaw: float = 0.0
-    waiting: str = ""
+    waiting: Words = UNSAID
     since: float = 0.0
     height: float | None = None
     halted: bool = False
@@ -181,14 +182,21 @@ class PeopleSilence:
         return not self.age <= self.limit
 
     @property
-    def words(self) -> str:
+    def words(self) -> Words:
         """How long, in words."""
-        return f"nothing usable for {self.age:.0f} s" if isfinite(self.age) else "not heard yet"
+        if isfinite(self.age):
+            return Words("nothing usable for {n} s", n=figure(self.age, ".0f"))
+        return Words("not heard yet")
 
     @property
-    def predicate(self) -> str:
-        """How long, after the name of the sensor in a sentence."""
-        return f"gave {self.words}" if isfinite(self.age) else f"is {self.words}"
+    def consequence(self) -> Words:
+        """What follows from it, and how long it lasts, in words."""
+        if isfinite(self.age):
+            return Words(
+                "people may be unseen: a sensor that looks for them gave nothing usable for {n} s",
+                n=figure(self.age, ".0f"),
+            )
+        return Words("people may be unseen: a sensor that looks for them is not heard yet")
 
 
 NO_SILENCE = PeopleSilence()
@@ -265,7 +273,7 @@ class VehicleStatus:
         return self.estimate.pose_age if self.estimate else float("inf")
 
     @property
-    def grounding_faults(self) -> str:
+    def grounding_faults(self) -> Words:
         """The drone's complaints that forbid a take-off, in words, or ""."""
         told = self.telemetry.faults if self.telemetry else ()
         return fault_list(fault for fault in told if fault in GROUNDING_FAULTS)

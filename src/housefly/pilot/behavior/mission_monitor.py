@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
+from housefly.messages.words import Words, figure, said
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.landing_monitor import ON_GOAL, LandingMonitor
@@ -22,23 +24,32 @@ RESET_TIMEOUT = 3.0
 LANDS_WITHOUT_WAY = frozenset({Signal.RETURN_WANTED, Signal.OVERDUE})
 """Signals after which a drone that has no way home lands where it is."""
 
-SIGNAL_EVENTS: dict[Signal, tuple[Severity, str]] = {
-    Signal.AIRBORNE: (Severity.INFO, "in the air"),
+SIGNAL_EVENTS: dict[Signal, tuple[EventCode, Severity, Words]] = {
+    Signal.AIRBORNE: (EventCode.AIRBORNE, Severity.INFO, Words("in the air")),
     Signal.FLIES_AFTER_CUT: (
+        EventCode.FLIES_AFTER_CUT,
         Severity.WARNING,
-        "the drone flies although its motors were cut: landing",
+        Words("the drone flies although its motors were cut: landing"),
     ),
-    Signal.SINKING: (Severity.WARNING, "the drone lands by itself"),
-    Signal.GROUNDED: (Severity.INFO, "on the ground"),
-    Signal.EMERGENCY: (Severity.FAULT, "the drone is in its emergency state: motors off"),
-    Signal.ARRIVED_TO_STAY: (Severity.INFO, "arrived"),
-    Signal.ARRIVED_TO_LOOK: (Severity.INFO, "arrived, looking"),
-    Signal.ARRIVED_HOME: (Severity.INFO, "above the pad, landing"),
-    Signal.LOOKED: (Severity.INFO, "looked long enough, coming home"),
-    Signal.OVERDUE: (Severity.WARNING, "took too long"),
-    Signal.BLOCKED: (Severity.WARNING, "the way stays blocked"),
-    Signal.RETURN_WANTED: (Severity.WARNING, "coming home for safety"),
-    Signal.FORCED_DOWN: (Severity.WARNING, "landing for safety"),
+    Signal.SINKING: (EventCode.SINKING, Severity.WARNING, Words("the drone lands by itself")),
+    Signal.GROUNDED: (EventCode.GROUNDED, Severity.INFO, Words("on the ground")),
+    Signal.EMERGENCY: (
+        EventCode.EMERGENCY,
+        Severity.FAULT,
+        Words("the drone is in its emergency state: motors off"),
+    ),
+    Signal.ARRIVED_TO_STAY: (EventCode.ARRIVED_TO_STAY, Severity.INFO, Words("arrived")),
+    Signal.ARRIVED_TO_LOOK: (EventCode.ARRIVED_TO_LOOK, Severity.INFO, Words("arrived, looking")),
+    Signal.ARRIVED_HOME: (EventCode.ARRIVED_HOME, Severity.INFO, Words("above the pad, landing")),
+    Signal.LOOKED: (EventCode.LOOKED, Severity.INFO, Words("looked long enough, coming home")),
+    Signal.OVERDUE: (EventCode.OVERDUE, Severity.WARNING, Words("took too long")),
+    Signal.BLOCKED: (EventCode.BLOCKED, Severity.WARNING, Words("the way stays blocked")),
+    Signal.RETURN_WANTED: (
+        EventCode.RETURN_WANTED,
+        Severity.WARNING,
+        Words("coming home for safety"),
+    ),
+    Signal.FORCED_DOWN: (EventCode.FORCED_DOWN, Severity.WARNING, Words("landing for safety")),
 }
 """How a change of phase is told."""
 
@@ -108,37 +119,45 @@ class MissionMonitor:
         if refused is None:
             return [event]
         if self._collision_monitor.waits_instead(refused.reason, vehicle):
-            text, code = f"waiting here: {refused.reason}", "way_blocked"
+            text, code = Words("waiting here: {why}", why=refused.reason), EventCode.WAY_BLOCKED
         elif signal in LANDS_WITHOUT_WAY:
             self._commander.land_here(vehicle)
-            text, code = f"no way home, landing here: {refused.reason}", "no_way"
+            code = EventCode.NO_WAY
+            text = Words("no way home, landing here: {why}", why=refused.reason)
         else:
             self._commander.stay(vehicle)
-            text, code = f"holding here: {refused.reason}", "no_way"
+            text, code = Words("holding here: {why}", why=refused.reason), EventCode.NO_WAY
         return [event, Event(vehicle.now, Severity.WARNING, code, text)]
 
     def _event(self, signal: Signal, before: MissionState, vehicle: VehicleStatus) -> Event:
-        severity, text = SIGNAL_EVENTS[signal]
+        code, severity, text = SIGNAL_EVENTS[signal]
         height = raised(vehicle)
         if signal is Signal.GROUNDED and height > STANDS_HIGH:
             severity, text = (
                 Severity.WARNING,
-                f"stands {height:.2f} m above the floor: on something",
+                Words("stands {d} m above the floor: on something", d=figure(height, ".2f")),
             )
         elif before.phase is Phase.LANDING and signal is Signal.GROUNDED:
-            text = "landed"
+            text = Words("landed")
         elif signal is Signal.BLOCKED:
             is_landing = self._commander.state.phase is Phase.LANDING
-            text += ": landing here" if is_landing else ": coming home"
+            text = (
+                Words("{why}: landing here", why=text)
+                if is_landing
+                else Words("{why}: coming home", why=text)
+            )
         elif signal is Signal.ARRIVED_HOME and not self._is_at_goal(before, vehicle):
-            text = "landing here"
+            text = Words("landing here")
         elif signal is Signal.OVERDUE and before.phase is Phase.HOLDING:
-            text = f"no order for {self._limits.hold_timeout:.0f} s: coming home"
+            text = Words(
+                "no order for {n} s: coming home", n=figure(self._limits.hold_timeout, ".0f")
+            )
         elif signal is Signal.OVERDUE:
-            text = f"{before.phase.value} took too long"
+            text = Words("{what} took too long", what=said(before.phase))
         elif before.phase is Phase.IDLE and signal is Signal.AIRBORNE:
-            severity, text = Severity.WARNING, "the drone is in the air without an order: holding"
-        return Event(vehicle.now, severity, signal.name.lower(), text)
+            severity = Severity.WARNING
+            text = Words("the drone is in the air without an order: holding")
+        return Event(vehicle.now, severity, code, text)
 
     @staticmethod
     def _is_at_goal(state: MissionState, vehicle: VehicleStatus) -> bool:
@@ -169,13 +188,13 @@ class MissionMonitor:
             return []
         if cut is state.cutting:
             self._commander.release()
-            text = "motors are cut" if cut else "emergency left"
-            return [Event(vehicle.now, Severity.INFO, "acknowledged", text)]
+            text = Words("motors are cut") if cut else Words("emergency left")
+            return [Event(vehicle.now, Severity.INFO, EventCode.ACKNOWLEDGED, text)]
         if vehicle.now - state.pressed_at > (CUT_TIMEOUT if state.cutting else RESET_TIMEOUT):
             self._commander.release()
-            what = "motor cut" if state.cutting else "reset"
-            text = f"the drone did not acknowledge the {what}"
-            return [Event(vehicle.now, Severity.FAULT, "not_acknowledged", text)]
+            what = Words("motor cut") if state.cutting else Words("reset")
+            text = Words("the drone did not acknowledge the {what}", what=what)
+            return [Event(vehicle.now, Severity.FAULT, EventCode.NOT_ACKNOWLEDGED, text)]
         return []
 
     def _late_landing(self, vehicle: VehicleStatus) -> list[Event]:
@@ -187,5 +206,7 @@ class MissionMonitor:
         if not late or self._late_since == state.since:
             return []
         self._late_since = state.since
-        text = f"landing is not acknowledged after {timeout:.0f} s: still asking"
-        return [Event(vehicle.now, Severity.FAULT, "landing_late", text)]
+        text = Words(
+            "landing is not acknowledged after {n} s: still asking", n=figure(timeout, ".0f")
+        )
+        return [Event(vehicle.now, Severity.FAULT, EventCode.LANDING_LATE, text)]

@@ -10,6 +10,7 @@ from housefly.messages.flight import Order
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.messages.words import Words
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.mission import Mission, Refused
 from housefly.pilot.behavior.path_profile import PathProfile
@@ -53,7 +54,7 @@ class Navigator(Protocol):
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
-    ) -> list[str]:
+    ) -> list[Words]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
         ...
 
@@ -96,7 +97,7 @@ class Navigator(Protocol):
         """Return what blocks the rest of a path from a place [m] on; None when it is free."""
         ...
 
-    def closed(self, rows: FloatArray, now: float) -> str:
+    def closed(self, rows: FloatArray, now: float) -> Words:
         """Return what closes a short motion that begins where the drone is, in words, or ""."""
         ...
 

@@ -17,8 +17,10 @@ from math import inf, nan
 import numpy as np
 
 from housefly.config.limits import LimitsConfig
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
 from housefly.messages.order_fault import shown_name
+from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
@@ -84,7 +86,7 @@ class NudgeMonitor:
             return [answer]
         if not abs(now - order.issued_at) <= NUDGE_LIFETIME:
             return []
-        if answer.code != "order_accepted" or order.velocity is None:
+        if answer.code is not EventCode.ORDER_ACCEPTED or order.velocity is None:
             self._wish = None
             return [answer]
         velocity = held_velocity(np.array(order.velocity), self._limits)
@@ -119,7 +121,7 @@ class NudgeMonitor:
     def _hold(self, wish: HeldWish, vehicle: VehicleStatus, share: float) -> list[Event]:
         if vehicle.now - self._asked_at < PERIOD - 1e-6:
             return []
-        self._asked_at, why = vehicle.now, ""
+        self._asked_at, why = vehicle.now, UNSAID
         for velocity in _tried(share * wish.velocity):
             rows = self._motion(velocity, wish.until - vehicle.now, vehicle)
             closed = self._navigator.closed(rows, vehicle.now)
@@ -152,17 +154,23 @@ class NudgeMonitor:
         if self._told_of == wish.sender:
             return []
         self._told_of = wish.sender
-        by = f" by {wish.sender}" if wish.sender else ""
-        return [Event(vehicle.now, Severity.INFO, "nudge_began", f"moved by hand{by}")]
+        text = Words("moved by hand")
+        if wish.sender:
+            text = Words("moved by hand by {who}", who=wish.sender)
+        return [Event(vehicle.now, Severity.INFO, EventCode.NUDGE_BEGAN, text)]
 
     def _ended(self, vehicle: VehicleStatus, *, at_once: bool) -> list[Event]:
         is_over = at_once or vehicle.now - self._held_at >= QUIET_TIME
         if not (self._told_of is not None and is_over):
             return []
         self._told_of, self._limited, self._task = None, b"", None
-        return [Event(vehicle.now, Severity.INFO, "nudge_ended", "moved by hand no longer")]
+        return [
+            Event(
+                vehicle.now, Severity.INFO, EventCode.NUDGE_ENDED, Words("moved by hand no longer")
+            )
+        ]
 
-    def _tell_limit(self, why: str, wish: HeldWish, now: float) -> list[Event]:
+    def _tell_limit(self, why: Words, wish: HeldWish, now: float) -> list[Event]:
         """Say what limits the motion when it begins to, and for another direction again."""
         if not why:
             self._limited = b""
@@ -171,7 +179,8 @@ class NudgeMonitor:
         if direction == self._limited or now - self._limited_at < LIMIT_QUIET_TIME:
             return []
         self._limited, self._limited_at = direction, now
-        return [Event(now, Severity.INFO, "nudge_limited", f"moved by hand: {why}")]
+        text = Words("moved by hand: {why}", why=why)
+        return [Event(now, Severity.INFO, EventCode.NUDGE_LIMITED, text)]
 
 
 _NOTHING: FloatArray = np.zeros(3)

@@ -10,7 +10,9 @@ from math import hypot
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
+from housefly.messages.words import Words
 from housefly.pilot.behavior.collision_monitor import ON_THE_WAY
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import VehicleStatus
@@ -46,8 +48,8 @@ class OffCourseMonitor:
         self._rests_since = None
         if self._commander.go_around(vehicle) is not None:
             return []
-        text = "came to rest off its course: going on from there"
-        return [Event(vehicle.now, Severity.INFO, "off_course", text)]
+        text = Words("came to rest off its course: going on from there")
+        return [Event(vehicle.now, Severity.INFO, EventCode.OFF_COURSE, text)]
 
     def _is_resting_off_course(
         self, vehicle: VehicleStatus, target: TrajectorySetpoint | None

@@ -10,6 +10,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Order, OrderKind, OrderOutcome
 from housefly.messages.order_fault import order_fault
 from housefly.messages.sensing import DroneStatus
+from housefly.messages.words import Words, figure, percentage, said
 from housefly.pilot.behavior.mission import UNHEARD, Refused, VehicleStatus
 from housefly.pilot.behavior.mission_tables import REFUSALS, Response
 
@@ -66,34 +67,40 @@ class OrderContext:
 OrderCheck = tuple[
     OrderOutcome,
     Callable[[Order, OrderContext, LimitsConfig], bool],
-    Callable[[OrderContext, LimitsConfig], str],
+    Callable[[OrderContext, LimitsConfig], Words],
 ]
 
 ORDER_CHECKS: tuple[OrderCheck, ...] = (
     (
         OrderOutcome.EXPIRED,
         lambda o, c, _: o.kind in EXPIRING_ORDERS and not abs(c.age) <= ORDER_LIFETIME,
-        lambda c, _: f"the order is {c.age:.1f} s old; orders expire after {ORDER_LIFETIME} s",
+        lambda c, _: Words(
+            "the order is {n} s old; orders expire after {m} s",
+            n=figure(c.age, ".1f"),
+            m=figure(ORDER_LIFETIME),
+        ),
     ),
     (
         OrderOutcome.WRONG_PHASE,
         lambda _, c, __: c.response in REFUSALS,
-        lambda c, _: c.response.value,
+        lambda c, _: said(c.response),
     ),
     (
         OrderOutcome.NO_EMERGENCY,
         lambda o, c, _: c.response is Response.RESET and c.status is not DroneStatus.EMERGENCY,
-        lambda c, _: f"there is no emergency to leave: the drone is {c.status.value}",
+        lambda c, _: Words(
+            "there is no emergency to leave: the drone is {what}", what=said(c.status)
+        ),
     ),
     (
         OrderOutcome.STOPPED,
         lambda _, c, __: c.response in MOVING_RESPONSES and c.stopped,
-        lambda _, __: "STOP is latched: resume first",
+        lambda _, __: Words("STOP is latched: resume first"),
     ),
     (
         OrderOutcome.SAFETY,
         lambda _, c, __: c.response in MOVING_RESPONSES and c.landing_forced,
-        lambda _, __: "the drone is being landed for safety",
+        lambda _, __: Words("the drone is being landed for safety"),
     ),
     (
         OrderOutcome.SAFETY,
@@ -102,38 +109,42 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
             and c.vehicle.return_wanted
             and o.kind is not OrderKind.HOME
         ),
-        lambda _, __: "the drone is coming home for safety",
+        lambda _, __: Words("the drone is coming home for safety"),
     ),
     (
         OrderOutcome.DRONE_SILENT,
         lambda _, c, limits: (
             c.response in MOVING_RESPONSES and c.telemetry_age > limits.telemetry_age
         ),
-        lambda _, __: "the drone does not answer",
+        lambda _, __: Words("the drone does not answer"),
     ),
     (
         OrderOutcome.DRONE_NOT_READY,
         lambda _, c, __: c.response is Response.START and c.status is not DroneStatus.LANDED,
-        lambda c, _: f"the drone is not ready: {c.status.value}",
+        lambda c, _: Words("the drone is not ready: {what}", what=said(c.status)),
     ),
     (
         OrderOutcome.DRONE_NOT_READY,
         lambda _, c, __: c.response is Response.START and c.vehicle.configured is False,
-        lambda _, __: "the drone has not confirmed its limits yet: wait, or switch it off and on",
+        lambda _, __: Words(
+            "the drone has not confirmed its limits yet: wait, or switch it off and on"
+        ),
     ),
     (
         OrderOutcome.DRONE_FAULT,
         lambda _, c, __: c.response is Response.START and c.vehicle.grounding_faults != "",
-        lambda c, _: f"the drone says: {c.vehicle.grounding_faults}",
+        lambda c, _: Words("the drone says: {what}", what=c.vehicle.grounding_faults),
     ),
     (
         OrderOutcome.UNTRACKED,
         lambda _, c, __: (
             c.response is Response.START and abs(c.vehicle.height_error) > HEIGHT_ERROR_MAX
         ),
-        lambda c, _: (
-            f"tracking sees the drone {c.vehicle.height_error:+.2f} m from where it stands (limit"
-            f" {HEIGHT_ERROR_MAX} m): check the tracking system's origin and the drone's body"
+        lambda c, _: Words(
+            "tracking sees the drone {d} m from where it stands (limit {m} m): check the tracking"
+            " system's origin and the drone's body",
+            d=figure(c.vehicle.height_error, "+.2f"),
+            m=figure(HEIGHT_ERROR_MAX),
         ),
     ),
     (
@@ -142,9 +153,10 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
             c.response is Response.START
             and not c.battery >= limits.battery_floor + TAKE_OFF_RESERVE
         ),
-        lambda c, limits: (
-            f"the battery is too low: {c.battery:.0%}, take-off needs"
-            f" {limits.battery_floor + TAKE_OFF_RESERVE:.0%}"
+        lambda c, limits: Words(
+            "the battery is too low: {p}%, take-off needs {q}%",
+            p=percentage(c.battery),
+            q=percentage(limits.battery_floor + TAKE_OFF_RESERVE),
         ),
     ),
     (
@@ -156,13 +168,15 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
 """Rules in order of what to say first: (what is told, is it forbidden, why)."""
 
 
-def _unseen(pose_age: float, limit: float) -> str:
+def _unseen(pose_age: float, limit: float) -> Words:
     """Return why nothing moves: the drone was never seen, or how old the newest pose is [s]."""
     if not isfinite(pose_age):
-        return "tracking does not see the drone"
-    return (
-        f"tracking shows the drone as it was {pose_age:.2f} s ago (limits.pose_age_level:"
-        f" {limit:g} s); housefly gains says which limit slow tracking needs"
+        return Words("tracking does not see the drone")
+    return Words(
+        "tracking shows the drone as it was {n} s ago (limits.pose_age_level: {m} s);"
+        " housefly gains says which limit slow tracking needs",
+        n=figure(pose_age, ".2f"),
+        m=figure(limit, "g"),
     )
 
 

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from math import inf
 
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
+from housefly.messages.words import Words
 from housefly.pilot.behavior.collision_monitor import ON_THE_WAY, RELAPSE_TIME
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
@@ -125,28 +127,29 @@ class PassingMonitor:
     def _go_around(self, other: TrackingTask, vehicle: VehicleStatus) -> list[Event]:
         self._commander.take(other)
         self._waits = None
-        text = f"{self._name(vehicle)} walks into the way: going around"
-        return [Event(vehicle.now, Severity.INFO, "detour", text)]
+        text = Words("{who} walks into the way: going around", who=self._name(vehicle))
+        return [Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)]
 
     def _wait(self, vehicle: VehicleStatus) -> list[Event]:
         is_relapse = vehicle.now - self._ended_at < RELAPSE_TIME
         self._since = self._since if is_relapse else vehicle.now
-        text = f"{self._name(vehicle)} walks into the way: waiting"
+        text = Words("{who} walks into the way: waiting", who=self._name(vehicle))
         self._commander.wait_on_way(text, self._since)
         self._waits = self._commander.task
-        event = Event(vehicle.now, Severity.INFO, "way_blocked", text)
+        event = Event(vehicle.now, Severity.INFO, EventCode.WAY_BLOCKED, text)
         return [] if is_relapse else [event]
 
     def _go_on(self, vehicle: VehicleStatus) -> list[Event]:
         self._commander.go_on()
         self._waits, self._ended_at = None, vehicle.now
-        return [Event(vehicle.now, Severity.INFO, "going_on", "the way is free: going on")]
+        text = Words("the way is free: going on")
+        return [Event(vehicle.now, Severity.INFO, EventCode.GOING_ON, text)]
 
     def _name(self, vehicle: VehicleStatus) -> str:
         """Return who walks and is nearest."""
         if vehicle.place is None:
-            return "somebody"
+            return Words("somebody")
         near = self._navigator.people.separation(
             vehicle.place, (0.0, 0.0), vehicle.now, 0.0, walking=True
         )
-        return near.name or "somebody"
+        return near.name or Words("somebody")

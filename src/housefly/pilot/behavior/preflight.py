@@ -18,6 +18,7 @@ from housefly.messages.preflight import (
     PreflightCheck,
 )
 from housefly.messages.sensing import DroneStatus
+from housefly.messages.words import UNSAID, Words, figure, joined, percentage, said
 from housefly.pilot.behavior.mission import Refused, VehicleStatus
 from housefly.pilot.behavior.order_checks import (
     HEIGHT_ERROR_MAX,
@@ -43,7 +44,7 @@ class PreflightInputs:
         origin_confirmed: tracking has shown it on its pad, or somebody compared the frames.
         origin_distance_max: from its place on the pad, to be confirmed [m].
         stopped: STOP is latched.
-        take_off_fault: who or what stands above or beside it, in words, or "".
+        take_off_fault: who or what stands above or beside it, in words, or UNSAID.
         sees_people: a sensor of the room sees people here.
         frames: what is known of the frames of tracking, drone and map.
     """
@@ -55,7 +56,7 @@ class PreflightInputs:
     origin_confirmed: bool = True
     origin_distance_max: float = PAD_DISTANCE_MAX
     stopped: bool = False
-    take_off_fault: str = ""
+    take_off_fault: Words = UNSAID
     sees_people: bool = True
     frames: FramesKnown = FRAMES_NOT_NEEDED
 
@@ -72,10 +73,10 @@ class PreflightInputs:
         return hypot(*told.velocity[:2]) if told else 0.0
 
     @property
-    def notes(self) -> str:
+    def notes(self) -> Words:
         """What is not as it should be with the drone's settings and sensors."""
         told = self.vehicle.telemetry
-        return "; ".join(told.notes) if told else ""
+        return joined("; ", told.notes if told else ())
 
     @property
     def moved(self) -> float:
@@ -84,16 +85,20 @@ class PreflightInputs:
         return drift if isfinite(drift) else 0.0
 
     @property
-    def on_pad(self) -> str:
+    def on_pad(self) -> Words:
         """How tracking has the drone on its pad, in words."""
-        return f"{self.off_pad:.2f} m from it, turned by {degrees(self.turned):.0f} deg"
+        return Words(
+            "{d} m from it, turned by {n} deg",
+            d=figure(self.off_pad, ".2f"),
+            n=figure(degrees(self.turned), ".0f"),
+        )
 
     @property
-    def sight(self) -> str:
+    def sight(self) -> Words:
         """Whether people without markers are seen, in words."""
         if not self.sees_people:
-            return "no sensor"
-        return self.vehicle.silence.words if self.vehicle.silence.is_too_long else "yes"
+            return Words("no sensor")
+        return self.vehicle.silence.words if self.vehicle.silence.is_too_long else Words("yes")
 
     @property
     def charge_needed(self) -> float:
@@ -119,16 +124,16 @@ class PreflightRule:
     """
 
     code: str
-    title: str
-    fault: str
+    title: Words
+    fault: Words
     passes: Callable[[PreflightInputs], bool]
-    value: Callable[[PreflightInputs], str]
-    limit: Callable[[PreflightInputs], str]
-    why: str
-    mend: str
+    value: Callable[[PreflightInputs], Words]
+    limit: Callable[[PreflightInputs], Words]
+    why: Words
+    mend: Words
     required: bool = True
     waived: Callable[[PreflightInputs], bool] = lambda _: False
-    mend_waived: str = ""
+    mend_waived: Words = UNSAID
 
     def check(self, inputs: PreflightInputs) -> PreflightCheck:
         """Return what the check finds."""
@@ -152,200 +157,218 @@ CHARGE_CHECK = "charge"
 PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "drone_answers",
-        "the drone answers",
-        "the drone does not answer",
+        Words("the drone answers"),
+        Words("the drone does not answer"),
         lambda i: i.vehicle.telemetry_age <= i.limits.telemetry_age,
         lambda i: _age(i.vehicle.telemetry_age),
-        lambda i: f"at most {i.limits.telemetry_age:g} s ago",
-        "a drone that is not heard cannot be stopped",
-        "switch it on, join its Wi-Fi, and see `housefly doctor`",
+        lambda i: Words("at most {n} s ago", n=figure(i.limits.telemetry_age, "g")),
+        Words("a drone that is not heard cannot be stopped"),
+        Words("switch it on, join its Wi-Fi, and see `housefly doctor`"),
     ),
     PreflightRule(
         "drone_landed",
-        "it stands, by its own word",
-        "the drone does not say that it stands",
+        Words("it stands, by its own word"),
+        Words("the drone does not say that it stands"),
         lambda i: i.vehicle.status is DroneStatus.LANDED,
-        lambda i: i.vehicle.status.value,
-        lambda _: "landed",
-        "only a drone that stands can take off",
-        "press RESET when it is in its emergency state and nobody is near",
+        lambda i: said(i.vehicle.status),
+        lambda _: Words("landed"),
+        Words("only a drone that stands can take off"),
+        Words("press RESET when it is in its emergency state and nobody is near"),
     ),
     PreflightRule(
         "drone_upright",
-        "it stands on its feet",
-        "the drone leans",
+        Words("it stands on its feet"),
+        Words("the drone leans"),
         lambda i: i.tilt <= TILT_ON_PAD_MAX,
-        lambda i: f"{degrees(i.tilt):.0f} deg",
-        lambda _: f"at most {degrees(TILT_ON_PAD_MAX):.0f} deg",
-        "a drone that leans takes off sideways",
-        "put it level on its pad",
+        lambda i: Words("{n} deg", n=figure(degrees(i.tilt), ".0f")),
+        lambda _: Words("at most {n} deg", n=figure(degrees(TILT_ON_PAD_MAX), ".0f")),
+        Words("a drone that leans takes off sideways"),
+        Words("put it level on its pad"),
     ),
     PreflightRule(
         "drone_still",
-        "it stands still, by its own word",
-        "the drone says that it moves while it stands",
+        Words("it stands still, by its own word"),
+        Words("the drone says that it moves while it stands"),
         lambda i: i.own_speed <= OWN_SPEED_ON_PAD_MAX,
-        lambda i: f"{i.own_speed:.2f} m/s",
-        lambda _: f"at most {OWN_SPEED_ON_PAD_MAX:g} m/s",
-        "it takes off and holds itself by that speed",
-        "look at its bottom camera and the floor below, then switch it off and on",
+        lambda i: Words("{d} m/s", d=figure(i.own_speed, ".2f")),
+        lambda _: Words("at most {d} m/s", d=figure(OWN_SPEED_ON_PAD_MAX, "g")),
+        Words("it takes off and holds itself by that speed"),
+        Words("look at its bottom camera and the floor below, then switch it off and on"),
     ),
     PreflightRule(
         "drone_configured",
-        "it has confirmed its limits",
-        "the drone has not confirmed its limits",
+        Words("it has confirmed its limits"),
+        Words("the drone has not confirmed its limits"),
         lambda i: i.vehicle.configured is True,
-        lambda i: "confirmed" if i.vehicle.configured else "not yet",
-        lambda _: "confirmed",
-        "its own limits of tilt, height and speed hold when everything else fails",
-        "wait a few seconds, or switch it off and on",
+        lambda i: Words("confirmed") if i.vehicle.configured else Words("not yet"),
+        lambda _: Words("confirmed"),
+        Words("its own limits of tilt, height and speed hold when everything else fails"),
+        Words("wait a few seconds, or switch it off and on"),
     ),
     PreflightRule(
         "drone_healthy",
-        "it complains about nothing",
-        "the drone complains",
+        Words("it complains about nothing"),
+        Words("the drone complains"),
         lambda i: not i.vehicle.grounding_faults,
-        lambda i: i.vehicle.grounding_faults or "nothing",
-        lambda _: "nothing",
-        "it would land, or fall, in the middle of its flight",
-        "look at propellers, motors and battery, then switch it off and on",
+        lambda i: i.vehicle.grounding_faults or Words("nothing"),
+        lambda _: Words("nothing"),
+        Words("it would land, or fall, in the middle of its flight"),
+        Words("look at propellers, motors and battery, then switch it off and on"),
     ),
     PreflightRule(
         CHARGE_CHECK,
-        "the battery is charged",
-        "the battery is too low",
+        Words("the battery is charged"),
+        Words("the battery is too low"),
         lambda i: i.vehicle.battery >= i.charge_needed,
-        lambda i: f"{i.vehicle.battery:.0%}" if isfinite(i.vehicle.battery) else "unknown",
-        lambda i: f"at least {i.charge_needed:.0%}, and more for a long way",
-        "it has to come home, and to land",
-        "charge it, or change the battery",
+        lambda i: _charge(i.vehicle.battery),
+        lambda i: Words("at least {p}%, and more for a long way", p=percentage(i.charge_needed)),
+        Words("it has to come home, and to land"),
+        Words("charge it, or change the battery"),
     ),
     PreflightRule(
         "gauge",
-        "the battery's gauge moves",
-        "the battery's gauge stood still",
+        Words("the battery's gauge moves"),
+        Words("the battery's gauge stood still"),
         lambda i: not i.vehicle.gauge_stuck,
-        lambda i: f"stuck at {i.vehicle.battery:.0%}" if i.vehicle.gauge_stuck else "moving",
-        lambda _: "moving",
-        "nobody knows how much charge is left",
-        "change the battery or restart the drone: take off once it shows another number",
+        lambda i: (
+            Words("stuck at {p}%", p=percentage(i.vehicle.battery))
+            if i.vehicle.gauge_stuck
+            else Words("moving")
+        ),
+        lambda _: Words("moving"),
+        Words("nobody knows how much charge is left"),
+        Words("change the battery or restart the drone: take off once it shows another number"),
     ),
     PreflightRule(
         "tracking",
-        "tracking sees it",
-        "tracking does not see the drone",
+        Words("tracking sees it"),
+        Words("tracking does not see the drone"),
         lambda i: i.vehicle.pose_age <= i.limits.pose_age_level,
         lambda i: _age(i.vehicle.pose_age),
-        lambda i: f"at most {i.limits.pose_age_level:g} s ago",
-        "it flies by where tracking sees it",
-        "look at the tracking system: is it running, does it stream the body under this name? if it"
-        " is only slow, housefly gains says which limits.pose_age_level it needs",
+        lambda i: Words("at most {n} s ago", n=figure(i.limits.pose_age_level, "g")),
+        Words("it flies by where tracking sees it"),
+        Words(
+            "look at the tracking system: is it running, does it stream the body under this name?"
+            " if it is only slow, housefly gains says which limits.pose_age_level it needs"
+        ),
     ),
     PreflightRule(
         "tracked_height",
-        "tracking has it where it stands",
-        "tracking has the drone at another height",
+        Words("tracking has it where it stands"),
+        Words("tracking has the drone at another height"),
         lambda i: abs(i.vehicle.height_error) <= HEIGHT_ERROR_MAX,
-        lambda i: f"{i.vehicle.height_error:+.2f} m",
-        lambda _: f"within {HEIGHT_ERROR_MAX:g} m",
-        "a floor at another height is a room at another height",
-        "set the tracking system's origin on the floor, and define the drone's body anew",
+        lambda i: Words("{d} m", d=figure(i.vehicle.height_error, "+.2f")),
+        lambda _: Words("within {d} m", d=figure(HEIGHT_ERROR_MAX, "g")),
+        Words("a floor at another height is a room at another height"),
+        Words("set the tracking system's origin on the floor, and define the drone's body anew"),
     ),
     PreflightRule(
         "tracked_place",
-        "tracking leaves it where it stands",
-        "tracking moves the drone although it stands",
+        Words("tracking leaves it where it stands"),
+        Words("tracking moves the drone although it stands"),
         lambda i: not i.vehicle.consistency.drift > MOVED_ON_GROUND_MAX,
-        lambda i: f"moved by {i.moved:.2f} m",
-        lambda _: f"at most {MOVED_ON_GROUND_MAX:g} m",
-        "tracking that drifts on the ground drifts in the air",
-        "see whether another body has its name; lift it once to show where it is",
+        lambda i: Words("moved by {d} m", d=figure(i.moved, ".2f")),
+        lambda _: Words("at most {d} m", d=figure(MOVED_ON_GROUND_MAX, "g")),
+        Words("tracking that drifts on the ground drifts in the air"),
+        Words("see whether another body has its name; lift it once to show where it is"),
     ),
     PreflightRule(
         "origin",
-        "tracking has seen it on its pad",
-        "tracking has not seen the drone on its pad",
+        Words("tracking has seen it on its pad"),
+        Words("tracking has not seen the drone on its pad"),
         lambda i: i.origin_confirmed,
         lambda i: i.on_pad,
-        lambda i: (
-            f"once within {i.origin_distance_max:g} m and {degrees(PAD_HEADING_MAX):.0f} deg of it"
+        lambda i: Words(
+            "once within {d} m and {n} deg of it",
+            d=figure(i.origin_distance_max, "g"),
+            n=figure(degrees(PAD_HEADING_MAX), ".0f"),
         ),
-        "where tracking and map disagree, walls are not where they seem",
-        "put it on its pad, its nose along it; if it stands so: `housefly preflight --frames`",
+        Words("where tracking and map disagree, walls are not where they seem"),
+        Words(
+            "put it on its pad, its nose along it; if it stands so: `housefly preflight --frames`"
+        ),
     ),
     PreflightRule(
         "stop",
-        "nobody has pressed STOP",
-        "STOP is latched",
+        Words("nobody has pressed STOP"),
+        Words("STOP is latched"),
         lambda i: not i.stopped,
-        lambda i: "pressed" if i.stopped else "not pressed",
-        lambda _: "not pressed",
-        "STOP is latched until a person resumes",
-        "press Resume when all is well",
+        lambda i: Words("pressed") if i.stopped else Words("not pressed"),
+        lambda _: Words("not pressed"),
+        Words("STOP is latched until a person resumes"),
+        Words("press Resume when all is well"),
     ),
     PreflightRule(
         "take_off_column",
-        "nobody and nothing is above or beside it",
-        "the way up is not free",
+        Words("nobody and nothing is above or beside it"),
+        Words("the way up is not free"),
         lambda i: not i.take_off_fault,
-        lambda i: i.take_off_fault or "clear",
-        lambda _: "clear",
-        "it climbs straight up from where it stands",
-        "clear the pad",
+        lambda i: i.take_off_fault or Words("clear"),
+        lambda _: Words("clear"),
+        Words("it climbs straight up from where it stands"),
+        Words("clear the pad"),
     ),
     PreflightRule(
         "settings",
-        "its settings and sensors are as they should be",
-        "a setting or sensor of the drone is wrong",
+        Words("its settings and sensors are as they should be"),
+        Words("a setting or sensor of the drone is wrong"),
         lambda i: not i.notes,
-        lambda i: i.notes or "yes",
-        lambda _: "yes",
-        "it may fly otherwise than planned",
-        "see the drone's page of the manual",
+        lambda i: i.notes or Words("yes"),
+        lambda _: Words("yes"),
+        Words("it may fly otherwise than planned"),
+        Words("see the drone's page of the manual"),
         required=False,
     ),
     PreflightRule(
         "pad",
-        "it stands on its pad",
-        "the drone is not on its pad",
+        Words("it stands on its pad"),
+        Words("the drone is not on its pad"),
         lambda i: i.off_pad <= PAD_DISTANCE_MAX,
-        lambda i: f"{i.off_pad:.2f} m from it",
-        lambda _: f"within {PAD_DISTANCE_MAX:g} m",
-        "if it does stand there, tracking and map disagree, and walls are not where they seem",
-        "put it on its pad; if it is there, compare the tracking system's origin with the map",
+        lambda i: Words("{d} m from it", d=figure(i.off_pad, ".2f")),
+        lambda _: Words("within {d} m", d=figure(PAD_DISTANCE_MAX, "g")),
+        Words(
+            "if it does stand there, tracking and map disagree, and walls are not where they seem"
+        ),
+        Words(
+            "put it on its pad; if it is there, compare the tracking system's origin with the map"
+        ),
         required=False,
     ),
     PreflightRule(
         "sees_people",
-        "a sensor sees people without markers",
-        "people without markers are unseen",
+        Words("a sensor sees people without markers"),
+        Words("people without markers are unseen"),
         lambda i: i.sees_people and not i.vehicle.silence.is_too_long,
         lambda i: i.sight,
-        lambda i: f"heard within {i.vehicle.silence.limit:g} s",
-        "it stops for people, and makes way, only where a sensor sees them",
-        "see `housefly sensors`: is each one on, in this network and uncovered?",
+        lambda i: Words("heard within {n} s", n=figure(i.vehicle.silence.limit, "g")),
+        Words("it stops for people, and makes way, only where a sensor sees them"),
+        Words("see `housefly sensors`: is each one on, in this network and uncovered?"),
         waived=lambda i: not i.sees_people,
-        mend_waived="keep people out of the room, or add a scanner or a depth camera to the site",
+        mend_waived=Words(
+            "keep people out of the room, or add a scanner or a depth camera to the site"
+        ),
     ),
     PreflightRule(
         "frames_right",
-        "the last frame check found nothing wrong",
-        "the last frame check found tracking wrong",
+        Words("the last frame check found nothing wrong"),
+        Words("the last frame check found tracking wrong"),
         lambda i: i.frames.state is not FrameCheckState.WRONG,
-        lambda i: i.frames.words if i.frames.state is FrameCheckState.WRONG else "nothing known",
-        lambda _: "nothing",
-        "it would fly where it should not, and land or strike something",
-        "mend it as the check said, and check again: `housefly preflight --frames`",
+        lambda i: (
+            i.frames.words if i.frames.state is FrameCheckState.WRONG else Words("nothing known")
+        ),
+        lambda _: Words("nothing"),
+        Words("it would fly where it should not, and land or strike something"),
+        Words("mend it as the check said, and check again: `housefly preflight --frames`"),
     ),
     PreflightRule(
         "frames_checked",
-        "frames checked",
-        "frames not checked",
+        Words("frames checked"),
+        Words("frames not checked"),
         lambda i: i.frames.state not in (FrameCheckState.NEVER, FrameCheckState.STALE),
         lambda i: i.frames.said,
-        lambda _: "since [tracking] was changed",
-        "mirrored, turned or shifted axes are noticed only after the drone has moved",
-        "carry the drone once, two minutes: `housefly preflight --frames`",
+        lambda _: Words("since [tracking] was changed"),
+        Words("mirrored, turned or shifted axes are noticed only after the drone has moved"),
+        Words("carry the drone once, two minutes: `housefly preflight --frames`"),
         required=False,
     ),
 )
@@ -372,13 +395,26 @@ def preflight_refusal(checks: tuple[PreflightCheck, ...]) -> Refused | None:
     return Refused(outcome, _refusal_words(failing, checks))
 
 
-def _refusal_words(check: PreflightCheck, checks: tuple[PreflightCheck, ...]) -> str:
+def _refusal_words(check: PreflightCheck, checks: tuple[PreflightCheck, ...]) -> Words:
     busy = next((c for c in checks if c.code == MACHINE_CHECK and not c.passed), None)
-    words = f"{check.fault}: {check.value}, must be {check.limit}"
     if busy is None or check.code not in _LATE_WHEN_BUSY:
-        return f"{words}; {check.mend}"
-    return f"{words}; likely cause: {busy.fault} ({busy.value}): {busy.mend}"
+        return check.refusal
+    return Words(
+        "{why}: {found}, must be {limit}; likely cause: {cause} ({value}): {mend}",
+        why=check.fault,
+        found=check.value,
+        limit=check.limit,
+        cause=busy.fault,
+        value=busy.value,
+        mend=busy.mend,
+    )
 
 
-def _age(seconds: float) -> str:
-    return f"last {seconds:.1f} s ago" if isfinite(seconds) else "never"
+def _age(seconds: float) -> Words:
+    if not isfinite(seconds):
+        return Words("never")
+    return Words("last {n} s ago", n=figure(seconds, ".1f"))
+
+
+def _charge(charge: float) -> Words:
+    return Words("{p}%", p=percentage(charge)) if isfinite(charge) else Words("unknown")

@@ -14,8 +14,10 @@ import numpy as np
 
 from housefly.config.airframe import Airframe
 from housefly.geometry import Vec2, distance
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
+from housefly.messages.words import Words
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.braking import EVASION_SPEED, REFERENCE_BRAKING
 from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
@@ -175,8 +177,8 @@ class SeparationMonitor:
             self._climbs_on = True
             return []
         self._commander.land_here(vehicle)
-        text = f"{found.name} comes near: the take-off is given up"
-        return [Event(vehicle.now, Severity.WARNING, "take_off_given_up", text)]
+        text = Words("{who} comes near: the take-off is given up", who=found.name)
+        return [Event(vehicle.now, Severity.WARNING, EventCode.TAKE_OFF_GIVEN_UP, text)]
 
     def _comes_within(self, horizon: float, vehicle: VehicleStatus, place: Vec2) -> Separation:
         """Return how near who walks comes to a drone that stays, within a time [s]."""
@@ -298,7 +300,7 @@ class SeparationMonitor:
         away = distance(place, yielding.refuge)
         speed = float(approach_speed(np.array(away), yielding.speed))
         share = speed * LEAD_TIME / max(away, 1e-6)
-        why = f"{yielding.name} comes near: making way"
+        why = Words("{who} comes near: making way", who=yielding.name)
         hold = (x + share * (gx - x), y + share * (gy - y))
         self._commander.give_way(hold, yielding.yaw, why, vehicle)
         self._task = self._commander.task
@@ -322,7 +324,8 @@ class SeparationMonitor:
         if self._commander.go_back(yielding.post, vehicle) is not None:
             return []
         self._end(vehicle)
-        return [Event(vehicle.now, Severity.INFO, "going_back", "nobody comes near: going back")]
+        text = Words("nobody comes near: going back")
+        return [Event(vehicle.now, Severity.INFO, EventCode.GOING_BACK, text)]
 
     def _end(self, vehicle: VehicleStatus) -> None:
         self._yielding, self._is_cornered_told = None, False
@@ -340,13 +343,15 @@ class SeparationMonitor:
         if soon.closest > LIKELY_DISTANCE:
             self._commander.land_here(vehicle)
             self._yielding = None
-            text = f"{name} comes near and there is no room to make way: landing here"
-            return [Event(vehicle.now, Severity.WARNING, "cornered_landing", text)]
+            text = Words(
+                "{who} comes near and there is no room to make way: landing here", who=name
+            )
+            return [Event(vehicle.now, Severity.WARNING, EventCode.CORNERED_LANDING, text)]
         if self._is_cornered_told:
             return []
         self._is_cornered_told = True
-        text = f"{name} comes near and there is no room to make way"
-        return [Event(vehicle.now, Severity.WARNING, "cornered", text)]
+        text = Words("{who} comes near and there is no room to make way", who=name)
+        return [Event(vehicle.now, Severity.WARNING, EventCode.CORNERED, text)]
 
     def _tell(self, vehicle: VehicleStatus) -> list[Event]:
         assert self._yielding is not None
@@ -354,8 +359,8 @@ class SeparationMonitor:
         self._told_at = vehicle.now
         if vehicle.now - last < QUIET_TIME:
             return []
-        text = f"{self._yielding.name} comes near: making way"
-        return [Event(vehicle.now, Severity.INFO, "making_way", text)]
+        text = Words("{who} comes near: making way", who=self._yielding.name)
+        return [Event(vehicle.now, Severity.INFO, EventCode.MAKING_WAY, text)]
 
     def _post(self, place: Vec2) -> Vec2:
         """Return where the drone should be in this phase [m]."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf
 
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.mission import VehicleStatus
 
 STANDS_HIGH = 0.15
@@ -34,12 +35,13 @@ class Footing:
         """Return the footing of a drone that stands, seen so high [m], so long ago [s]."""
         return Footing(height) if pose_age <= POSE_AGE_MAX else self
 
-    def fault(self, height: float, pose_age: float) -> str:
-        """Return what is wrong with where it stands now, seen so high [m], in words, or ""."""
+    def fault(self, height: float, pose_age: float) -> Words:
+        """Return what is wrong with where it stands now, seen so high [m], in words, or UNSAID."""
         above = height - self.height
         if not (pose_age <= POSE_AGE_MAX and above > STANDS_HIGH):
-            return ""
-        return f"stands {above:.2f} m above where it took off: on something"
+            return UNSAID
+        by = figure(above, ".2f")
+        return Words("stands {d} m above where it took off: on something", d=by)
 
 
 NEVER_STOOD = Footing()

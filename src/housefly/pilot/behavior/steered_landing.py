@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.geometry import Vec2, distance
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.braking import BESIDE_SPEED, sink_height
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 
@@ -77,14 +78,14 @@ class BlindPlan:
     """What to do in place of a landing without tracking.
 
     Attributes:
-        fault: why the floor below is not to be landed on, in words; "" to land.
+        fault: why the floor below is not to be landed on, in words; UNSAID to land.
         target, velocity: where to be, and how fast to move there [m, m/s].
         height: [m].
         here: where the drone is by its own motion; None while there is nothing to fly.
         may_sink: nothing stands below.
     """
 
-    fault: str = ""
+    fault: Words = UNSAID
     target: Vec2 = (0.0, 0.0)
     velocity: Vec2 = (0.0, 0.0)
     height: float = 0.0

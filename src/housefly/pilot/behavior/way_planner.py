@@ -11,6 +11,7 @@ import numpy as np
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import OrderOutcome
 from housefly.messages.steering import PlanAnswer
+from housefly.messages.words import Words, figure
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.braking import REFERENCE_BRAKING, coasted
 from housefly.pilot.behavior.mission import (
@@ -44,12 +45,21 @@ class _Departure:
     before: FloatArray
 
 
+NOWHERE_TO_GO = Words("there is nowhere to go")
+"""Why a drone without a goal plans no way."""
+
+
 def refusal_of(answer: PlanAnswer) -> Refused:
     """Return in words why there is no way."""
     if answer.suggestion is None:
         return Refused(OrderOutcome.NO_WAY, answer.reason)
     x, y = answer.suggestion
-    words = f"{answer.reason}; nearest free place: ({x:.2f}, {y:.2f}) m"
+    words = Words(
+        "{why}; nearest free place: ({x}, {y}) m",
+        why=answer.reason,
+        x=figure(x, ".2f"),
+        y=figure(y, ".2f"),
+    )
     return Refused(OrderOutcome.NO_WAY, words)
 
 
@@ -72,7 +82,7 @@ def planned_task(
     if mission.goal is None:
         return None
     if vehicle.place is None:
-        return Refused(OrderOutcome.UNTRACKED, "tracking has not seen the drone yet")
+        return Refused(OrderOutcome.UNTRACKED, Words("tracking has not seen the drone yet"))
     if navigator.in_space:
         return _task_in_space(navigator, mission, mission.goal, task, vehicle, coast_time)
     answer = navigator.route(vehicle.place, mission.goal)
@@ -92,7 +102,7 @@ def _task_in_space(
     assert vehicle.estimate is not None
     arrival_yaw = mission.arrival_yaw(goal)
     yaw = vehicle.reference.yaw if vehicle.reference else vehicle.estimate.yaw
-    refused = Refused(OrderOutcome.NO_WAY, "there is nowhere to go")
+    refused = Refused(OrderOutcome.NO_WAY, NOWHERE_TO_GO)
     for departure in _departures(task, vehicle, coast_time):
         lead = TICK * len(departure.before)
         answer = navigator.way(departure.state, goal, yaw, lead)

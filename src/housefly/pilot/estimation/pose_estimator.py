@@ -9,8 +9,10 @@ import numpy as np
 from housefly.config.airframe import SonarConstants
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
+from housefly.messages.words import Words, figure, said
 from housefly.numeric import CompiledBox, boxed, unboxed
 from housefly.pilot.estimation.boxed_estimator import (
     begun_at,
@@ -168,22 +170,23 @@ class PoseEstimator:
         """Count a jump; on the ground, a drone that was carried is found again where it is now."""
         self.monitor.refuse(now)
         lies_still = grounded and not self.monitor.carried
-        words = self._lying_still_words(sighting) if lies_still else reason.value
+        words = self._lying_still_words(sighting) if lies_still else said(reason)
         events = self._rejections.reject(reason, now, words)
         since = self._rejections.rejecting_since
         if not grounded or lies_still or since is None or now - since < RESTART_AFTER:
             return events
         begun_at(self.box, self.history, self._boxed_params, _measurement(sighting), now)
         self._accept(sighting)
-        text = "the drone was moved on the ground: tracking starts anew"
-        return (Event(now, Severity.INFO, "tracking_restarted", text),)
+        text = Words("the drone was moved on the ground: tracking starts anew")
+        return (Event(now, Severity.INFO, EventCode.TRACKING_RESTARTED, text),)
 
-    def _lying_still_words(self, sighting: Sighting) -> str:
+    def _lying_still_words(self, sighting: Sighting) -> Words:
         assert self.accepted is not None
         moved = dist(sighting.pose.position, self.accepted.pose.position)
-        return (
-            f"it says that the drone moved {moved:.1f} m while it lay still: is it another body?"
-            " Lift the drone to show where it is"
+        return Words(
+            "it says that the drone moved {d} m while it lay still: is it another body?"
+            " Lift the drone to show where it is",
+            d=figure(moved, ".1f"),
         )
 
     def _accept(self, sighting: Sighting) -> None:

@@ -7,8 +7,10 @@ from enum import Enum, IntEnum
 from itertools import pairwise
 from math import isfinite
 
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Sighting
+from housefly.messages.words import UNSAID, Words, figure, said
 from housefly.numeric import compiled
 
 CLOCK_TOLERANCE = 0.005
@@ -108,7 +110,9 @@ class RejectionLog:
         self._rejecting_since = None
         self._judged.append(True)
 
-    def reject(self, reason: RejectionReason, now: float, words: str = "") -> tuple[Event, ...]:
+    def reject(
+        self, reason: RejectionReason, now: float, words: Words = UNSAID
+    ) -> tuple[Event, ...]:
         """Count a rejection; return an event when it is one of many.
 
         Args:
@@ -121,20 +125,24 @@ class RejectionLog:
             return ()
         self._judged.append(False)
         self._rejecting_since = now if self._rejecting_since is None else self._rejecting_since
-        text = self._text(now - self._rejecting_since, words or reason.value)
+        text = self._text(now - self._rejecting_since, words or said(reason))
         if not text or now - self._reported_at < REJECTION_REPORT_PERIOD:
             return ()
         self._reported_at = now
-        return (Event(now, Severity.WARNING, "tracking_refused", text),)
+        return (Event(now, Severity.WARNING, EventCode.TRACKING_REFUSED, text),)
 
-    def _text(self, seconds: float, words: str) -> str:
+    def _text(self, seconds: float, words: Words) -> Words:
         """Return what a person has to know of a series of so many seconds, or nothing."""
         if seconds >= REJECTION_WARNING_AFTER:
-            return f"tracking is not believed since {seconds:.1f} s: {words}"
+            since = figure(seconds, ".1f")
+            return Words("tracking is not believed since {n} s: {why}", n=since, why=words)
         series = sum(was and not now_is for was, now_is in pairwise(self._judged))
         if series < REJECTION_SERIES_TOLD:
-            return ""
+            return UNSAID
         refused, judged = self._judged.count(False), len(self._judged)
-        return (
-            f"tracking is believed in part, {refused} of the last {judged} poses are not: {words}"
+        return Words(
+            "tracking is believed in part, {n} of the last {m} poses are not: {why}",
+            n=figure(refused),
+            m=figure(judged),
+            why=words,
         )

@@ -10,6 +10,7 @@ import numpy as np
 
 from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.live import gap
 from housefly.pilot.planning.obstacles import obstacle_rows
@@ -36,8 +37,8 @@ def column_fault(
     hull: float,
     min_distances: FloatArray,
     lead: float,
-) -> str:
-    """Return who or what is in the way of a column, in words, or "".
+) -> Words:
+    """Return who or what is in the way of a column, in words, or UNSAID.
 
     Args:
         obstacles: everything known; heights do not matter.
@@ -52,12 +53,13 @@ def column_fault(
             spare = people.distances(np.array([place]), at)[0] - hull - min_distances
             who = int(np.argmin(spare))
             if spare[who] < 0.0:
-                return f"{people.names[who]} is too close"
+                return Words("{who} is too close", who=people.names[who])
     things = [replace(o, bottom=0.0, top=9.0) for o in obstacles if not may_be_person(o)]
     rows, names = obstacle_rows(things, 0.0, 0.0, (0.0, 9.0))
     near = [(gap(row, *place), name) for row, name in zip(rows, names, strict=True)]
     distance, name = min(near, default=(9.0, ""))
-    return f"{name} stands there" if distance < hull + THING_MARGIN else ""
+    is_close = distance < hull + THING_MARGIN
+    return Words("{thing} stands there", thing=name) if is_close else UNSAID
 
 
 def spots_around(place: Vec2) -> tuple[Vec2, ...]:

@@ -16,6 +16,7 @@ import numpy as np
 
 from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.people import may_be_person, predicted_velocity
 
@@ -39,8 +40,8 @@ better.
 MapExtent = tuple[float, float, float, float]
 
 
-def obstacle_fault(obstacle: Obstacle, now: float, extent: MapExtent) -> str:
-    """Return why an obstacle is not believed, in words, or "".
+def obstacle_fault(obstacle: Obstacle, now: float, extent: MapExtent) -> Words:
+    """Return why an obstacle is not believed, in words, or UNSAID.
 
     Args:
         obstacle: as its source sent it.
@@ -56,22 +57,22 @@ def obstacle_fault(obstacle: Obstacle, now: float, extent: MapExtent) -> str:
         obstacle.top,
     )
     if not all(map(isfinite, (*shape, *obstacle.velocity, obstacle.confidence, obstacle.seen_at))):
-        return "not all its numbers are finite"
+        return Words("not all its numbers are finite")
     if not 0.0 <= obstacle.confidence <= 1.0:
-        return "its confidence does not lie between 0 and 1"
+        return Words("its confidence does not lie between 0 and 1")
     if obstacle.radius < 0.0 or min(obstacle.size) < 0.0 or _reach(obstacle) > OBSTACLE_SIZE_MAX:
-        return f"its size makes no sense (at most {OBSTACLE_SIZE_MAX:.0f} m)"
+        return Words("its size makes no sense (at most {d} m)", d=figure(OBSTACLE_SIZE_MAX, ".0f"))
     if hypot(*obstacle.velocity) > OBSTACLE_SPEED_MAX:
-        return f"it is faster than {OBSTACLE_SPEED_MAX:.0f} m/s"
+        return Words("it is faster than {d} m/s", d=figure(OBSTACLE_SPEED_MAX, ".0f"))
     if obstacle.seen_at > now + OBSTACLE_CLOCK_TOLERANCE:
-        return "it was seen in the future"
+        return Words("it was seen in the future")
     (x, y), (x_min, y_min, x_max, y_max) = obstacle.position, extent
     if not (
         x_min - OBSTACLE_SIZE_MAX <= x <= x_max + OBSTACLE_SIZE_MAX
         and y_min - OBSTACLE_SIZE_MAX <= y <= y_max + OBSTACLE_SIZE_MAX
     ):
-        return "it lies far outside the map"
-    return ""
+        return Words("it lies far outside the map")
+    return UNSAID
 
 
 def certainty_now(obstacle: Obstacle, now: float) -> float:

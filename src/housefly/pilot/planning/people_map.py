@@ -9,6 +9,7 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.column import StaticColumns, column_fault, spots_around
 from housefly.pilot.planning.people import NOBODY, ObservedPeople, people_at
@@ -134,25 +135,25 @@ class PeopleMap:
         people = self._now(now)
         return refuge(people, self._things(height), place, velocity, self.hull, speed, enough, kept)
 
-    def landing_fault(self, place: Vec2, now: float, lead: float = LANDING_LEAD) -> str:
-        """Return who or what stands below or beside a landing at a place [m], in words, or ""."""
+    def landing_fault(self, place: Vec2, now: float, lead: float = LANDING_LEAD) -> Words:
+        """Return who or what stands below or beside a landing at a place [m], or UNSAID."""
         if not self._obstacles:
-            return ""
+            return UNSAID
         least = self.config.min_distance
         people = self._now(now)
         still = np.array([self.is_still(name, now) for name in people.names], dtype=bool)
         distances = np.where(still, min(UNMOVED_DISTANCE, least), least)
         return column_fault(self._obstacles, people, place, self.hull, distances, lead)
 
-    def ground_fault(self, place: Vec2) -> str:
-        """Return why a place of the room [m] is no floor to land on, in words, or "".
+    def ground_fault(self, place: Vec2) -> Words:
+        """Return why a place of the room [m] is no floor to land on, in words, or UNSAID.
 
         The pad may lie on a thing; mode paper lands where it is, as the paper's drone.
         """
         if self._pad is None or distance(place, self._pad) < ON_PAD:
-            return ""
+            return UNSAID
         is_clear = self._static.clearance(place) > self.hull + HULL_MARGIN
-        return "" if is_clear else "furniture or a wall stands below or beside it"
+        return UNSAID if is_clear else Words("furniture or a wall stands below or beside it")
 
     def is_above_furniture(self, place: Vec2, within: float) -> bool:
         """Return whether the map has something low so near to a place [m]; the pad is floor."""
@@ -228,14 +229,14 @@ class PeopleMap:
         cell = grid.cell_of(place)
         return grid.clearance_at(place) if grid.kind(cell) is not Cell.VIRTUAL else 0.0
 
-    def take_off_fault(self, place: Vec2, now: float) -> str:
-        """Return why not to take off from a place [m], in words, or ""."""
+    def take_off_fault(self, place: Vec2, now: float) -> Words:
+        """Return why not to take off from a place [m], in words, or UNSAID."""
         if self._grid.kind(self._grid.cell_of(place)) is Cell.VIRTUAL:
-            return "the drone stands in a no-fly area: carry it out"
+            return Words("the drone stands in a no-fly area: carry it out")
         if self._static.overhang(place) < self.hull + HULL_MARGIN:
-            return "something hangs over the drone: carry it to where the air above is free"
+            return Words("something hangs over the drone: carry it to where the air above is free")
         fault = self.landing_fault(place, now, TAKE_OFF_LEAD)
-        return f"{fault}: the air around the drone must be free" if fault else ""
+        return Words("{why}: the air around the drone must be free", why=fault) if fault else UNSAID
 
     def _now(self, now: float) -> ObservedPeople:
         if now - self._at < 1e-9:

@@ -9,6 +9,7 @@ import numpy as np
 from housefly.geometry import Vec2, distance
 from housefly.messages.order_fault import COORDINATE_MAX
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.numeric import running_sum
 from housefly.pilot.planning.dijkstra import (
     UNREACHED,
@@ -19,12 +20,8 @@ from housefly.pilot.planning.dijkstra import (
 from housefly.pilot.planning.shortcut import sees, straightened
 from housefly.room.grid import Cell, CellIndex, OccupancyGrid
 
-WHY_NOT = {
-    Cell.OCCUPIED: "lies in an obstacle",
-    Cell.VIRTUAL: "lies in a no-fly area",
-    Cell.INFLATED: "is too close to an obstacle ({clearance:.2f} m)",
-    Cell.OUTSIDE: "lies outside the room",
-}
+START, GOAL = Words("the start"), Words("the goal")
+"""The two ends of a way."""
 
 
 def plan(
@@ -48,14 +45,16 @@ def plan(
         shortcut: straighten the path at any angle.
     """
     free: FreeMask = grid.cells == Cell.FREE
-    objection = _objection(grid, "start", start)
+    objection = _objection(grid, START, start)
     if objection:
         return PlanAnswer(start, goal, None, objection, _nearest(grid, free, start))
     here, there = grid.cell_of(start), grid.cell_of(goal)
-    objection = _objection(grid, "goal", goal)
+    objection = _objection(grid, GOAL, goal)
     cells = () if objection else shortest_path(free, here, there)
     if not cells:
-        reason = objection or f"there is no free way from {_words(start)} to {_words(goal)}"
+        reason = objection or Words(
+            "there is no free way from {name} to {place}", name=_name(start), place=_name(goal)
+        )
         return PlanAnswer(
             start, goal, None, reason, _nearest(grid, distances(free, here) != UNREACHED, goal)
         )
@@ -85,17 +84,30 @@ def path_clearance(grid: OccupancyGrid, waypoints: tuple[Vec2, ...]) -> float:
     return smallest
 
 
-def _objection(grid: OccupancyGrid, name: str, point: Vec2) -> str:
+def _objection(grid: OccupancyGrid, end: Words, point: Vec2) -> Words:
     """Return why the drone may not be at this point, or nothing."""
     if not _is_of_this_world(point):
-        return f"the {name} is not a position: {point}"
+        return Words("{end} is not a position: {place}", end=end, place=str(point))
     cell = grid.cell_of(point)
     if not grid.contains(cell):
-        return f"the {name} {_words(point)} lies outside the map"
-    if grid.is_free(cell):
-        return ""
-    clearance = float(grid.clearance[cell])
-    return f"the {name} {_words(point)} {WHY_NOT[grid.kind(cell)].format(clearance=clearance)}"
+        return Words("{end} {place} lies outside the map", end=end, place=_name(point))
+    return UNSAID if grid.is_free(cell) else _taken(grid, cell, end, _name(point))
+
+
+def _taken(grid: OccupancyGrid, cell: CellIndex, end: Words, place: str) -> Words:
+    """Return why no end of a way is in this cell."""
+    match grid.kind(cell):
+        case Cell.OCCUPIED:
+            return Words("{end} {place} lies in an obstacle", end=end, place=place)
+        case Cell.VIRTUAL:
+            return Words("{end} {place} lies in a no-fly area", end=end, place=place)
+        case Cell.INFLATED:
+            near = figure(float(grid.clearance[cell]), ".2f")
+            return Words(
+                "{end} {place} is too close to an obstacle ({d} m)", end=end, place=place, d=near
+            )
+        case _:
+            return Words("{end} {place} lies outside the room", end=end, place=place)
 
 
 def _nearest(grid: OccupancyGrid, allowed: FreeMask, point: Vec2) -> Vec2 | None:
@@ -135,5 +147,5 @@ def _ending_at(grid: OccupancyGrid, points: tuple[Vec2, ...], goal: Vec2) -> tup
     return points if distance(points[-1], goal) < 1e-9 else (*points, goal)
 
 
-def _words(point: Vec2) -> str:
+def _name(point: Vec2) -> str:
     return f"({point[0]:.2f}, {point[1]:.2f}) m"

@@ -4,15 +4,24 @@ from __future__ import annotations
 
 from math import hypot, inf
 
+from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
+from housefly.messages.words import Words, figure, joined, percentage
 from housefly.pilot.behavior.drone_faults import LANDING_FAULTS, fault_list
 from housefly.pilot.safety.energy import CLIFF_SPAN, GAUGE_STILL_TIME
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
 from housefly.pilot.safety.observer import HOLD_SPAN, LATE_SPAN
 from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule_words import (
+    above_time,
+    coming_home,
+    holding_itself,
+    landing,
+    slowly,
+)
 
-M, N = SafetyMode, Counting
+C, M, N = EventCode, SafetyMode, Counting
 
 LOW_HEIGHT = 0.1
 """A drone is on the floor when no higher than this above where it stood [m] ..."""
@@ -76,43 +85,44 @@ def _is_still_up(c: RuleContext) -> bool:
     return is_high or c.seen.landing_for < c.limits.landing_timeout + descent_time(c)
 
 
-def _complaints(c: RuleContext, *, ends_flight: bool) -> str:
+def _complaints(c: RuleContext, *, ends_flight: bool) -> Words:
     return fault_list(one for one in c.now.faults if (one in LANDING_FAULTS) is ends_flight)
 
 
 DRONE_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
-        code="cut",
+        code=C.CUT,
         mode=M.CUT,
         counts=N.ALWAYS,
         condition="someone ordered it",
         broken=lambda c: c.now.cutting,
-        words=lambda _: "motors are being cut by order",
+        words=lambda _: Words("motors are being cut by order"),
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code="emergency",
+        code=C.EMERGENCY,
         mode=M.CUT,
         counts=N.ALWAYS,
         condition="the drone says so",
         broken=lambda c: c.now.status is DroneStatus.EMERGENCY,
-        words=lambda _: "the motors are cut: reset when nobody is near",
+        words=lambda _: Words("the motors are cut: reset when nobody is near"),
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code="motors_running",
+        code=C.MOTORS_RUNNING,
         mode=M.CUT,
         counts=N.LANDING,
         condition="it lies still on the floor, told to land",
         broken=_lies_still,
-        words=lambda _: (
-            f"on the floor for {LYING_TIME:.0f} s with its motors running: cutting them"
+        words=lambda _: Words(
+            "on the floor for {n} s with its motors running: cutting them",
+            n=figure(LYING_TIME, ".0f"),
         ),
         after=LYING_TIME,
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code="landing_refused",
+        code=C.LANDING_REFUSED,
         mode=M.DESCEND,
         counts=N.LANDING,
         condition="not on the floor so long after it was told to land",
@@ -121,236 +131,279 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
             and not too_old(c.now.telemetry_age, c.limits.telemetry_age)
             and _is_still_up(c)
         ),
-        words=lambda c: (
-            f"told to land for {c.seen.landing_for:.0f} s (limit"
-            f" {c.limits.landing_timeout:.0f} s) and still up: sinking by our own setpoint"
+        words=lambda c: Words(
+            "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint",
+            n=figure(c.seen.landing_for, ".0f"),
+            m=figure(c.limits.landing_timeout, ".0f"),
         ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="telemetry_lost",
+        code=C.TELEMETRY_LOST,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="no word from the drone",
         broken=lambda c: too_old(c.now.telemetry_age, c.limits.telemetry_age),
-        words=lambda c: (
-            f"the drone is silent for {c.now.telemetry_age:.1f} s"
-            f" (limit {c.limits.telemetry_age:g} s): landing"
+        words=lambda c: landing(
+            above_time(
+                Words("the drone is silent for {n} s", n=figure(c.now.telemetry_age, ".1f")),
+                c.limits.telemetry_age,
+            )
         ),
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="drone_fault",
+        code=C.DRONE_FAULT,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="a complaint of the drone that ends a flight",
         broken=lambda c: bool(_complaints(c, ends_flight=True)),
-        words=lambda c: f"the drone says: {_complaints(c, ends_flight=True)}; landing",
+        words=lambda c: Words(
+            "the drone says: {what}; landing", what=_complaints(c, ends_flight=True)
+        ),
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="not_configured",
+        code=C.NOT_CONFIGURED,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="its limits are not confirmed for so long",
         broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.configured,
-        words=lambda _: (
-            f"the drone has not confirmed its limits for {CONFIGURING_TIME:g} s: landing"
+        words=lambda _: landing(
+            Words(
+                "the drone has not confirmed its limits for {n} s", n=figure(CONFIGURING_TIME, "g")
+            )
         ),
         after=CONFIGURING_TIME,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="battery_low",
+        code=C.BATTERY_LOW,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="charge below the floor, or not a number",
         broken=lambda c: not c.now.battery >= c.limits.battery_floor,
-        words=lambda c: (
-            f"battery {c.now.battery:.0%} is below {c.limits.battery_floor:.0%}: landing"
+        words=lambda c: landing(
+            Words(
+                "battery {p}% is below {q}%",
+                p=percentage(c.now.battery),
+                q=percentage(c.limits.battery_floor),
+            )
         ),
         after=BATTERY_DEBOUNCE,
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="battery_cliff",
+        code=C.BATTERY_CLIFF,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="the charge falls all at once",
         broken=lambda c: c.seen.energy.charge_lost > CLIFF_CHARGE,
-        words=lambda c: (
-            f"the battery lost {c.seen.energy.charge_lost:.0%} in {CLIFF_SPAN:.0f} s"
-            f" (limit {CLIFF_CHARGE:.0%}): landing"
+        words=lambda c: landing(
+            Words(
+                "the battery lost {p}% in {n} s (limit {q}%)",
+                p=percentage(c.seen.energy.charge_lost),
+                n=figure(CLIFF_SPAN, ".0f"),
+                q=percentage(CLIFF_CHARGE),
+            )
         ),
         after=0.4,
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="flight_time_over",
+        code=C.FLIGHT_TIME_OVER,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="the charge at take-off is used up, by the clock",
         broken=lambda c: c.seen.energy.time_left <= 0.0,
-        words=lambda c: (
-            f"in the air for {c.seen.energy.airborne_for:.0f} s, as long as the charge at take-off"
-            f" allows (limits.flight_time {c.limits.flight_time:.0f} s): landing"
+        words=lambda c: landing(
+            Words(
+                "in the air for {n} s, as long as the charge at take-off allows"
+                " (limits.flight_time {m} s)",
+                n=figure(c.seen.energy.airborne_for, ".0f"),
+                m=figure(c.limits.flight_time, ".0f"),
+            )
         ),
         after=BATTERY_DEBOUNCE,
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="loop_stalled",
+        code=C.LOOP_STALLED,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="the pilot ran far too late",
         broken=lambda c: too_old(c.now.late, LATE_LAND),
-        words=lambda c: f"the pilot ran {c.now.late:.1f} s late (limit {LATE_LAND:g} s): landing",
+        words=lambda c: landing(
+            above_time(Words("the pilot ran {n} s late", n=figure(c.now.late, ".1f")), LATE_LAND)
+        ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="held_too_often",
+        code=C.HELD_TOO_OFTEN,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="held for too much of the last 10 s",
         broken=lambda c: c.seen.held_for > HELD_TIME_MAX,
-        words=lambda c: (
-            f"held for {c.seen.held_for:.1f} of the last {HOLD_SPAN:.0f} s"
-            f" (limit {HELD_TIME_MAX:g} s): landing"
+        words=lambda c: landing(
+            above_time(
+                Words(
+                    "held for {n} of the last {m} s",
+                    n=figure(c.seen.held_for, ".1f"),
+                    m=figure(HOLD_SPAN, ".0f"),
+                ),
+                HELD_TIME_MAX,
+            )
         ),
         clears=Clearing.GROUND,
         steered=True,
         waits=True,
     ),
     SafetyRule(
-        code="stopped",
+        code=C.STOPPED,
         mode=M.STOPPED,
         counts=N.ALWAYS,
         condition="STOP is latched",
         broken=lambda c: c.now.stopped,
-        words=lambda _: "STOP: hovering until resumed",
+        words=lambda _: Words("STOP: hovering until resumed"),
         clears=Clearing.RESUME,
         steered=True,
     ),
     SafetyRule(
-        code="battery_return",
+        code=C.BATTERY_RETURN,
         mode=M.RETURN,
         counts=N.AIRBORNE,
         condition="charge for no more than the planner's way home, at the measured drain",
         broken=lambda c: c.now.battery < c.seen.energy.charge_needed,
-        words=lambda c: (
-            f"battery {c.now.battery:.0%}, the way home ({c.now.home_time:.0f} s) needs"
-            f" {c.seen.energy.charge_needed:.0%}: coming home"
+        words=lambda c: coming_home(
+            Words(
+                "battery {p}%, the way home ({n} s) needs {q}%",
+                p=percentage(c.now.battery),
+                n=figure(c.now.home_time, ".0f"),
+                q=percentage(c.seen.energy.charge_needed),
+            )
         ),
         after=BATTERY_DEBOUNCE,
         clears=Clearing.ORDER,
     ),
     SafetyRule(
-        code="flight_time",
+        code=C.FLIGHT_TIME,
         mode=M.RETURN,
         counts=N.AIRBORNE,
         condition="time for no more than the way home, by the clock",
         broken=lambda c: c.seen.energy.time_left < c.seen.energy.time_needed,
-        words=lambda c: (
-            f"{max(0.0, c.seen.energy.time_left):.0f} s of flight left by the clock, the way home"
-            f" needs {c.seen.energy.time_needed:.0f} s: coming home"
+        words=lambda c: coming_home(
+            Words(
+                "{n} s of flight left by the clock, the way home needs {m} s",
+                n=figure(max(0.0, c.seen.energy.time_left), ".0f"),
+                m=figure(c.seen.energy.time_needed, ".0f"),
+            )
         ),
         after=BATTERY_DEBOUNCE,
         clears=Clearing.ORDER,
     ),
     SafetyRule(
-        code="configuring",
+        code=C.CONFIGURING,
         mode=M.HOLD,
         counts=N.AIRBORNE,
         condition="its limits are not confirmed",
         broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.configured,
-        words=lambda _: "the drone has not confirmed its limits: it holds itself",
+        words=lambda _: Words(
+            "{why}: it holds itself", why=Words("the drone has not confirmed its limits")
+        ),
     ),
     SafetyRule(
-        code="commands_unheard",
+        code=C.COMMANDS_UNHEARD,
         mode=M.HOLD,
         counts=N.AIRBORNE,
         condition="the drone hears no commands, by its own word",
         broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.hears_us,
-        words=lambda _: (
-            f"commands reach the drone late or not at all (limit {COMMANDS_GAP:g} s):"
-            " it holds itself"
+        words=lambda _: Words(
+            "{why}: it holds itself",
+            why=above_time(Words("commands reach the drone late or not at all"), COMMANDS_GAP),
         ),
         after=COMMANDS_GAP,
         lasts=COMMANDS_LATE_FOR,
     ),
     SafetyRule(
-        code="loop_late",
+        code=C.LOOP_LATE,
         mode=M.HOLD,
         counts=N.AIRBORNE,
         condition="the pilot ran too late",
         broken=lambda c: too_old(c.now.late, LATE_HOLD),
-        words=lambda _: f"the pilot runs more than {LATE_HOLD:g} s late: the drone holds itself",
+        words=lambda _: holding_itself(
+            Words("the pilot runs more than {n} s late", n=figure(LATE_HOLD, "g"))
+        ),
         lasts=1.0,
     ),
     SafetyRule(
-        code="loop_slow",
+        code=C.LOOP_SLOW,
         mode=M.SLOW,
         counts=N.AIRBORNE,
         condition="the pilot often runs late",
         broken=lambda c: c.seen.late_steps >= LATE_STEPS_MAX,
-        words=lambda c: (
-            f"the pilot is often late ({LATE_STEPS_MAX} times within {LATE_SPAN:g} s): slowly"
+        words=lambda c: slowly(
+            Words(
+                "the pilot is often late ({k} times within {n} s)",
+                k=figure(LATE_STEPS_MAX),
+                n=figure(LATE_SPAN, "g"),
+            )
         ),
         lasts=2.0,
     ),
     SafetyRule(
-        code="people_unseen",
+        code=C.PEOPLE_UNSEEN,
         mode=M.SLOW,
         counts=N.AIRBORNE,
         condition="a sensor that looks for people is silent",
         broken=lambda c: c.now.silence.is_too_long,
-        words=lambda c: (
-            f"people may be unseen: a sensor that looks for them {c.now.silence.predicate}"
-            f" (limit {c.now.silence.limit:g} s): slowly"
-        ),
+        words=lambda c: slowly(above_time(c.now.silence.consequence, c.now.silence.limit)),
     ),
     SafetyRule(
-        code="drone_complains",
+        code=C.DRONE_COMPLAINS,
         mode=M.WARN,
         counts=N.ALWAYS,
         condition="any other complaint of the drone",
         broken=lambda c: bool(_complaints(c, ends_flight=False)),
-        words=lambda c: f"the drone says: {_complaints(c, ends_flight=False)}",
+        words=lambda c: Words("the drone says: {what}", what=_complaints(c, ends_flight=False)),
     ),
     SafetyRule(
-        code="drone_settings",
+        code=C.DRONE_SETTINGS,
         mode=M.WARN,
         counts=N.ALWAYS,
         condition="settings or sensors not as they should be",
         broken=lambda c: c.now.telemetry is not None and bool(c.now.telemetry.notes),
-        words=lambda c: "; ".join(c.now.telemetry.notes if c.now.telemetry else ()),
+        words=lambda c: joined("; ", c.now.telemetry.notes if c.now.telemetry else ()),
     ),
     SafetyRule(
-        code="battery_weak",
+        code=C.BATTERY_WEAK,
         mode=M.WARN,
         counts=N.AIRBORNE,
         condition="charge soon for no more than the way home",
         broken=lambda c: c.now.battery < c.seen.energy.charge_needed + CHARGE_WARNING,
-        words=lambda c: (
-            f"battery {c.now.battery:.0%}: it turns home at {c.seen.energy.charge_needed:.0%}"
+        words=lambda c: Words(
+            "battery {p}%: it turns home at {q}%",
+            p=percentage(c.now.battery),
+            q=percentage(c.seen.energy.charge_needed),
         ),
         after=BATTERY_DEBOUNCE,
     ),
     SafetyRule(
-        code="battery_gauge",
+        code=C.BATTERY_GAUGE,
         mode=M.WARN,
         counts=N.AIRBORNE,
         condition="the charge has not changed for so long",
         broken=lambda c: c.seen.energy.gauge_still_for >= GAUGE_STILL_TIME,
-        words=lambda c: (
-            f"the battery has shown {c.now.battery:.0%} for {c.seen.energy.gauge_still_for:.0f} s"
-            f" (limit {GAUGE_STILL_TIME:.0f} s): flying by the clock,"
-            f" {c.seen.energy.time_left:.0f} s left"
+        words=lambda c: Words(
+            "the battery has shown {p}% for {n} s (limit {m} s): flying by the clock, {k} s left",
+            p=percentage(c.now.battery),
+            n=figure(c.seen.energy.gauge_still_for, ".0f"),
+            m=figure(GAUGE_STILL_TIME, ".0f"),
+            k=figure(c.seen.energy.time_left, ".0f"),
         ),
     ),
 )

@@ -13,9 +13,11 @@ from math import dist, hypot, inf, isfinite
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
+from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
+from housefly.messages.words import UNSAID, Words, joined
 from housefly.numeric import clipped
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
@@ -29,6 +31,7 @@ from housefly.pilot.safety.means import (
 )
 from housefly.pilot.safety.observer import FlightObserver
 from housefly.pilot.safety.rule import COUNTED, RuleContext, SafetyRule
+from housefly.pilot.safety.rule_words import holding_itself
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 
 A, M = Action, SafetyMode
@@ -86,9 +89,9 @@ class BrokenRule:
         waits: the landing waits for the floor below to be clear.
     """
 
-    code: str
+    code: EventCode
     mode: SafetyMode
-    words: str
+    words: Words
     steered: bool = False
     clears: Clearing = Clearing.ITSELF
     waits: bool = False
@@ -100,7 +103,7 @@ class GateAssessment:
 
     Attributes:
         mode: the worst that was found.
-        code, reason: of the deciding rule, "" when nothing is wrong.
+        code, reason: of the deciding rule; None and "" when nothing is wrong.
         status: the drone's own status.
         broken: every broken rule, worst first.
         means: by what a hold or a landing is flown.
@@ -112,8 +115,8 @@ class GateAssessment:
     """
 
     mode: SafetyMode
-    code: str
-    reason: str
+    code: EventCode | None
+    reason: Words
     status: DroneStatus
     broken: tuple[BrokenRule, ...] = ()
     means: Means = Means.HOVER
@@ -157,12 +160,12 @@ class GateAssessment:
         return SafetyMode.HOLD if is_held and self.mode is SafetyMode.RETURN else self.mode
 
     @property
-    def words(self) -> str:
+    def words(self) -> Words:
         """Why, for people; a return that waits says for what, too."""
         if self.motion is self.mode:
             return self.reason
         holding = next(rule.words for rule in self.broken if rule.mode is SafetyMode.HOLD)
-        return f"{self.reason}; {holding}"
+        return joined("; ", (self.reason, holding))
 
     @property
     def severity(self) -> int:
@@ -178,15 +181,15 @@ class GateVerdict:
     Attributes:
         command: for the driver.
         mode: the worst that was found.
-        code, reason: of the deciding rule, "" when nothing is wrong; a return that waits says for
-            what, too.
+        code, reason: of the deciding rule; None and "" when nothing is wrong. A return that waits
+            says for what, too.
         broken: every broken rule, worst first.
     """
 
     command: Command
     mode: SafetyMode
-    code: str = ""
-    reason: str = ""
+    code: EventCode | None = None
+    reason: Words = UNSAID
     broken: tuple[BrokenRule, ...] = ()
 
     @property
@@ -218,8 +221,8 @@ class Gate:
         self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
         self._waiting = frozenset(rule.code for rule in rules if rule.waits)
         self._observer = FlightObserver(limits)
-        self._since: dict[str, float] = {}
-        self._until: dict[str, float] = {}
+        self._since: dict[EventCode, float] = {}
+        self._until: dict[EventCode, float] = {}
         self._landing: BrokenRule | None = None
         self._held = False
         self._kept_from: tuple[Vec2, float] | None = None
@@ -268,8 +271,8 @@ class Gate:
         lands = self._landing is not None or inputs.phase is Phase.LANDING
         return GateAssessment(
             mode=worst.mode if worst else SafetyMode.NOMINAL,
-            code=worst.code if worst else "",
-            reason=worst.words if worst else "",
+            code=worst.code if worst else None,
+            reason=worst.words if worst else UNSAID,
             status=inputs.status,
             broken=broken,
             means=self._means(broken, context, lands),
@@ -318,7 +321,7 @@ class Gate:
         )
         self._landing = landing
         if landing.waits:
-            landing = replace(landing, words=f"{landing.words}, once it can: {c.now.below}")
+            landing = replace(landing, words=_once_it_can(landing.words, c.now.below))
         if landing.code not in (rule.code for rule in due):
             landing = replace(landing, mode=possible_mode(SafetyMode.LAND, c))
         others = (rule for rule in broken if rule.code != landing.code)
@@ -361,6 +364,10 @@ class Gate:
         return True
 
 
+def _once_it_can(why: Words, below: Words) -> Words:
+    return Words("{why}, once it can: {what}", why=why, what=below)
+
+
 def released(action: Action, gated: GatedCommand, assessment: GateAssessment) -> GateVerdict:
     """Return the verdict on one step.
 
@@ -377,8 +384,8 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
         return GateVerdict(_flown(gated, assessment), mode, code, reason, assessment.broken)
     if not (is_finite or is_ours):
         mode = motion = SafetyMode.HOLD
-        code = "not_finite"
-        reason = "the command was not a number: the drone holds itself"
+        code = EventCode.NOT_FINITE
+        reason = holding_itself(Words("the command was not a number"))
     allowed = _allowed(action, motion, assessment)
     broken = assessment.broken
     if allowed is not Action.FLY:
@@ -413,7 +420,7 @@ class GateNotices:
     """Remembers which troubles were told."""
 
     def __init__(self) -> None:
-        self._seen: dict[str, float] = {}
+        self._seen: dict[EventCode, float] = {}
 
     def update(self, verdict: GateVerdict, now: float) -> tuple[Event, ...]:
         """Return the events of one verdict at a time [s]: each trouble once, and the end of all."""
@@ -428,15 +435,14 @@ class GateNotices:
         )
         self._seen.update({trouble.code: now for trouble in _troubles(verdict)})
         if was_told and not self._seen:
-            return (
-                Event(now, Severity.INFO, "safety_clear", "nothing holds the drone back any more"),
-            )
+            text = Words("nothing holds the drone back any more")
+            return (Event(now, Severity.INFO, EventCode.SAFETY_CLEAR, text),)
         return events
 
 
 def _troubles(verdict: GateVerdict) -> tuple[BrokenRule, ...]:
     """Return every trouble of a verdict, the deciding one first."""
-    if not verdict.code or any(rule.code == verdict.code for rule in verdict.broken):
+    if verdict.code is None or any(rule.code == verdict.code for rule in verdict.broken):
         return verdict.broken
     return (BrokenRule(verdict.code, verdict.mode, verdict.reason), *verdict.broken)
 

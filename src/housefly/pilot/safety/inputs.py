@@ -10,6 +10,7 @@ from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneFault, DroneStatus, Telemetry
 from housefly.messages.steering import Reference, Setpoint
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.mission import NO_SILENCE, PeopleSilence
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 
@@ -43,7 +44,7 @@ class GateInputs:
         has_way_home: the planner has a way home from here.
         silence: of the sensors that look for people.
         below: why a drone that can hold its place without tracking is not to land there, in words;
-            "" to land.
+            UNSAID to land.
         missing_lean: by how much more a drone whose attitude stands still has to be asked to lean,
             theta and phi [rad]; None where it tells how it leans.
         steers: our setpoint may hold the drone and land it; mode paper leaves that to the drone.
@@ -70,7 +71,7 @@ class GateInputs:
     home_time: float = 0.0
     has_way_home: bool = True
     silence: PeopleSilence = NO_SILENCE
-    below: str = ""
+    below: Words = UNSAID
     missing_lean: Vec2 | None = None
     steers: bool = True
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from math import degrees, hypot, isfinite
 
 from housefly.geometry import GRAVITY
+from housefly.messages.event_code import EventCode
 from housefly.messages.steering import Clearing, SafetyMode
+from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.safety.limits import too_old
@@ -16,8 +18,17 @@ from housefly.pilot.safety.observer import (
     velocity_error,
 )
 from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule_words import (
+    above_angle,
+    above_length,
+    above_speed,
+    above_time,
+    held,
+    holding_itself,
+    landing,
+)
 
-M, N = SafetyMode, Counting
+C, M, N = EventCode, SafetyMode, Counting
 
 CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
@@ -124,48 +135,61 @@ def _stands_above(c: RuleContext) -> float:
     return c.now.position[2] - c.seen.standing_height
 
 
-def _contact_words(c: RuleContext) -> str:
+def _contact_words(c: RuleContext) -> Words:
     if blow(c) > BLOW_ACCELERATION:
-        size, limit = f"{blow(c):.0f} m/s^2", f"{BLOW_ACCELERATION:g} m/s^2"
-        return f"struck something: a blow of {size} (limit {limit}), landing"
-    change, limit = f"{c.seen.velocity_change:.1f} m/s", f"{BLOW_SPEED:g} m/s"
-    return (
-        f"struck something, or tracking jumped: {change} faster or slower at once"
-        f" (limit {limit}), landing"
+        return Words(
+            "struck something: a blow of {d} m/s^2 (limit {m} m/s^2), landing",
+            d=figure(blow(c), ".0f"),
+            m=figure(BLOW_ACCELERATION, "g"),
+        )
+    return Words(
+        "struck something, or tracking jumped: {d} m/s faster or slower at once"
+        " (limit {m} m/s), landing",
+        d=figure(c.seen.velocity_change, ".1f"),
+        m=figure(BLOW_SPEED, "g"),
     )
 
 
-def _height_words(c: RuleContext) -> str:
-    off = height_off(c)
-    side = "above" if off > 0.0 else "below"
-    return f"{abs(off):.2f} m {side} its height of {c.now.flight_height:.2f} m"
+def _height_words(c: RuleContext) -> Words:
+    off, height = height_off(c), figure(c.now.flight_height, ".2f")
+    by = figure(abs(off), ".2f")
+    if off > 0.0:
+        return Words("{d} m above its height of {m} m", d=by, m=height)
+    return Words("{d} m below its height of {m} m", d=by, m=height)
+
+
+def _error_words(c: RuleContext, limit: float) -> Words:
+    error = figure(control_error(c.now), ".1f")
+    return above_length(Words("{d} m from where it should be", d=error), limit, "g")
 
 
 MOTION_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
-        code="outside_fence",
+        code=C.OUTSIDE_FENCE,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="too far outside the map",
         broken=lambda c: (
             c.now.position is not None and c.fence.outside(c.now.position) > c.limits.fence_margin
         ),
-        words=lambda c: f"more than {c.limits.fence_margin} m outside the map: landing",
+        words=lambda c: landing(
+            Words("more than {d} m outside the map", d=figure(c.limits.fence_margin))
+        ),
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="too_high",
+        code=C.TOO_HIGH,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="above the highest height plus slack, or too near to the ceiling of the room",
         broken=_is_too_high,
-        words=lambda c: f"higher than {c.fence.ceiling:.1f} m: landing",
+        words=lambda c: landing(Words("higher than {d} m", d=figure(c.fence.ceiling, ".1f"))),
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="too_low",
+        code=C.TOO_LOW,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="below the lowest height",
@@ -173,65 +197,78 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             c.now.position is not None
             and c.now.position[2] < min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF)
         ),
-        words=lambda c: (
-            f"lower than {min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF):.2f} m:"
-            " landing"
+        words=lambda c: landing(
+            Words(
+                "lower than {d} m",
+                d=figure(min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF), ".2f"),
+            )
         ),
         after=0.4,
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="height_error",
+        code=C.HEIGHT_ERROR,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="far from its height",
         broken=lambda c: abs(height_off(c)) > HEIGHT_FAR,
-        words=lambda c: f"{_height_words(c)} (limit {HEIGHT_FAR} m): landing",
+        words=lambda c: landing(above_length(_height_words(c), HEIGHT_FAR)),
         after=2.0,
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="height_not_reached",
+        code=C.HEIGHT_NOT_REACHED,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="off its height for long",
         broken=lambda c: abs(height_off(c)) > HEIGHT_OFF,
-        words=lambda c: f"{_height_words(c)} for long (limit {HEIGHT_OFF} m): landing",
+        words=lambda c: landing(
+            Words("{why} for long (limit {d} m)", why=_height_words(c), d=figure(HEIGHT_OFF))
+        ),
         after=10.0,
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="vertical_speed",
+        code=C.VERTICAL_SPEED,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="climbs or sinks faster than the largest climb rate plus slack",
         broken=lambda c: (
             abs(vertical_speed(c)) > c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK
         ),
-        words=lambda c: (
-            f"climbs at {vertical_speed(c):+.1f} m/s (limit"
-            f" {c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK:.1f} m/s): landing"
+        words=lambda c: landing(
+            above_speed(
+                Words("climbs at {d} m/s", d=figure(vertical_speed(c), "+.1f")),
+                c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK,
+                ".1f",
+            )
         ),
         after=0.2,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tilt_lost",
+        code=C.TILT_LOST,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="leans otherwise than told, again",
         broken=lambda c: c.seen.tilt_wrong_for > TILT_WRONG_MAX,
-        words=lambda c: (
-            f"leaned otherwise than told for {c.seen.tilt_wrong_for:.1f} of the last"
-            f" {HOLD_SPAN:.0f} s (limit {TILT_WRONG_MAX:g} s): landing"
+        words=lambda c: landing(
+            above_time(
+                Words(
+                    "leaned otherwise than told for {d} of the last {n} s",
+                    d=figure(c.seen.tilt_wrong_for, ".1f"),
+                    n=figure(HOLD_SPAN, ".0f"),
+                ),
+                TILT_WRONG_MAX,
+            )
         ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="contact",
+        code=C.CONTACT,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="a blow: acceleration, or a velocity that is suddenly another",
@@ -241,106 +278,118 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         steered=True,
     ),
     SafetyRule(
-        code="stuck",
+        code=C.STUCK,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="it leans as told and neither tracking nor its own report sees it move",
         broken=_is_stuck,
-        words=lambda c: (
-            f"leans {degrees(c.seen.tilt_asked):.0f} degrees and does not move"
-            f" (limit {degrees(STUCK_TILT):.0f}): stuck on something, landing"
+        words=lambda c: Words(
+            "leans {n} degrees and does not move (limit {m}): stuck on something, landing",
+            n=figure(degrees(c.seen.tilt_asked), ".0f"),
+            m=figure(degrees(STUCK_TILT), ".0f"),
         ),
         after=1.5,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="control_lost",
+        code=C.CONTROL_LOST,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="very far from where it should be",
         broken=lambda c: control_error(c.now) > CONTROL_ERROR_LAND,
-        words=lambda c: (
-            f"{control_error(c.now):.1f} m from where it should be"
-            f" (limit {CONTROL_ERROR_LAND:g} m): landing"
-        ),
+        words=lambda c: landing(_error_words(c, CONTROL_ERROR_LAND)),
         clears=Clearing.GROUND,
         steered=True,
     ),
     SafetyRule(
-        code="near_fence",
+        code=C.NEAR_FENCE,
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="would come to rest outside the map, or at its ceiling (v^2 / 2a and reaction)",
         broken=lambda c: _leaving(c) > LEAVING_MAX,
-        words=lambda c: f"about to leave the map by {_leaving(c):.1f} m: held",
+        words=lambda c: held(
+            Words("about to leave the map by {d} m", d=figure(_leaving(c), ".1f"))
+        ),
         lasts=0.5,
         steered=True,
     ),
     SafetyRule(
-        code="tilt_error",
+        code=C.TILT_ERROR,
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="leans otherwise than told",
         broken=lambda c: c.seen.tilt_error > TILT_ERROR_MAX,
-        words=lambda c: (
-            f"leans {degrees(c.seen.tilt_error):.0f} degrees otherwise than told"
-            f" (limit {degrees(TILT_ERROR_MAX):.0f}): the drone holds itself"
+        words=lambda c: holding_itself(
+            above_angle(
+                Words(
+                    "leans {n} degrees otherwise than told",
+                    n=figure(degrees(c.seen.tilt_error), ".0f"),
+                ),
+                degrees(TILT_ERROR_MAX),
+            )
         ),
         after=0.5,
         lasts=TILT_HOLD_TIME,
     ),
     SafetyRule(
-        code="control_error",
+        code=C.CONTROL_ERROR,
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="far from where it should be",
         broken=lambda c: control_error(c.now) > CONTROL_ERROR_HOLD,
-        words=lambda c: (
-            f"{control_error(c.now):.1f} m from where it should be"
-            f" (limit {CONTROL_ERROR_HOLD:g} m): held"
-        ),
+        words=lambda c: held(_error_words(c, CONTROL_ERROR_HOLD)),
         after=0.5,
         steered=True,
     ),
     SafetyRule(
-        code="drifting",
+        code=C.DRIFTING,
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="moves otherwise than told",
         broken=_is_drifting,
-        words=lambda _: f"moves more than {VELOCITY_ERROR_MAX:g} m/s otherwise than told: held",
+        words=lambda _: held(
+            Words("moves more than {d} m/s otherwise than told", d=figure(VELOCITY_ERROR_MAX, "g"))
+        ),
         after=0.5,
         lasts=1.0,
         steered=True,
     ),
     SafetyRule(
-        code="too_fast",
+        code=C.TOO_FAST,
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="faster than it cruises and makes way, plus slack",
         broken=lambda c: level_speed(c) > speed_bound(c),
-        words=lambda c: f"flies at {level_speed(c):.1f} m/s (limit {speed_bound(c):.1f} m/s): held",
+        words=lambda c: held(
+            Words(
+                "flies at {d} m/s (limit {m} m/s)",
+                d=figure(level_speed(c), ".1f"),
+                m=figure(speed_bound(c), ".1f"),
+            )
+        ),
         after=0.2,
         lasts=1.0,
         steered=True,
     ),
     SafetyRule(
-        code="height_off",
+        code=C.HEIGHT_OFF,
         mode=M.WARN,
         counts=N.CRUISE,
         condition="off its height",
         broken=lambda c: abs(height_off(c)) > HEIGHT_OFF,
-        words=lambda c: f"{_height_words(c)} (limit {HEIGHT_OFF} m)",
+        words=lambda c: above_length(_height_words(c), HEIGHT_OFF),
         after=0.5,
     ),
     SafetyRule(
-        code="not_on_floor",
+        code=C.NOT_ON_FLOOR,
         mode=M.WARN,
         counts=N.GROUND,
         condition="it stands higher than it did",
         broken=lambda c: _stands_above(c) > STANDS_HIGH,
-        words=lambda c: (
-            f"stands {_stands_above(c):.2f} m above the floor (limit {STANDS_HIGH} m): on something"
+        words=lambda c: Words(
+            "stands {d} m above the floor (limit {m} m): on something",
+            d=figure(_stands_above(c), ".2f"),
+            m=figure(STANDS_HIGH),
         ),
     ),
 )

@@ -8,8 +8,10 @@ from enum import Enum
 
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
+from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
+from housefly.messages.words import Words
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.observer import FlightObservations
 
@@ -49,7 +51,7 @@ class SafetyRule:
     """One thing that may be wrong.
 
     Attributes:
-        code: short name for events.
+        code: of its events.
         mode: what is done about it.
         counts: when it counts.
         condition: what is wrong, for the documentation.
@@ -64,12 +66,12 @@ class SafetyRule:
             what is wrong.
     """
 
-    code: str
+    code: EventCode
     mode: SafetyMode
     counts: Counting
     condition: str
     broken: Callable[[RuleContext], bool]
-    words: Callable[[RuleContext], str]
+    words: Callable[[RuleContext], Words]
     after: float = 0.0
     lasts: float = 0.0
     clears: Clearing = Clearing.ITSELF

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.messages.event_code import EventCode
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.safety.drone_rules import DRONE_RULES
 from housefly.pilot.safety.motion_rules import MOTION_RULES
@@ -21,5 +22,6 @@ SAFETY_RULES: tuple[SafetyRule, ...] = tuple(
 )
 """Worst first; of two that are equally bad the first one is told first."""
 
-ORDER_RULES = tuple(rule for rule in SAFETY_RULES if rule.code in ("cut", "emergency", "stopped"))
+_ORDERED = frozenset({EventCode.CUT, EventCode.EMERGENCY, EventCode.STOPPED})
+ORDER_RULES = tuple(rule for rule in SAFETY_RULES if rule.code in _ORDERED)
 """What people order, and nothing else: the negative control of every other rule."""

@@ -4,13 +4,23 @@ from __future__ import annotations
 
 from math import degrees, isfinite, isnan, radians
 
+from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
+from housefly.messages.words import Words, figure
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule_words import (
+    above_angle,
+    above_length,
+    above_time,
+    holding_itself,
+    landing,
+    slowly,
+)
 
-M, N = SafetyMode, Counting
+C, M, N = EventCode, SafetyMode, Counting
 
 REFUSED_HOLD, REFUSED_LAND = 0.3, 2.0
 """Poses are refused for so long because onboard motion disagrees: hold, land [s]."""
@@ -62,55 +72,72 @@ def _knows_nothing(c: RuleContext) -> bool:
     return c.now.steers and is_old and not c.now.consistency.flow_believed
 
 
-def _tracking_lost(age: float, limit: float) -> str:
-    since = f"lost for {age:.1f} s" if isfinite(age) else "has not shown the drone yet"
-    return f"tracking {since} (limit {limit:g} s)"
+def _tracking_lost(age: float, limit: float) -> Words:
+    if isfinite(age):
+        return above_time(Words("tracking lost for {n} s", n=figure(age, ".1f")), limit)
+    return above_time(Words("tracking has not shown the drone yet"), limit)
 
 
-def _height_words(c: RuleContext) -> str:
-    error = c.now.consistency.height_error
-    limit = f"(limit {HEIGHT_DISAGREES} m)"
-    return f"the tracked height is off by {error:+.2f} m from the drone's own {limit}"
+def _height_words(c: RuleContext) -> Words:
+    off = Words(
+        "the tracked height is off by {d} m from the drone's own",
+        d=figure(c.now.consistency.height_error, "+.2f"),
+    )
+    return above_length(off, HEIGHT_DISAGREES)
 
 
-def _drift_words(c: RuleContext) -> str:
-    return f"tracking has left the drone's own way by {c.now.consistency.drift:.2f} m"
+def _refused_words(c: RuleContext, limit: float) -> Words:
+    age = figure(c.now.consistency.refused_for, ".1f")
+    return above_time(Words("poses disagree with the drone for {n} s", n=age), limit)
 
 
-def _ground_words(c: RuleContext) -> str:
+def _drift_words(c: RuleContext, limit: float) -> Words:
+    drift = figure(c.now.consistency.drift, ".2f")
+    return above_length(Words("tracking has left the drone's own way by {d} m", d=drift), limit)
+
+
+def _ground_words(c: RuleContext) -> Words:
     error = c.now.consistency.height_error
     if abs(error) > HEIGHT_DISAGREES:
-        what = f"{error:+.2f} m from the floor (limit {HEIGHT_DISAGREES} m)"
-    else:
-        what = f"moved by {c.now.consistency.drift:.2f} m (limit {DRIFT_LAND} m)"
-    return f"the drone stands, and tracking shows it {what}: it stays down"
+        return Words(
+            "the drone stands, and tracking shows it {d} m from the floor (limit {m} m):"
+            " it stays down",
+            d=figure(error, "+.2f"),
+            m=figure(HEIGHT_DISAGREES),
+        )
+    return Words(
+        "the drone stands, and tracking shows it moved by {d} m (limit {m} m): it stays down",
+        d=figure(c.now.consistency.drift, ".2f"),
+        m=figure(DRIFT_LAND),
+    )
 
 
-def _latency_words(c: RuleContext) -> str:
-    return f"poses are {c.now.consistency.latency_error:.2f} s older than they say"
+def _latency_words(c: RuleContext, limit: float) -> Words:
+    age = figure(c.now.consistency.latency_error, ".2f")
+    return above_time(Words("poses are {n} s older than they say", n=age), limit, "")
 
 
 TRACKING_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
-        code="nothing_believed",
+        code=C.NOTHING_BELIEVED,
         mode=M.DESCEND,
         counts=N.FLYING,
         condition="no place to believe, and the drone's own speed is not either",
         broken=_knows_nothing,
-        words=lambda c: (
-            f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_level)}, and the drone's own speed"
-            " is not believed: sinking level"
+        words=lambda c: Words(
+            "{why}, and the drone's own speed is not believed: sinking level",
+            why=_tracking_lost(c.now.pose_age, c.limits.pose_age_level),
         ),
         after=0.25,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="flow_wrong",
+        code=C.FLOW_WRONG,
         mode=M.LAND,
         counts=N.FLYING,
         condition="the drone's own speed is neither what tracking sees nor how it leans",
         broken=lambda c: c.now.consistency.flow_wrong,
-        words=lambda _: (
+        words=lambda _: Words(
             "the drone's own speed is not what tracking sees and how it leans: it cannot hold"
             " itself, landing by tracking"
         ),
@@ -119,115 +146,114 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         steered=True,
     ),
     SafetyRule(
-        code="tracking_lost",
+        code=C.TRACKING_LOST,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="pose too old",
         broken=lambda c: too_old(c.now.pose_age, c.limits.pose_age_land),
-        words=lambda c: f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_land)}: landing",
+        words=lambda c: landing(_tracking_lost(c.now.pose_age, c.limits.pose_age_land)),
         clears=Clearing.GROUND,
         waits=True,
     ),
     SafetyRule(
-        code="poses_refused_long",
+        code=C.POSES_REFUSED_LONG,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="poses refused for long, because onboard motion disagrees",
         broken=lambda c: c.now.consistency.refused_for > REFUSED_LAND,
-        words=lambda c: (
-            f"poses disagree with the drone for {c.now.consistency.refused_for:.1f} s"
-            f" (limit {REFUSED_LAND:g} s): landing"
-        ),
+        words=lambda c: landing(_refused_words(c, REFUSED_LAND)),
         clears=Clearing.GROUND,
         waits=True,
     ),
     SafetyRule(
-        code="tracking_drift",
+        code=C.TRACKING_DRIFT,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="the tracked way has left the drone's own",
         broken=lambda c: c.now.consistency.drift > DRIFT_LAND,
-        words=lambda c: f"{_drift_words(c)} (limit {DRIFT_LAND} m): landing",
+        words=lambda c: landing(_drift_words(c, DRIFT_LAND)),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tracking_drifted",
+        code=C.TRACKING_DRIFTED,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="the tracked way has begun to leave the drone's own, and does not come back",
         broken=lambda c: c.now.consistency.drift > DRIFT_WARN,
-        words=lambda c: f"{_drift_words(c)} (limit {DRIFT_WARN} m): landing",
+        words=lambda c: landing(_drift_words(c, DRIFT_WARN)),
         after=DRIFT_LASTS,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tracking_frame",
+        code=C.TRACKING_FRAME,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="the tracked body is turned against the drone",
         broken=lambda c: abs(c.now.consistency.frame_error) > FRAME_ERROR_MAX,
-        words=lambda c: (
-            "the tracked body is turned by"
-            f" {degrees(c.now.consistency.frame_error):.0f} degrees against the drone"
-            f" (limit {degrees(FRAME_ERROR_MAX):.0f}): landing"
+        words=lambda c: landing(
+            above_angle(
+                Words(
+                    "the tracked body is turned by {n} degrees against the drone",
+                    n=figure(degrees(c.now.consistency.frame_error), ".0f"),
+                ),
+                degrees(FRAME_ERROR_MAX),
+            )
         ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tracking_mirrored",
+        code=C.TRACKING_MIRRORED,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="tracked motion is the mirror image of the drone's own",
         broken=lambda c: c.now.consistency.mirrored,
-        words=lambda _: "tracking is the mirror image of how the drone moves: landing",
+        words=lambda _: landing(Words("tracking is the mirror image of how the drone moves")),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tracking_height",
+        code=C.TRACKING_HEIGHT,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="the tracked height is below the drone's own",
         broken=seems_low,
-        words=lambda c: f"{_height_words(c)}: landing",
+        words=lambda c: landing(_height_words(c)),
         after=0.3,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tracking_height_drift",
+        code=C.TRACKING_HEIGHT_DRIFT,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="the tracked height has risen above the drone's own, without a step of the floor",
         broken=lambda c: c.now.consistency.height_drift > HEIGHT_DISAGREES,
-        words=lambda c: (
-            f"the tracked height rose by {c.now.consistency.height_drift:.2f} m"
-            f" (limit {HEIGHT_DISAGREES} m) without a step of the floor: landing"
+        words=lambda c: landing(
+            Words(
+                "the tracked height rose by {d} m (limit {m} m) without a step of the floor",
+                d=figure(c.now.consistency.height_drift, ".2f"),
+                m=figure(HEIGHT_DISAGREES),
+            )
         ),
         after=0.5,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tracking_old",
+        code=C.TRACKING_OLD,
         mode=M.HOLD,
         counts=N.FLYING,
         condition="pose old",
         broken=lambda c: too_old(c.now.pose_age, c.limits.pose_age_level),
-        words=lambda c: (
-            f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_level)}: the drone holds itself"
-        ),
+        words=lambda c: holding_itself(_tracking_lost(c.now.pose_age, c.limits.pose_age_level)),
     ),
     SafetyRule(
-        code="poses_refused",
+        code=C.POSES_REFUSED,
         mode=M.HOLD,
         counts=N.FLYING,
         condition="poses refused, because onboard motion disagrees",
         broken=lambda c: c.now.consistency.refused_for > REFUSED_HOLD,
-        words=lambda c: (
-            f"poses disagree with the drone for {c.now.consistency.refused_for:.1f} s"
-            f" (limit {REFUSED_HOLD:g} s): the drone holds itself"
-        ),
+        words=lambda c: holding_itself(_refused_words(c, REFUSED_HOLD)),
     ),
     SafetyRule(
-        code="tracking_on_ground",
+        code=C.TRACKING_ON_GROUND,
         mode=M.HOLD,
         counts=N.GROUND,
         condition="tracking shows the standing drone in the air, in the floor, or moving",
@@ -236,23 +262,23 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         after=0.3,
     ),
     SafetyRule(
-        code="tracking_late",
+        code=C.TRACKING_LATE,
         mode=M.HOLD,
         counts=N.FLYING,
         condition="poses much older than they say",
         broken=lambda c: c.now.consistency.latency_error > LATENCY_HOLD,
-        words=lambda c: f"{_latency_words(c)} (limit {LATENCY_HOLD} s): the drone holds itself",
+        words=lambda c: holding_itself(_latency_words(c, LATENCY_HOLD)),
     ),
     SafetyRule(
-        code="tracking_slow",
+        code=C.TRACKING_SLOW,
         mode=M.SLOW,
         counts=N.FLYING,
         condition="poses older than they say",
         broken=lambda c: c.now.consistency.latency_error > LATENCY_SLOW,
-        words=lambda c: f"{_latency_words(c)} (limit {LATENCY_SLOW} s): slowly",
+        words=lambda c: slowly(_latency_words(c, LATENCY_SLOW)),
     ),
     SafetyRule(
-        code="tracking_gap",
+        code=C.TRACKING_GAP,
         mode=M.WARN,
         counts=N.AIRBORNE,
         condition="pose old while the drone takes off or lands by itself",
@@ -260,38 +286,38 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         words=lambda c: _tracking_lost(c.now.pose_age, c.limits.pose_age_level),
     ),
     SafetyRule(
-        code="tracking_drifting",
+        code=C.TRACKING_DRIFTING,
         mode=M.WARN,
         counts=N.AIRBORNE,
         condition="the tracked way begins to leave the drone's own",
         broken=lambda c: c.now.consistency.drift > DRIFT_WARN,
-        words=lambda c: f"{_drift_words(c)} (limit {DRIFT_WARN} m)",
+        words=lambda c: _drift_words(c, DRIFT_WARN),
     ),
     SafetyRule(
-        code="tracking_unchecked",
+        code=C.TRACKING_UNCHECKED,
         mode=M.WARN,
         counts=N.FLYING,
         condition="the drone does not tell its own motion: tracking is held against nothing",
         broken=lambda c: isnan(c.now.consistency.drift),
-        words=lambda _: "the drone does not tell how it moves: tracking is not checked",
+        words=lambda _: Words("the drone does not tell how it moves: tracking is not checked"),
         after=UNCHECKED_AFTER,
     ),
     SafetyRule(
-        code="flow_untold",
+        code=C.FLOW_UNTOLD,
         mode=M.WARN,
         counts=N.FLYING,
         condition="the drone does not see how it moves, or says the same to the last bit",
         broken=lambda c: c.now.consistency.flow_untold,
-        words=lambda _: "the drone does not see how it moves: it cannot hold itself",
+        words=lambda _: Words("the drone does not see how it moves: it cannot hold itself"),
         after=0.3,
     ),
     SafetyRule(
-        code="tracking_height_off",
+        code=C.TRACKING_HEIGHT_OFF,
         mode=M.SLOW,
         counts=N.CRUISE,
         condition="the tracked height is above the drone's own: it is wrong, or something is below",
         broken=lambda c: c.now.consistency.height_error > HEIGHT_DISAGREES,
-        words=lambda c: f"{_height_words(c)}, or something is below: slowly",
+        words=lambda c: Words("{why}, or something is below: slowly", why=_height_words(c)),
         after=0.3,
     ),
 )

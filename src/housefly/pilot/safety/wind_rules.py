@@ -9,13 +9,16 @@ from __future__ import annotations
 from math import dist, hypot, inf, sqrt
 
 from housefly.geometry import GRAVITY
+from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
+from housefly.messages.words import Words, figure
 from housefly.pilot.safety.drone_rules import rise
 from housefly.pilot.safety.observer import VELOCITY_ERROR_SPAN
 from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule_words import above_length, above_speed, landing
 
-M, N = SafetyMode, Counting
+C, M, N = EventCode, SafetyMode, Counting
 
 TAKE_OFF_DRIFT = 0.3
 """Who takes off and would stand farther aside than this if it landed now is blown away [m]."""
@@ -63,18 +66,21 @@ def _speed(c: RuleContext) -> float:
 
 WIND_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
-        code="take_off_drift",
+        code=C.TAKE_OFF_DRIFT,
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="blown aside while it takes off",
         broken=lambda c: c.now.status is DroneStatus.TAKING_OFF and _drift(c) > TAKE_OFF_DRIFT,
-        words=lambda c: (
-            f"blown {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m): landing"
+        words=lambda c: landing(
+            above_length(
+                Words("blown {d} m from where it took off", d=figure(_drift(c), ".2f")),
+                TAKE_OFF_DRIFT,
+            )
         ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="take_off_aborted",
+        code=C.TAKE_OFF_ABORTED,
         mode=M.CUT,
         counts=N.AIRBORNE,
         condition="blown aside with its feet hardly off the floor",
@@ -83,33 +89,46 @@ WIND_RULES: tuple[SafetyRule, ...] = (
             and _drift(c) > TAKE_OFF_DRIFT
             and _is_just_above_floor(c)
         ),
-        words=lambda c: (
-            f"blown {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m) and only"
-            f" {max(rise(c), 0.0):.2f} m up: cutting the motors"
+        words=lambda c: Words(
+            "blown {d} m from where it took off (limit {m} m) and only {k} m up:"
+            " cutting the motors",
+            d=figure(_drift(c), ".2f"),
+            m=figure(TAKE_OFF_DRIFT),
+            k=figure(max(rise(c), 0.0), ".2f"),
         ),
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code="landing_drift",
+        code=C.LANDING_DRIFT,
         mode=M.CUT,
         counts=N.LANDING,
         condition="blown along just above the floor while it lands",
         broken=lambda c: _is_just_above_floor(c) and _speed(c) > LANDING_DRIFT,
-        words=lambda c: (
-            f"blown along at {_speed(c):.1f} m/s (limit {LANDING_DRIFT:g} m/s) and only"
-            f" {max(rise(c), 0.0):.2f} m above the floor: cutting the motors"
+        words=lambda c: Words(
+            "blown along at {d} m/s (limit {m} m/s) and only {k} m above the floor:"
+            " cutting the motors",
+            d=figure(_speed(c), ".1f"),
+            m=figure(LANDING_DRIFT, "g"),
+            k=figure(max(rise(c), 0.0), ".2f"),
         ),
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code="blown_about",
+        code=C.BLOWN_ABOUT,
         mode=M.LAND,
         counts=N.CRUISE,
         condition="gusts: it moves otherwise than told for seconds",
         broken=lambda c: c.seen.velocity_error > BLOWN_ABOUT,
-        words=lambda c: (
-            f"blown about: {c.seen.velocity_error:.2f} m/s off the wanted velocity for"
-            f" {VELOCITY_ERROR_SPAN:.0f} s (limit {BLOWN_ABOUT:g} m/s): landing"
+        words=lambda c: landing(
+            above_speed(
+                Words(
+                    "blown about: {d} m/s off the wanted velocity for {n} s",
+                    d=figure(c.seen.velocity_error, ".2f"),
+                    n=figure(VELOCITY_ERROR_SPAN, ".0f"),
+                ),
+                BLOWN_ABOUT,
+                "g",
+            )
         ),
         after=1.0,
         clears=Clearing.GROUND,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from housefly.messages import Event, Order, OrderAnswer, OrderKind, Phase, SafetyMode
+from housefly.messages import Event, EventCode, Order, OrderAnswer, OrderKind, Phase, SafetyMode
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.values import TaskInputs
 
@@ -23,19 +23,20 @@ EXPECTED: dict[OrderKind, frozenset[Phase]] = {
 }
 """Phases that follow from each order once it is accepted."""
 
-DECISIONS: dict[str, ReasonCode] = {
-    "blocked": ReasonCode.NO_WAY,
-    "overdue": ReasonCode.TIMEOUT,
-    "return_wanted": ReasonCode.SAFETY,
-    "forced_down": ReasonCode.SAFETY,
-    "sinking": ReasonCode.SAFETY,
-    "emergency": ReasonCode.SAFETY,
-    "take_off_given_up": ReasonCode.SAFETY,
-    "cornered_landing": ReasonCode.SAFETY,
+DECISIONS: dict[EventCode, ReasonCode] = {
+    EventCode.BLOCKED: ReasonCode.NO_WAY,
+    EventCode.OVERDUE: ReasonCode.TIMEOUT,
+    EventCode.RETURN_WANTED: ReasonCode.SAFETY,
+    EventCode.FORCED_DOWN: ReasonCode.SAFETY,
+    EventCode.SINKING: ReasonCode.SAFETY,
+    EventCode.EMERGENCY: ReasonCode.SAFETY,
+    EventCode.TAKE_OFF_GIVEN_UP: ReasonCode.SAFETY,
+    EventCode.CORNERED_LANDING: ReasonCode.SAFETY,
 }
 """Events of the pilot that end a task, because the pilot flies on by itself."""
-_ENDS_HOMING = frozenset({"forced_down", "emergency", "cornered_landing"})
+_ENDS_HOMING = frozenset({EventCode.FORCED_DOWN, EventCode.EMERGENCY, EventCode.CORNERED_LANDING})
 """Of those the ones that end a flight home, too; the others only bring it home."""
+_WAY = frozenset({EventCode.NO_WAY, EventCode.WAY_BLOCKED})
 _NOT_TAKING_OVER = frozenset({OrderKind.RESET, OrderKind.RESUME})
 _DOWN_MODES = frozenset({SafetyMode.LAND, SafetyMode.DESCEND})
 
@@ -117,10 +118,10 @@ class OrderTracker:
 
     def _told(self, event: Event, inputs: TaskInputs) -> Interference | None:
         is_homing = self.is_homing and event.code not in _ENDS_HOMING
-        if event.code in ("no_way", "way_blocked") or (event.code in DECISIONS and is_homing):
+        if event.code in _WAY or (event.code in DECISIONS and is_homing):
             self.trouble = event.text
         elif event.code in DECISIONS:
-            is_gates = event.code == "forced_down"
+            is_gates = event.code is EventCode.FORCED_DOWN
             why = _why(inputs) if is_gates else ""
             return Interference(DECISIONS[event.code], f"{event.text}{why}")
         return None

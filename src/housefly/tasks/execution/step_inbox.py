@@ -10,6 +10,7 @@ from housefly.messages import (
     Event,
     Order,
     OrderAnswer,
+    OrderKind,
     OrderSource,
     PilotStep,
 )
@@ -26,6 +27,14 @@ SILENT_TIME = 1.0
 def task_sender(task: int, service: str) -> str:
     """Return who a task's orders are from: "task 12: look"."""
     return f"task {task}: {service}"[:NAME_LENGTH_MAX]
+
+
+_OF_TASKS = frozenset({OrderSource.TASK, OrderSource.RULE, OrderSource.ASSISTANT})
+
+
+def is_of_task(order: Order) -> bool:
+    """Return whether a task gave an order, whoever asked for the task; no task ever gives STOP."""
+    return order.source in _OF_TASKS and order.kind is not OrderKind.STOP
 
 
 class StepInbox:
@@ -57,7 +66,7 @@ class StepInbox:
             self._events.extend(step.outputs.events)
             self._answers.extend(step.outputs.answers)
             for order in step.inputs.orders:
-                self.is_flown_by_task = order.source is OrderSource.TASK
+                self.is_flown_by_task = is_of_task(order)
                 if not self.is_flown_by_task:
                     self._orders.append(order)
 

@@ -1,6 +1,6 @@
 // Builds ../static, or the folder given, from src: `npm run build`. The result is committed, so
 // that Housefly needs no node to run.
-import { build } from "esbuild";
+import { build, transform } from "esbuild";
 import { createHash } from "node:crypto";
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { relative } from "node:path";
@@ -22,6 +22,24 @@ const options = {
   legalComments: "none",
   logLevel: "warning",
 };
+/** The templates of a language are known by short names there: `short`. */
+const shortNames = {
+  name: "short names",
+  setup({ onLoad }) {
+    onLoad({ filter: /src[\\/]messages[\\/]\w+-told\.ts$/ }, async ({ path }) => {
+      const { short } = await imported("src/messages/short.ts");
+      const [[name, templates]] = Object.entries(await imported(path));
+      const found = Object.entries(templates).map(([english, own]) => [short(english), own]);
+      const shortened = Object.fromEntries(found);
+      if (Object.keys(shortened).length < found.length) throw new Error("a short name stands twice");
+      return { contents: `export const ${name} = ${JSON.stringify(shortened)};` };
+    });
+  },
+};
+async function imported(path) {
+  const { code } = await transform(await readFile(path, "utf8"), { loader: "ts" });
+  return import(`data:text/javascript,${encodeURIComponent(code)}`);
+}
 /** What is fetched later begins with all of the first load: esbuild then keeps that in one file. */
 const firstTogether = {
   name: "first together",
@@ -45,7 +63,7 @@ await build({
   ...options,
   entryPoints: { app: "src/main.tsx" },
   splitting: true,
-  plugins: [firstTogether],
+  plugins: [firstTogether, shortNames],
   chunkNames: "chunk-[name]-[hash]",
 });
 await build({ ...options, entryPoints: { app: "src/styles.css" } });

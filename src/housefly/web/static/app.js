@@ -1,1 +1,1 @@
-import"./chunk-chunk-LLMBR4H3.js";
+import"./chunk-chunk-X2RRVNL4.js";

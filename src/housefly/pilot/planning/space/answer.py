@@ -8,6 +8,7 @@ from math import inf
 import numpy as np
 
 from housefly.geometry import Vec3
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.planning.space.passage import Passage
 from housefly.pilot.planning.space.reachability import reached_from_voxel
 from housefly.pilot.planning.space.voxels import VoxelMap, VoxelMask
@@ -20,7 +21,7 @@ class SpaceAnswer:
 
     Attributes:
         trajectory: None when there is none.
-        reason: in words, why ("" when there is one).
+        reason: in words, why (UNSAID when there is one).
         suggestion: nearest place that could be flown to instead [m], when there is one.
         comfort: what it keeps from people [m].
         passage: how it gets past people who walk; None when it does not, or nobody walks.
@@ -28,7 +29,7 @@ class SpaceAnswer:
     """
 
     trajectory: Trajectory | None
-    reason: str = ""
+    reason: Words = UNSAID
     suggestion: Vec3 | None = None
     comfort: float = 0.0
     passage: Passage | None = None
@@ -45,40 +46,45 @@ def arriving(answer: SpaceAnswer, comfort: float) -> SpaceAnswer:
 def cut_off(voxels: VoxelMap, free: VoxelMask, here: Vec3, goal: Vec3) -> SpaceAnswer:
     """Return that no free way leads from one place to another [m], and what could be reached."""
     reached = reached_from_voxel(free, voxels.voxel_of(here))
-    why = f"there is no free way from {in_words(here)} to {in_words(goal)}"
+    why = Words(
+        "there is no free way from {name} to {place}", name=in_words(here), place=in_words(goal)
+    )
     return SpaceAnswer(None, why, nearest_free(voxels, reached, goal))
 
 
 def too_fast(is_standing: bool) -> SpaceAnswer:
     """Return that no trajectory keeps the limits, for a drone that stands or flies."""
     if is_standing:
-        return SpaceAnswer(None, "no way of flying there keeps the limits of the drone")
-    return SpaceAnswer(None, "the drone is too fast to turn there: let it stop first")
+        return SpaceAnswer(None, Words("no way of flying there keeps the limits of the drone"))
+    return SpaceAnswer(None, Words("the drone is too fast to turn there: let it stop first"))
 
 
-def objection(voxels: VoxelMap, open_air: VoxelMask, name: str, point: Vec3) -> str:
-    """Return why the middle of the hull may not be at a point [m], in words, or "".
+def objection(voxels: VoxelMap, open_air: VoxelMask, end: Words, point: Vec3) -> Words:
+    """Return why the middle of the hull may not be at a point [m], in words, or UNSAID.
 
     Args:
         voxels: the map.
         open_air: where no volume forbids it, shape (nx, ny, nz).
-        name: of the point, "start" or "goal".
+        end: which end of the way it is, ``START`` or ``GOAL``.
         point: [m].
     """
-    voxel = voxels.voxel_of(point)
+    voxel, place = voxels.voxel_of(point), in_words(point)
     if not voxels.contains(voxel):
-        return f"the {name} {in_words(point)} lies outside the map"
+        return Words("{end} {place} lies outside the map", end=end, place=place)
     clearance = float(voxels.clearance[voxel])
     if not open_air[voxel]:
-        return f"the {name} {in_words(point)} lies in a no-fly area"
+        return Words("{end} {place} lies in a no-fly area", end=end, place=place)
     if clearance < voxels.keep:
-        return (
-            f"the {name} {in_words(point)} is too close to an obstacle: {clearance:.2f} m from the"
-            f" hull, which keeps {voxels.keep:.2f} m"
+        return Words(
+            "{end} {place} is too close to an obstacle: {d} m from the hull, which keeps {m} m",
+            end=end,
+            place=place,
+            d=figure(clearance, ".2f"),
+            m=figure(voxels.keep, ".2f"),
         )
     if not voxels.allowed[voxel]:
-        return f"no way leads from home to the {name} {in_words(point)}"
-    return ""
+        return Words("no way leads from home to {end} {place}", end=end, place=place)
+    return UNSAID
 
 
 def nearest_free(voxels: VoxelMap, free: VoxelMask, point: Vec3) -> Vec3 | None:

@@ -15,8 +15,10 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.geometry import GRAVITY, Vec3
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray, norm
 from housefly.pilot.planning.people import ObservedPeople, is_walking, may_be_person
+from housefly.pilot.planning.planner import GOAL, START
 from housefly.pilot.planning.space.answer import (
     SpaceAnswer,
     arriving,
@@ -239,8 +241,8 @@ class SpaceMap:
             return False
         return bool(voxels.allowed[voxel]) and float(voxels.clearance[voxel]) >= voxels.keep
 
-    def closed_along(self, places: FloatArray, speeds: FloatArray) -> str:
-        """Return what of the room closes a short way, in words, or "".
+    def closed_along(self, places: FloatArray, speeds: FloatArray) -> Words:
+        """Return what of the room closes a short way, in words, or UNSAID.
 
         A drone that is too near to something already may go where it gets no nearer.
 
@@ -250,14 +252,14 @@ class SpaceMap:
         """
         voxels = [self._static.voxel_of((x, y, z)) for x, y, z in places.tolist()]
         if not all(self._static.contains(one) and self._static.allowed[one] for one in voxels):
-            return "the end of where it may fly is ahead"
+            return Words("the end of where it may fly is ahead")
         if self._zones is not None and (speeds > self._zones(places) + SLOW_GIVE).any():
-            return "it flies slowly here by order"
+            return Words("it flies slowly here by order")
         near = hull_clearances(self._solids, places, self.hull, CLEARANCE_CAP)
         # Not a hair nearer than now: many short ways would add up.
         least = min(self.keep - CLEARANCE_GIVE, float(near[0]) - _SAME)
         is_free = near[0] > 0.0 and (near >= least).all()
-        return "" if is_free else "a wall or furniture is ahead"
+        return UNSAID if is_free else Words("a wall or furniture is ahead")
 
     def layer(self, height: float) -> OccupancyGrid:
         """Return the map of now at a height of the drone's middle [m], without people."""
@@ -277,11 +279,11 @@ class SpaceMap:
 
     def _answer(self, moment: SpaceMoment, start: KinematicState, goal: Vec3) -> SpaceAnswer:
         voxels = moment.voxels
-        if why := objection(voxels, self._open_air, "goal", goal):
+        if why := objection(voxels, self._open_air, GOAL, goal):
             return SpaceAnswer(None, why, nearest_free(voxels, moment.free, goal))
         x, y, z = start.place.tolist()
         if not voxels.contains(voxels.voxel_of((x, y, z))):
-            why = objection(voxels, self._open_air, "start", (x, y, z))
+            why = objection(voxels, self._open_air, START, (x, y, z))
             return SpaceAnswer(None, why, nearest_free(voxels, moment.free, (x, y, z)))
         end, clearance = moment.kept(goal), moment.clearance(start.place)
         if norm(end - start.place) < ARRIVED and _stands(start):
@@ -329,8 +331,10 @@ class SpaceMap:
         corners = corners_of(voxels, search, start.place, end)
         x, y, z = start.place.tolist()
         if corners is None:
-            why = objection(voxels, self._open_air, "start", (x, y, z))
-            why = why or f"the start {in_words((x, y, z))} is too close to an obstacle"
+            why = objection(voxels, self._open_air, START, (x, y, z))
+            why = why or Words(
+                "{end} {place} is too close to an obstacle", end=START, place=in_words((x, y, z))
+            )
             return SpaceAnswer(None, why, nearest_free(voxels, moment.free, (x, y, z)))
         least = min(voxels.keep, moment.clearance(start.place) - RECEDING_GIVE)
         lower = replace(voxels, keep=max(least, 0.0))

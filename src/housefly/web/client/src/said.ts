@@ -1,7 +1,7 @@
 // What a button has to say: held too short, not now, or refused; the last stays until it is read.
 import { signal, type ReadonlySignal } from "@preact/signals";
 import { sentence } from "./format";
-import type { EventView, OrderKind } from "./wire/messages";
+import type { OrderKind, OrderRefused } from "./wire/messages";
 import { translated } from "./messages/language";
 
 interface Said {
@@ -59,10 +59,7 @@ export function remember(order: OrderKind, anchor: Element | null): void {
 }
 
 /** What the pilot refused goes back to the button that asked for it. */
-export function tellRefusal(event: EventView): void {
-  const mine =
-    asked !== null &&
-    Date.now() - asked.at < REFUSED_WITHIN &&
-    event.text.startsWith(asked.order.replace("_", " "));
-  if (mine) refuse(translated(event.text), asked!.anchor);
+export function tellRefusal({ order, reason }: OrderRefused): void {
+  const mine = asked?.order === order && Date.now() - asked.at < REFUSED_WITHIN;
+  if (mine) refuse(translated(reason), asked!.anchor);
 }

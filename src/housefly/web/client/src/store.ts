@@ -3,6 +3,7 @@ import { computed, signal } from "@preact/signals";
 import type { Trail } from "./trail";
 import { now } from "./wire/clock";
 import type {
+  OrderRefused,
   EventView,
   LinkMessage,
   PathMessage,
@@ -36,6 +37,8 @@ export const viewers = signal<ViewersMessage>({ pilot: null, viewers: [], type: 
 export const events = signal<EventView[]>([]);
 export const trail = signal<Trail>([]);
 export const notice = signal("");
+/** The last order of this page that the pilot refused. */
+export const orderRefused = signal<OrderRefused | null>(null);
 
 /** Whether the picture is large and the map small; scene/stage.ts sets it, and a person. */
 export const swapped = signal(false);

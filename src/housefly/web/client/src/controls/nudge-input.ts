@@ -3,8 +3,9 @@ import { batch, computed, effect, signal } from "@preact/signals";
 import { hover } from "../commands";
 import { claim } from "../keys";
 import { letters } from "../keymap";
-import { events, room } from "../store";
+import { events, orderRefused, room } from "../store";
 import { localNow } from "../wire/clock";
+import type { Said } from "../wire/messages";
 import { ask } from "../wire/socket";
 import { gamepadPush, forgetGamepad } from "./gamepad";
 import { offered } from "./nudge-here";
@@ -38,7 +39,7 @@ export const on = signal(false);
 const held = signal<ReadonlyMap<string, Push>>(new Map());
 const stick = signal<Push>([0, 0, 0]);
 /** Why the pilot or the server refused; nothing is sent until everything was let go. */
-export const refused = signal("");
+export const refused = signal<Said>("");
 const since = signal(0);
 
 const push = computed<Push>(() => {
@@ -55,17 +56,7 @@ export const limit = computed(() => {
   const told = events.value.filter(
     (one) => one.code === "nudge_limited" && one.number > since.value,
   );
-  return told.at(-1)?.text.replace(/^moved by hand: /, "") ?? "";
-});
-
-const REFUSED = "nudge refused: ";
-
-/** What the pilot refused since this direction is held; the server's word comes as an answer. */
-const refusal = computed(() => {
-  const told = events.value.filter((one) => one.code === "order_refused");
-  const last = told.at(-1);
-  const isOfNow = last !== undefined && last.number > since.value;
-  return isOfNow && last.text.startsWith(REFUSED) ? last.text.slice(REFUSED.length) : "";
+  return (told.at(-1)?.text[1] as Said | undefined) ?? "";
 });
 
 /** Hold a direction, by the name of a key or a button. */
@@ -124,7 +115,8 @@ effect(() => {
 });
 
 effect(() => {
-  if (refusal.value && moving.peek()) refused.value = refusal.value;
+  const one = orderRefused.value;
+  if (one?.order === "nudge" && moving.peek()) refused.value = one.reason;
 });
 
 effect(() => {

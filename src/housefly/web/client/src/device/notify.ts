@@ -7,6 +7,7 @@ import { atTheDoor, bellRings } from "../scene/bell";
 import { events } from "../store";
 import { canSound, play, unlock, type Sound } from "./sounds";
 import { t, translated } from "../messages/language";
+import type { Said } from "../wire/messages";
 
 const KEY = "housefly notify";
 const PAUSE = 6000;
@@ -64,7 +65,7 @@ async function withdraw(kind: Sound): Promise<void> {
 let lastFault = 0;
 let toldAt = -Infinity;
 
-function tellFault(words: string): void {
+function tellFault(words: Said): void {
   if (!notifies.peek() || performance.now() - toldAt < PAUSE) return;
   toldAt = performance.now();
   void tell("fault", t("Housefly: look at the drone"), sentence(translated(words)));

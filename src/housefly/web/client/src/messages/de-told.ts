@@ -1,10 +1,11 @@
 // What the server says in English, in German: templates of its sentences.
-import type { Templates } from "./templates";
+import type { Templates } from "./speech";
 
 export const DE_TOLD: Templates = {
   // headlines and what is said beside them
   "Waiting for the pilot": "Warten auf den Autopiloten",
   "No contact with the pilot": "Keine Verbindung zum Autopiloten",
+  "No contact with the pilot.": "Keine Verbindung zum Autopiloten.",
   "No contact with the drone": "Keine Verbindung zur Drohne",
   "Waiting for the drone": "Warten auf die Drohne",
   "Motors are cut": "Motoren sind aus",
@@ -65,10 +66,10 @@ export const DE_TOLD: Templates = {
   "tracking has not seen the drone yet": "die Ortung sah die Drohne noch nicht",
   "tracking saw the drone last {n} s ago": "die Ortung sah die Drohne zuletzt vor {n} s",
   "tracking does not see the drone": "die Ortung sieht die Drohne nicht",
-  "No word from the pilot for {n} s: {then}. STOP and Land are still sent":
-    "Seit {n} s nichts vom Autopiloten: {then}. STOP und Landen werden weiter gesendet",
-  "No word from the drone for {n} s: {then}. STOP and Land are still sent":
-    "Seit {n} s nichts von der Drohne: {then}. STOP und Landen werden weiter gesendet",
+  "No word from the pilot for {n} s: {then}. STOP and Land are still sent.":
+    "Seit {n} s nichts vom Autopiloten: {then}. STOP und Landen werden weiter gesendet.",
+  "No word from the drone for {n} s: {then}. STOP and Land are still sent.":
+    "Seit {n} s nichts von der Drohne: {then}. STOP und Landen werden weiter gesendet.",
   // STOP
   "The drone hovers and takes no orders until Resume is held":
     "Die Drohne schwebt und nimmt keine Befehle an, bis „Fortsetzen“ gehalten wird",
@@ -123,6 +124,7 @@ export const DE_TOLD: Templates = {
   "it is started again by itself: wait, or see its log in the run's folder":
     "er startet von selbst neu: warten, oder sein Protokoll im Ordner des Laufs ansehen",
   "the drone is already flying": "die Drohne fliegt schon",
+  "The drone is already flying.": "Die Drohne fliegt schon.",
   "the checks before a take-off are not in yet": "die Prüfungen vor dem Start fehlen noch",
   "they come within seconds": "sie kommen in Sekunden",
   "the drone does not answer": "die Drohne antwortet nicht",
@@ -139,15 +141,14 @@ export const DE_TOLD: Templates = {
   "carry it to its pad": "zum Landeplatz tragen",
   "{why} ({found})": "{why} ({found})",
   "{why}; {more}": "{why}; {more}",
-  "△ {why}": "△ {why}",
   // why an order would come to nothing
-  "Motors are cut: hold Reset first": "Motoren sind aus: erst „Zurücksetzen“ halten",
-  "Stopped: hold Resume first": "Angehalten: erst „Fortsetzen“ halten",
-  "The drone does not answer yet": "Die Drohne antwortet noch nicht",
-  "The drone is on the ground": "Die Drohne ist am Boden",
-  "Only after STOP": "Nur nach STOP",
-  "Not ready: {why}": "Nicht bereit: {why}",
-  "Not now: {why}": "Jetzt nicht: {why}",
+  "Motors are cut: hold Reset first.": "Motoren sind aus: erst „Zurücksetzen“ halten.",
+  "Stopped: hold Resume first.": "Angehalten: erst „Fortsetzen“ halten.",
+  "The drone does not answer yet.": "Die Drohne antwortet noch nicht.",
+  "The drone is on the ground.": "Die Drohne ist am Boden.",
+  "Only after STOP.": "Nur nach STOP.",
+  "Not ready: {why}.": "Nicht bereit: {why}.",
+  "Not now: {why}.": "Jetzt nicht: {why}.",
   "it comes home for safety": "sie kommt zur Sicherheit zurück",
   "it lands for safety": "sie landet zur Sicherheit",
   "its motors are being cut": "ihre Motoren werden abgeschaltet",
@@ -168,12 +169,8 @@ export const DE_TOLD: Templates = {
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "seit {n} s soll sie landen (Grenze {m} s) und ist noch oben: Sinken nach eigener Vorgabe",
   "the drone is silent for {n} s": "die Drohne schweigt seit {n} s",
-  "people may be unseen: a sensor that looks for them is silent for {n} s":
-    "Personen bleiben vielleicht ungesehen: ein Sensor für sie schweigt seit {n} s",
   "people may be unseen: a sensor that looks for them is not heard yet":
     "Personen bleiben vielleicht ungesehen: von einem Sensor für sie kam noch nichts",
-  "the drone says: {name}; landing": "die Drohne meldet: {name}; sie landet",
-  "the drone says: {name}": "die Drohne meldet: {name}",
   "the drone has not confirmed its limits for {n} s":
     "die Drohne hat ihre Grenzwerte seit {n} s nicht bestätigt",
   "the drone has not confirmed its limits": "die Drohne hat ihre Grenzwerte nicht bestätigt",
@@ -308,7 +305,6 @@ export const DE_TOLD: Templates = {
   "the battery is charged": "der Akku ist geladen",
   "the battery is too low": "der Akku ist zu leer",
   "{p}%": "{p} %",
-  "at least {p}%": "mindestens {p} %",
   "at least {p}%, and more for a long way": "mindestens {p} %, für weite Wege mehr",
   "it has to come home, and to land": "sie muss zurückkommen und landen",
   "charge it, or change the battery": "laden oder Akku wechseln",
@@ -390,9 +386,6 @@ export const DE_TOLD: Templates = {
     "`housefly sensors` ansehen: ist jeder an, in diesem Netz und unverdeckt?",
   "keep people out of the room, or add a scanner or a depth camera to the site":
     "niemanden in den Raum lassen, oder Scanner oder Tiefenkamera ergänzen",
-  "it makes way only for people whom a sensor sees":
-    "sie weicht nur Personen aus, die ein Sensor sieht",
-  "keep people out of the room": "niemanden in den Raum lassen",
   "the last frame check found nothing wrong": "die letzte Achsenprüfung fand keinen Fehler",
   "the last frame check found tracking wrong": "die letzte Achsenprüfung fand die Ortung falsch",
   "nothing known": "nichts bekannt",
@@ -415,12 +408,11 @@ export const DE_TOLD: Templates = {
   "Waiting for tracking": "Warte auf die Ortung",
   "no drone": "keine Drohne",
   "this room has no drone": "dieser Raum hat keine Drohne",
+  "This room has no drone.": "Dieser Raum hat keine Drohne.",
   "this machine keeps up": "dieser Rechner kommt mit",
   "this machine is overloaded": "dieser Rechner ist überlastet",
   "load {n} on {k} cores": "Last {n} auf {k} Kernen",
-  "load {n} on {k} cores, {d} ms late": "Last {n} auf {k} Kernen, {d} ms zu spät",
   "load {n} on {k} core": "Last {n} auf {k} Kern",
-  "load {n} on {k} core, {d} ms late": "Last {n} auf {k} Kern, {d} ms zu spät",
   "a load below {n}": "eine Last unter {n}",
   "what comes late is refused, as if it had not come":
     "was zu spät kommt, wird verworfen, als wäre es nie gekommen",
@@ -436,38 +428,14 @@ export const DE_TOLD: Templates = {
     "alte Flüge löschen oder auf eine andere Platte verschieben",
   "the disk can be written to": "auf die Platte lässt sich schreiben",
   "a disk cannot be written to": "auf eine Platte lässt sich nicht schreiben",
-  "nothing can be written at {name}": "auf {name} lässt sich nichts schreiben",
   "written a moment ago": "eben geschrieben",
   "a file can be written": "eine Datei lässt sich schreiben",
   "mount the disk for writing again, or let this user write there":
     "die Platte wieder zum Schreiben einhängen oder diesen Benutzer dort schreiben lassen",
   "nothing here sees people: no scanner, no depth camera":
     "hier sieht nichts Personen: kein Scanner, keine Tiefenkamera",
-  "no picture for {n} s": "kein Bild seit {n} s",
-  "nobody answers at {name}": "niemand antwortet unter {name}",
   // why there is no way
-  "an obstacle is too close to this point": "ein Hindernis ist diesem Punkt zu nah",
-  "no free way leads to this point": "kein freier Weg führt zu diesem Punkt",
   "there is no free way from {name} to {place}": "kein freier Weg von {name} nach {place}",
-  "the goal {name} lies in an obstacle": "das Ziel {name} liegt in einem Hindernis",
-  "the goal {name} lies in a no-fly area": "das Ziel {name} liegt in einer Verbotszone",
-  "the goal {name} lies outside the room": "das Ziel {name} liegt außerhalb des Raums",
-  "the goal {name} lies outside the map": "das Ziel {name} liegt außerhalb der Karte",
-  "the goal {name} is too close to an obstacle ({d} m)":
-    "das Ziel {name} ist einem Hindernis zu nah ({d} m)",
-  "the goal {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
-    "das Ziel {name} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
-  "no way leads from home to the goal {name}": "kein Weg führt vom Heim zum Ziel {name}",
-  "the start {name} lies in an obstacle": "der Start {name} liegt in einem Hindernis",
-  "the start {name} lies in a no-fly area": "der Start {name} liegt in einer Verbotszone",
-  "the start {name} lies outside the room": "der Start {name} liegt außerhalb des Raums",
-  "the start {name} lies outside the map": "der Start {name} liegt außerhalb der Karte",
-  "the start {name} is too close to an obstacle": "der Start {name} ist einem Hindernis zu nah",
-  "the start {name} is too close to an obstacle ({d} m)":
-    "der Start {name} ist einem Hindernis zu nah ({d} m)",
-  "the start {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
-    "der Start {name} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
-  "no way leads from home to the start {name}": "kein Weg führt vom Heim zum Start {name}",
   // what was refused
   "{asked} refused: {why}": "{asked} abgelehnt: {why}",
   "take off": "Starten",
@@ -478,8 +446,6 @@ export const DE_TOLD: Templates = {
   "cut": "Motoren aus",
   "go": "Hinfliegen",
   "service": "Nachsehen",
-  "go {place}": "Hinfliegen {place}",
-  "service {place}": "Nachsehen {place}",
   "the order is {n} s old; orders expire after {m} s":
     "der Befehl ist {n} s alt; Befehle verfallen nach {m} s",
   "there is no emergency to leave: the drone is {what}":
@@ -528,17 +494,13 @@ export const DE_TOLD: Templates = {
   "bed occupied": "Bett belegt",
   "appliance on": "Gerät an",
   "contact open": "Tür offen",
-  "{what} ({name})": "{what} ({name})",
   "no": "nein",
   "ignore": "nicht beachten",
   "not now": "jetzt nicht",
   "landing": "landet",
-  "found wrong, {name}": "falsch, {name}",
-  "checked, {name}": "geprüft, {name}",
-  "before the site's [tracking] was changed, {name}": "bevor [tracking] geändert wurde, {name}",
   "{why}: it holds itself": "{why}: sie hält sich selbst",
-  "The drone flies somewhere: press Hover first":
-    "Die Drohne ist unterwegs: erst „Schweben“ drücken",
+  "The drone flies somewhere: press Hover first.":
+    "Die Drohne ist unterwegs: erst „Schweben“ drücken.",
   "in the air the drone keeps the map that it took off with: land first":
     "in der Luft behält die Drohne die Karte vom Start: erst landen",
   "nobody knows whether the drone flies": "niemand weiß, ob die Drohne fliegt",
@@ -555,9 +517,9 @@ export const DE_TOLD: Templates = {
   "{who} starts the pilot again, so that the drone has the newest places and zones":
     "{who} startet den Autopiloten neu, damit die Drohne die neuesten Orte und Zonen hat",
   // moving by hand, and complaints of the drone
-  "Moving by hand is switched off here": "Bewegen von Hand ist hier ausgeschaltet",
-  "A task flies the drone: press Hover first":
-    "Eine Aufgabe fliegt die Drohne: erst „Schweben“ drücken",
+  "Moving by hand is switched off here.": "Bewegen von Hand ist hier ausgeschaltet.",
+  "A task flies the drone: press Hover first.":
+    "Eine Aufgabe fliegt die Drohne: erst „Schweben“ drücken.",
   "moving by hand is switched off here (limits.nudge_speed)":
     "Bewegen von Hand ist hier ausgeschaltet (limits.nudge_speed)",
   "moving by hand needs map.planner = \"space\", and mode default":
@@ -577,41 +539,276 @@ export const DE_TOLD: Templates = {
   "too much wind": "zu viel Wind",
   "ultrasound deaf": "Ultraschall taub",
   "the room's memory does not answer": "das Gedächtnis des Raums antwortet nicht",
+  // what the pilot tells
+  "0 to {n} s": "0 bis {n} s",
+  "a number is not finite": "eine Zahl ist nicht endlich",
+  "a wall may be near": "eine Wand könnte nahe sein",
+  "a wall or furniture is ahead": "voraus sind Wand oder Möbel",
+  "a way has become free that is {n} s faster: taking it":
+    "ein um {n} s schnellerer Weg wurde frei: sie nimmt ihn",
+  "above the pad, landing": "über dem Landeplatz, sie landet",
+  "accept orders again": "nimmt wieder Befehle an",
+  "an obstacle of {who} is refused: {why}": "ein Hindernis von {who} wird abgelehnt: {why}",
+  "an order to stop or land came before it was taken":
+    "vorher kam ein Befehl zum Anhalten oder Landen",
+  "arrived": "angekommen",
+  "arrived, looking": "angekommen, sie sieht nach",
+  "at most {d} m/s, and only by nudge": "höchstens {d} m/s, und nur beim Bewegen von Hand",
+  "at most {n} printable letters": "höchstens {n} druckbare Zeichen",
+  "came to rest off its course: going on from there":
+    "kam neben ihrem Kurs zur Ruhe: weiter von dort",
+  "coming home for safety": "kommt zur Sicherheit zurück",
+  "coordinates of at most {d} m": "Koordinaten bis {d} m",
+  "cut the motors": "Motoren abschalten",
+  "do it from here": "von hier aus",
+  "do it once in the air": "sobald sie in der Luft ist",
+  "drone lost our commands": "Drohne empfing keine Befehle",
+  "emergency landing by the user": "Notlandung durch Benutzer",
+  "emergency left": "Notaus aufgehoben",
+  "flying to goal": "fliegt zum Ziel",
+  "furniture or a wall stands below or beside it":
+    "darunter oder daneben sind Möbel oder eine Wand",
+  "furniture stands below": "darunter stehen Möbel",
+  "goal is not a position in a room": "goal ist kein Ort in einem Raum",
+  "holding": "hält",
+  "holding here: {why}": "bleibt hier: {why}",
+  "hover, and accept nothing that moves until RESUME":
+    "schwebt und nimmt bis „Fortsetzen“ keine Flugbefehle an",
+  "id is not a name": "id ist kein Name",
+  "idle": "in Ruhe",
+  "it does not agree with the drone's own motion": "sie passt nicht zur Eigenbewegung der Drohne",
+  "it flies slowly here by order": "hier soll sie langsam fliegen",
+  "it is faster than {d} m/s": "es ist schneller als {d} m/s",
+  "it is too far from where the drone can be": "sie ist zu weit von dort, wo die Drohne sein kann",
+  "it is too old": "sie ist zu alt",
+  "it lies far outside the map": "es liegt weit außerhalb der Karte",
+  "it names neither a place nor a goal": "er nennt weder Ort noch Ziel",
+  ["it says that the drone moved {d} m while it lay still: is it another body? Lift the " +
+    "drone to show where it is"]:
+    "sie zeigt {d} m Bewegung, obwohl die Drohne still lag: Ist es ein anderer Körper? " +
+      "Drohne anheben, um zu zeigen, wo sie ist",
+  "it stays the same to the last bit while the drone flies":
+    "sie bleibt bis aufs letzte Bit gleich, obwohl die Drohne fliegt",
+  "it was seen in the future": "es wurde in der Zukunft gesehen",
+  "its confidence does not lie between 0 and 1": "seine Sicherheit liegt nicht zwischen 0 und 1",
+  "its own motion is in doubt": "ihre Eigenbewegung ist unsicher",
+  "its size makes no sense (at most {d} m)": "seine Größe ist unmöglich (höchstens {d} m)",
+  "its sonar shows something everywhere": "ihr Ultraschall zeigt überall etwas",
+  "its stamp is not newer than the last one": "ihr Zeitstempel ist nicht neuer als der letzte",
+  "its stamp lies in the future": "ihr Zeitstempel liegt in der Zukunft",
+  "land here": "hier landen",
+  "landing all the same: {why}": "landet trotzdem: {why}",
+  "landing for safety": "landet zur Sicherheit",
+  "landing here": "landet hier",
+  "landing is not acknowledged after {n} s: still asking":
+    "Landung nach {n} s nicht bestätigt: wird weiter verlangt",
+  "landing {d} m beside": "landet {d} m daneben",
+  "leave the emergency state": "Notaus verlassen",
+  "look_at is not a position in a room": "look_at ist kein Ort in einem Raum",
+  "look_s is wrong": "look_s ist falsch",
+  "looked long enough, coming home": "lange genug nachgesehen, kommt zurück",
+  "looking": "sieht nach",
+  "looking below": "prüft, was darunter ist",
+  "motor cut": "Abschalten der Motoren",
+  "motors are cut": "Motoren sind aus",
+  "moved by hand": "von Hand bewegt",
+  "moved by hand by {who}": "von {who} von Hand bewegt",
+  "moved by hand no longer": "nicht mehr von Hand bewegt",
+  "moved by hand: {why}": "von Hand bewegt: {why}",
+  "moving aside": "weicht zur Seite aus",
+  "moving {d} m aside by the drone's own motion, to land":
+    "geht zum Landen {d} m zur Seite, nach eigener Bewegung",
+  "no clear place to land within 2 m: holding by the drone's own motion":
+    "kein freier Landeplatz im Umkreis von 2 m: hält sich nach eigener Bewegung",
+  "no clear place to land within 2 m: waiting in the air":
+    "kein freier Landeplatz im Umkreis von 2 m: wartet in der Luft",
+  "no order for {n} s: coming home": "{n} s lang kein Befehl: kommt zurück",
+  "no place called {name}: did you mean {place}? known places: {places}":
+    "kein Ort namens {name}: meinten Sie {place}? Bekannte Orte: {places}",
+  "no place called {name}; known places: {places}":
+    "kein Ort namens {name}; bekannte Orte: {places}",
+  "no way home, landing here: {why}": "kein Weg nach Hause, landet hier: {why}",
+  "no way leads from home to {end} {place}": "vom Heim führt kein Weg bis hierher: {end} {place}",
+  "no way of flying there keeps the limits of the drone":
+    "kein Flug dorthin hält die Grenzen der Drohne ein",
+  "nobody comes near: going back": "niemand kommt näher: kehrt an ihren Ort zurück",
+  "not all its numbers are finite": "nicht alle seine Zahlen sind endlich",
+  "not landing: {why}": "landet nicht: {why}",
+  "not landing: {why}. Press Land to land here all the same":
+    "landet nicht: {why}. „Landen“ drücken, um trotzdem hier zu landen",
+  "nothing can be written at {name} ({why})": "auf {name} lässt sich nichts schreiben ({why})",
+  "nudge": "Bewegen von Hand",
+  "obstacle refused: {why}": "Hindernis abgelehnt: {why}",
+  "on the ground": "am Boden",
+  "ordered to": "auf Befehl",
+  "place is not a name": "place ist kein Name",
+  "returning": "kommt zurück",
+  "sender is not a name": "sender ist kein Name",
+  "somebody": "jemand",
+  "something hangs over the drone: carry it to where the air above is free":
+    "über der Drohne hängt etwas: dorthin tragen, wo die Luft darüber frei ist",
+  "something was found below here": "hier wurde darunter etwas gefunden",
+  "something {d} m high seems to lie on the pad: is it clear?":
+    "auf dem Landeplatz scheint etwas {d} m Hohes zu liegen: Ist er frei?",
+  "something {d} m high seems to stand below": "darunter scheint etwas {d} m Hohes zu stehen",
+  "stands {d} m above the floor: on something": "steht {d} m über dem Boden: auf etwas",
+  "stands {d} m above where it took off: on something":
+    "steht {d} m höher als beim Start: auf etwas",
+  "stay here": "bleibt hier",
+  "stop": "Anhalten",
+  "take off, then do it": "startet, dann",
+  "the battery is too low: {p}%, there and back ({n} s) needs {q}%; charge it":
+    "der Akku ist zu leer: {p} %, hin und zurück ({n} s) braucht {q} %; laden",
+  "the drone did not acknowledge the {what}": "nicht von der Drohne bestätigt: {what}",
+  "the drone does not tell how it moves": "die Drohne meldet ihre Bewegung nicht",
+  "the drone flies already": "die Drohne fliegt schon",
+  "the drone flies although its motors were cut: landing":
+    "die Drohne fliegt, obwohl ihre Motoren aus waren: sie landet",
+  "the drone flies somewhere: press Hover first":
+    "die Drohne ist unterwegs: erst „Schweben“ drücken",
+  "the drone is in its emergency state: motors off": "die Drohne ist im Notaus: Motoren aus",
+  "the drone is in the air without an order: holding":
+    "die Drohne ist ohne Befehl in der Luft: sie hält",
+  "the drone is landing": "die Drohne landet",
+  "the drone is on the ground": "die Drohne ist am Boden",
+  "the drone is taking off already": "die Drohne startet schon",
+  "the drone is too fast to turn there: let it stop first":
+    "die Drohne ist zu schnell, um dorthin abzubiegen: erst anhalten lassen",
+  "the drone lands by itself": "die Drohne landet von selbst",
+  "the drone says: {what}": "die Drohne meldet: {what}",
+  "the drone says: {what}; landing": "die Drohne meldet: {what}; sie landet",
+  "the drone stands in a no-fly area: carry it out":
+    "die Drohne steht in einer Verbotszone: hinaustragen",
+  "the drone was moved on the ground: tracking starts anew":
+    "die Drohne wurde am Boden bewegt: die Ortung beginnt neu",
+  "the drone's sonar shows something everywhere: landing by the tracked height":
+    "der Ultraschall zeigt überall etwas: Landung nach der Höhe der Ortung",
+  "the end of where it may fly is ahead": "voraus endet der erlaubte Bereich",
+  "the goal": "das Ziel",
+  "the order's {what}; allowed: {limit}": "Befehl: {what}; erlaubt: {limit}",
+  "the orientation is not a unit quaternion": "die Lage ist kein Einheitsquaternion",
+  "the pilot failed ({name}): landing": "der Autopilot ist ausgefallen ({name}): sie landet",
+  "the start": "der Start",
+  "the way is free: going on": "der Weg ist frei: weiter",
+  "the way stays blocked": "der Weg bleibt versperrt",
+  "there are more than {n} at once": "es sind mehr als {n} zugleich",
+  "there is a way: going on": "es gibt einen Weg: weiter",
+  "there is nowhere to go": "es gibt kein Ziel",
+  "too many orders in a second": "zu viele Befehle in einer Sekunde",
+  "took too long": "dauerte zu lange",
+  "tracking is believed in part, {n} of the last {m} poses are not: {why}":
+    "der Ortung wird nur zum Teil geglaubt, {n} der letzten {m} Posen nicht: {why}",
+  "tracking is not believed since {n} s: {why}": "der Ortung wird seit {n} s nicht geglaubt: {why}",
+  "velocity is wrong": "velocity ist falsch",
+  "waiting here: {why}": "wartet hier: {why}",
+  "{asked} by {who}: {what}": "{asked}, von {who}: {what}",
+  "{asked} {place}": "{asked} {place}",
+  "{asked}: {what}": "{asked}: {what}",
+  "{end} is not a position: {place}": "{end} ist kein Ort: {place}",
+  "{end} {place} is too close to an obstacle": "{end} {place} ist einem Hindernis zu nah",
+  "{end} {place} is too close to an obstacle ({d} m)":
+    "{end} {place} ist einem Hindernis zu nah ({d} m)",
+  "{end} {place} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
+    "{end} {place} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
+  "{end} {place} lies in a no-fly area": "{end} {place} liegt in einer Verbotszone",
+  "{end} {place} lies in an obstacle": "{end} {place} liegt in einem Hindernis",
+  "{end} {place} lies outside the map": "{end} {place} liegt außerhalb der Karte",
+  "{end} {place} lies outside the room": "{end} {place} liegt außerhalb des Raums",
+  "{thing} is in the way, {d} m ahead": "{thing} ist im Weg, {d} m voraus",
+  "{thing} is in the way: going around": "{thing} ist im Weg: sie fliegt herum",
+  "{thing} is near": "{thing} ist nah",
+  "{what} took too long": "zu lange: {what}",
+  "{who} comes near": "{who} kommt näher",
+  "{who} comes near and there is no room to make way":
+    "{who} kommt näher, und zum Ausweichen ist kein Platz",
+  "{who} comes near and there is no room to make way: landing here":
+    "{who} kommt näher, und zum Ausweichen ist kein Platz: sie landet hier",
+  "{who} comes near: making way": "{who} kommt näher: sie weicht aus",
+  "{who} comes near: the take-off is given up": "{who} kommt näher: Start abgebrochen",
+  "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
+    "{who} gibt zu viele Befehle: {n} in einer Sekunde abgelehnt (Grenze {m} je Sekunde)",
+  "{who} is below": "{who} ist darunter",
+  "{who} walks into the way: going around": "{who} läuft in den Weg: sie fliegt herum",
+  "{who} walks into the way: waiting": "{who} läuft in den Weg: sie wartet",
+  "{who}: {why}": "{who}: {why}",
+  "{why}, once it can: {what}": "{why}, sobald sie kann: {what}",
+  "{why}, {d} ms late": "{why}, {d} ms zu spät",
+  "{why}, {more}": "{why}, {more}",
+  "{why}: landing here": "{why}: sie landet hier",
+  "{why}: stopping": "{why}: sie hält an",
+  "{why}: the air around the drone must be free": "{why}: um die Drohne muss Luft frei sein",
+  "{why}: {found}, must be {limit}; likely cause: {cause} ({value}): {mend}":
+    "{why}: {found}, nötig: {limit}; wohl weil: {cause} ({value}): {mend}",
+  "{why}: {found}; {mend}": "{why}: {found}; {mend}",
+  "{why}; nearest free place: ({x}, {y}) m": "{why}; nächster freier Ort: ({x}; {y}) m",
+  "{why}; no way home, waiting here: {more}": "{why}; kein Weg nach Hause, wartet hier: {more}",
+  "{why}; no way on, waiting here: {more}": "{why}; kein Weg weiter, wartet hier: {more}",
+  // who is here, and who has control
+  "a browser came in by {link}: {what}": "ein Browser kam herein über {link}: {what}",
+  "another tab says hello on a socket of its own":
+    "ein anderer Tab meldet sich mit eigener Verbindung",
+  "it may do everything": "er darf alles",
+  "it may fly": "er darf fliegen",
+  "it may watch": "er darf zusehen",
+  "it may watch and ask": "er darf zusehen und fragen",
+  "no path could be asked for: {why}": "nach dem Weg ließ sich nicht fragen: {why}",
+  "nobody has control: take it first": "niemand steuert: erst die Steuerung übernehmen",
+  "say hello first": "erst anmelden",
+  "the console was started again: what happened meanwhile is not in this log":
+    "die Konsole wurde neu gestartet: was inzwischen geschah, fehlt hier",
+  "the link of the terminal": "den Link des Terminals",
+  "the link that {who} made": "den Link von {who}",
+  "the order to {asked} takes no place and no goal":
+    "dieser Befehl braucht weder Ort noch Ziel: {asked}",
+  "your role is {name}, and this needs {what}: ask who runs Housefly":
+    "Ihre Rolle ist {name}, nötig ist {what}: den Betreiber von Housefly fragen",
+  "{who} handed control to {name}": "{who} hat die Steuerung an {name} übergeben",
+  "{who} has control": "{who} steuert",
+  "{who} laid down control": "{who} hat die Steuerung abgegeben",
+  "{who} may not fly any more and lost control":
+    "{who} darf nicht mehr fliegen und steuert nicht mehr",
+  "{who} saved places and zones": "{who} hat Orte und Zonen gespeichert",
+  "{who} took control": "{who} hat die Steuerung übernommen",
+  "{who} undid a change of places and zones":
+    "{who} hat eine Änderung an Orten und Zonen zurückgenommen",
+  "{who} was silent for {n} s and lost control: nobody has it now":
+    "{who} war {n} s still und steuert nicht mehr: jetzt steuert niemand",
+  "{who}: {what}, but the pilot is not heard": "{who}: {what}, doch der Autopilot schweigt",
   // services of the house
   "Look at a place or a thing": "Ort oder Ding ansehen",
-  "Flies to where it is seen from, takes a picture and comes home":
-    "Fliegt zum Blickpunkt, macht ein Bild und kommt zurück",
+  "Flies to where it is seen from, takes a picture and comes home.":
+    "Fliegt zum Blickpunkt, macht ein Bild und kommt zurück.",
   "Where is something": "Wo ist etwas",
-  "Says where the memory has it; when that is old or unsure, flies there and looks":
-    "Nennt den Ort aus dem Gedächtnis; ist er alt oder unsicher, sieht sie nach",
+  "Says where the memory has it; when that is old or unsure, flies there and looks.":
+    "Nennt den Ort aus dem Gedächtnis; ist er alt oder unsicher, sieht sie nach.",
   "Patrol": "Rundgang",
-  "Looks at every place in turn, takes pictures and tells what changed since the last time":
-    "Sieht jeden Ort an, macht Bilder und meldet, was sich geändert hat",
+  "Looks at every place in turn, takes pictures and tells what changed since the last time.":
+    "Sieht jeden Ort an, macht Bilder und meldet, was sich geändert hat.",
   "Night round": "Nachtrunde",
-  "Looks after everybody and every place once, quietly; tells only what is wrong":
-    "Sieht leise einmal überall nach; meldet nur, was nicht stimmt",
+  "Looks after everybody and every place once, quietly; tells only what is wrong.":
+    "Sieht leise einmal überall nach; meldet nur, was nicht stimmt.",
   "Look who is at the door": "Nachsehen, wer an der Tür ist",
-  "Flies to the entrance, films whoever stands there and tells everybody":
-    "Fliegt zum Eingang, filmt, wer dort steht, und meldet es allen",
+  "Flies to the entrance, films whoever stands there and tells everybody.":
+    "Fliegt zum Eingang, filmt, wer dort steht, und meldet es allen.",
   "Look around": "Umsehen",
-  "Takes pictures in all directions, where the drone starts or at a place":
-    "Macht Bilder in alle Richtungen, am Startort oder an einem Ort",
+  "Takes pictures in all directions, where the drone starts or at a place.":
+    "Macht Bilder in alle Richtungen, am Startort oder an einem Ort.",
   "Is everything all right?": "Ist alles in Ordnung?",
-  "Tells how everybody is; looks after who may have fallen or left their bed at night":
-    "Sagt, wie es allen geht; sieht nach, wer gestürzt oder nachts aufgestanden ist",
+  "Tells how everybody is; looks after who may have fallen or left their bed at night.":
+    "Sagt, wie es allen geht; sieht nach, wer gestürzt oder nachts aufgestanden ist.",
   "Inventory": "Bestand",
-  "Tells what is in the cabinet and the refrigerator, and takes a picture of each":
-    "Sagt, was in Schrank und Kühlschrank ist, und macht von beiden ein Bild",
+  "Tells what is in the cabinet and the refrigerator, and takes a picture of each.":
+    "Sagt, was in Schrank und Kühlschrank ist, und macht von beiden ein Bild.",
   "Follow somebody": "Jemandem folgen",
-  "Keeps a person in view for a while; looks for who is lost, then comes home":
-    "Behält eine Person eine Weile im Bild; sucht sie, kommt dann zurück",
+  "Keeps a person in view for a while; looks for who is lost, then comes home.":
+    "Behält eine Person eine Weile im Bild; sucht sie, kommt dann zurück.",
   "Find a lost thing": "Verlorenes suchen",
-  "Looks where it most likely is, shows pictures and asks; tells what was not looked at":
-    "Sieht nach, wo es wohl ist, zeigt Bilder und fragt; sagt, was nicht angesehen wurde",
+  "Looks where it most likely is, shows pictures and asks; tells what was not looked at.":
+    "Sieht nach, wo es wohl ist, zeigt Bilder und fragt; sagt, was nicht angesehen wurde.",
   "Come to somebody": "Zu jemandem kommen",
-  "Flies to a person, faces them and waits; goes home when told, or after a while":
-    "Fliegt zu einer Person, wendet sich ihr zu und wartet; kommt auf Wunsch oder nach einer " +
-      "Weile zurück",
+  "Flies to a person, faces them and waits; goes home when told, or after a while.":
+    "Fliegt zu einer Person, wendet sich ihr zu und wartet; kommt auf Wunsch oder nach " +
+      "einer Weile zurück.",
   "what to look at": "was anzusehen ist",
   "how long to look": "wie lange hinsehen",
   "how long to look at each": "wie lange jeweils hinsehen",

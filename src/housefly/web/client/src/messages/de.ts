@@ -1,7 +1,6 @@
 // The page in German.
 import { DE_TOLD } from "./de-told";
 import type { Speech } from "./language";
-import { teller } from "./templates";
 
 const texts: Speech["texts"] = {
   // orders, STOP and what stands beside them
@@ -142,7 +141,6 @@ const texts: Speech["texts"] = {
   "drone^lines": "Drohne",
   "room^lines": "Raum",
   "warnings^lines": "Warnungen",
-  "The drone's own lines are in English.": "Die Zeilen der Drohne sind auf Englisch.",
   "Show the room as it was then": "Den Raum von damals zeigen",
   "Only of": "Nur von",
   "everything": "alles",
@@ -634,4 +632,4 @@ const ideas = [
   "Was ist heute passiert?",
 ];
 
-export const DE: Speech = { texts, ideas, told: teller(DE_TOLD, { point: ",", stop: "." }) };
+export const DE: Speech = { texts, ideas, templates: DE_TOLD };

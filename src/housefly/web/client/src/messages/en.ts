@@ -130,7 +130,6 @@ export const EN = [
   "drone^lines",
   "room^lines",
   "warnings^lines",
-  "The drone's own lines are in English.",
   "Show the room as it was then",
   "Only of",
   "everything",

@@ -1,10 +1,11 @@
 // What the server says in English, in Japanese: templates of its sentences.
-import type { Templates } from "./templates";
+import type { Templates } from "./speech";
 
 export const JA_TOLD: Templates = {
   // headlines and what is said beside them
   "Waiting for the pilot": "自動操縦を待っています",
   "No contact with the pilot": "自動操縦と通信なし",
+  "No contact with the pilot.": "自動操縦と通信なし。",
   "No contact with the drone": "ドローンと通信なし",
   "Waiting for the drone": "ドローンを待っています",
   "Motors are cut": "モーター遮断済み",
@@ -64,10 +65,10 @@ export const JA_TOLD: Templates = {
   "tracking has not seen the drone yet": "位置計測はまだドローンを見つけていません",
   "tracking saw the drone last {n} s ago": "位置計測は{n}秒前からドローンを見失っています",
   "tracking does not see the drone": "位置計測でドローンが見えません",
-  "No word from the pilot for {n} s: {then}. STOP and Land are still sent":
-    "自動操縦から{n}秒間応答がありません。{then}。STOPと着陸は送り続けます",
-  "No word from the drone for {n} s: {then}. STOP and Land are still sent":
-    "ドローンから{n}秒間応答がありません。{then}。STOPと着陸は送り続けます",
+  "No word from the pilot for {n} s: {then}. STOP and Land are still sent.":
+    "自動操縦から{n}秒間応答がありません。{then}。STOPと着陸は送り続けます。",
+  "No word from the drone for {n} s: {then}. STOP and Land are still sent.":
+    "ドローンから{n}秒間応答がありません。{then}。STOPと着陸は送り続けます。",
   // STOP
   "The drone hovers and takes no orders until Resume is held": "ホバリング中。「再開」を長押しするまで指示を受けません",
   "The drone takes no orders until Resume is held": "「再開」を長押しするまで指示を受けません",
@@ -111,6 +112,7 @@ export const JA_TOLD: Templates = {
   "it is started again by itself: wait, or see its log in the run's folder":
     "自動で再起動します。待つか、実行フォルダーの記録を見てください",
   "the drone is already flying": "ドローンはすでに飛行中です",
+  "The drone is already flying.": "ドローンはすでに飛行中です。",
   "the checks before a take-off are not in yet": "離陸前の点検がまだ終わっていません",
   "they come within seconds": "数秒で終わります",
   "the drone does not answer": "ドローンが応答しません",
@@ -127,15 +129,15 @@ export const JA_TOLD: Templates = {
   "carry it to its pad": "パッドまで運んでください",
   "{why} ({found})": "{why}（{found}）",
   "{why}; {more}": "{why}。{more}",
-  "△ {why}": "△ {why}",
   // why an order would come to nothing
-  "Motors are cut: hold Reset first": "モーター遮断済みです。先に「リセット」を長押ししてください",
-  "Stopped: hold Resume first": "停止中です。先に「再開」を長押ししてください",
-  "The drone does not answer yet": "ドローンがまだ応答しません",
-  "The drone is on the ground": "ドローンは地上にいます",
-  "Only after STOP": "STOPのあとだけ使えます",
-  "Not ready: {why}": "準備できていません：{why}",
-  "Not now: {why}": "いまはできません：{why}",
+  "Motors are cut: hold Reset first.":
+    "モーター遮断済みです。先に「リセット」を長押ししてください。",
+  "Stopped: hold Resume first.": "停止中です。先に「再開」を長押ししてください。",
+  "The drone does not answer yet.": "ドローンがまだ応答しません。",
+  "The drone is on the ground.": "ドローンは地上にいます。",
+  "Only after STOP.": "STOPのあとだけ使えます。",
+  "Not ready: {why}.": "準備できていません：{why}。",
+  "Not now: {why}.": "いまはできません：{why}。",
   "it comes home for safety": "安全のため帰還中です",
   "it lands for safety": "安全のため着陸中です",
   "its motors are being cut": "モーターを遮断中です",
@@ -154,12 +156,8 @@ export const JA_TOLD: Templates = {
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "着陸の指示から{n}秒（限度 {m}秒）、まだ空中です。こちらの指令で降下します",
   "the drone is silent for {n} s": "ドローンから{n}秒間応答がありません",
-  "people may be unseen: a sensor that looks for them is silent for {n} s":
-    "人が見えていない恐れ：人を見るセンサーが{n}秒間応答なし",
   "people may be unseen: a sensor that looks for them is not heard yet":
     "人が見えていない恐れ：人を見るセンサーからまだ応答なし",
-  "the drone says: {name}; landing": "ドローンの警告：{name}。着陸します",
-  "the drone says: {name}": "ドローンの警告：{name}",
   "the drone has not confirmed its limits for {n} s": "ドローンが{n}秒間、制限値を確認していません",
   "the drone has not confirmed its limits": "ドローンが制限値を確認していません",
   "battery {p}% is below {q}%": "バッテリー {p}% が {q}% を下回りました",
@@ -276,7 +274,6 @@ export const JA_TOLD: Templates = {
   "the battery is charged": "バッテリーは充電されています",
   "the battery is too low": "バッテリー残量が足りません",
   "{p}%": "{p}%",
-  "at least {p}%": "{p}% 以上",
   "at least {p}%, and more for a long way": "{p}% 以上、遠い場合はさらに必要",
   "it has to come home, and to land": "帰還と着陸に必要です",
   "charge it, or change the battery": "充電するか、バッテリーを交換してください",
@@ -350,8 +347,6 @@ export const JA_TOLD: Templates = {
     "`housefly sensors` で、各センサーの電源、ネットワーク、覆いの有無を見てください",
   "keep people out of the room, or add a scanner or a depth camera to the site":
     "人を部屋に入れないか、スキャナーか深度カメラを追加してください",
-  "it makes way only for people whom a sensor sees": "センサーに見える人だけをよけます",
-  "keep people out of the room": "人を部屋に入れないでください",
   "the last frame check found nothing wrong": "前回の座標点検は正常でした",
   "the last frame check found tracking wrong": "前回の座標点検で位置計測に誤りがありました",
   "nothing known": "分かっている異常なし",
@@ -373,12 +368,11 @@ export const JA_TOLD: Templates = {
   "Waiting for tracking": "位置計測を待っています",
   "no drone": "ドローンなし",
   "this room has no drone": "この部屋にドローンはありません",
+  "This room has no drone.": "この部屋にドローンはありません。",
   "this machine keeps up": "このコンピューターの処理は間に合っています",
   "this machine is overloaded": "このコンピューターは過負荷です",
   "load {n} on {k} cores": "{k} コアで負荷 {n}",
-  "load {n} on {k} cores, {d} ms late": "{k} コアで負荷 {n}、{d} ミリ秒の遅れ",
   "load {n} on {k} core": "{k} コアで負荷 {n}",
-  "load {n} on {k} core, {d} ms late": "{k} コアで負荷 {n}、{d} ミリ秒の遅れ",
   "a load below {n}": "負荷 {n} 未満",
   "what comes late is refused, as if it had not come": "遅れて届いたデータは、届かなかったものとして扱われます",
   "end other programs; the simulated picture costs most (twin.video = false)":
@@ -391,35 +385,13 @@ export const JA_TOLD: Templates = {
   "delete old flights, or move them to another disk": "古い飛行記録を消すか、別のディスクに移してください",
   "the disk can be written to": "ディスクに書き込めます",
   "a disk cannot be written to": "ディスクに書き込めません",
-  "nothing can be written at {name}": "{name} に何も書き込めません",
   "written a moment ago": "今書き込みました",
   "a file can be written": "ファイルを書き込めること",
   "mount the disk for writing again, or let this user write there":
     "ディスクを書き込み可能でマウントし直すか、このユーザーの書き込みを許可してください",
   "nothing here sees people: no scanner, no depth camera": "ここでは人を検知できません：スキャナーも深度カメラもありません",
-  "no picture for {n} s": "{n}秒間映像がありません",
-  "nobody answers at {name}": "{name} から応答がありません",
   // why there is no way
-  "an obstacle is too close to this point": "この地点は障害物に近すぎます",
-  "no free way leads to this point": "この地点へ行ける道がありません",
   "there is no free way from {name} to {place}": "{name} から {place} へ行ける道がありません",
-  "the goal {name} lies in an obstacle": "目的地 {name} は障害物の中です",
-  "the goal {name} lies in a no-fly area": "目的地 {name} は飛行禁止の場所です",
-  "the goal {name} lies outside the room": "目的地 {name} は部屋の外です",
-  "the goal {name} lies outside the map": "目的地 {name} は地図の外です",
-  "the goal {name} is too close to an obstacle ({d} m)": "目的地 {name} は障害物に近すぎます（{d} m）",
-  "the goal {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
-    "目的地 {name} は障害物に近すぎます：機体から {d} m、必要 {m} m",
-  "no way leads from home to the goal {name}": "ホームから目的地 {name} へ行けません",
-  "the start {name} lies in an obstacle": "現在地 {name} は障害物の中です",
-  "the start {name} lies in a no-fly area": "現在地 {name} は飛行禁止の場所です",
-  "the start {name} lies outside the room": "現在地 {name} は部屋の外です",
-  "the start {name} lies outside the map": "現在地 {name} は地図の外です",
-  "the start {name} is too close to an obstacle": "現在地 {name} は障害物に近すぎます",
-  "the start {name} is too close to an obstacle ({d} m)": "現在地 {name} は障害物に近すぎます（{d} m）",
-  "the start {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
-    "現在地 {name} は障害物に近すぎます：機体から {d} m、必要 {m} m",
-  "no way leads from home to the start {name}": "ホームから現在地 {name} へ行けません",
   // what was refused
   "{asked} refused: {why}": "受け付けません（{asked}）：{why}",
   "take off": "離陸",
@@ -430,8 +402,6 @@ export const JA_TOLD: Templates = {
   "cut": "モーター遮断",
   "go": "移動",
   "service": "確認",
-  "go {place}": "移動 {place}",
-  "service {place}": "確認 {place}",
   "the order is {n} s old; orders expire after {m} s": "指示が古すぎます（{n}秒）。{m}秒で無効になります",
   "there is no emergency to leave: the drone is {what}": "非常停止中ではありません。ドローンの状態：{what}",
   "STOP is latched: resume first": "STOPで停止中です。先に再開してください",
@@ -472,16 +442,13 @@ export const JA_TOLD: Templates = {
   "bed occupied": "ベッドに人がいます",
   "appliance on": "家電がついています",
   "contact open": "扉が開いています",
-  "{what} ({name})": "{what}（{name}）",
   "no": "いいえ",
   "ignore": "無視",
   "not now": "あとで",
   "landing": "着陸中",
-  "found wrong, {name}": "誤りあり、{name}",
-  "checked, {name}": "点検済み、{name}",
-  "before the site's [tracking] was changed, {name}": "[tracking] を変える前、{name}",
   "{why}: it holds itself": "{why}。自力で静止します",
-  "The drone flies somewhere: press Hover first": "ドローンは移動中です。先に「ホバリング」を押してください",
+  "The drone flies somewhere: press Hover first.":
+    "ドローンは移動中です。先に「ホバリング」を押してください。",
   "in the air the drone keeps the map that it took off with: land first":
     "飛行中は離陸時の地図のままです。先に着陸してください",
   "nobody knows whether the drone flies": "ドローンが飛行中か分かりません",
@@ -496,8 +463,9 @@ export const JA_TOLD: Templates = {
   "{who} starts the pilot again, so that the drone has the newest places and zones":
     "{who} が自動操縦を再起動し、最新の場所と区域を反映します",
   // moving by hand, and complaints of the drone
-  "Moving by hand is switched off here": "ここでは手動での移動は使えません",
-  "A task flies the drone: press Hover first": "用事の飛行中です。先に「ホバリング」を押してください",
+  "Moving by hand is switched off here.": "ここでは手動での移動は使えません。",
+  "A task flies the drone: press Hover first.":
+    "用事の飛行中です。先に「ホバリング」を押してください。",
   "moving by hand is switched off here (limits.nudge_speed)":
     "ここでは手動での移動は使えません（limits.nudge_speed）",
   "moving by hand needs map.planner = \"space\", and mode default":
@@ -516,38 +484,267 @@ export const JA_TOLD: Templates = {
   "too much wind": "強風",
   "ultrasound deaf": "超音波の応答なし",
   "the room's memory does not answer": "部屋の記憶が応答しません",
+  // what the pilot tells
+  "0 to {n} s": "0〜{n}秒",
+  "a number is not finite": "有限でない数値があります",
+  "a wall may be near": "壁が近いかもしれません",
+  "a wall or furniture is ahead": "前方に壁か家具があります",
+  "a way has become free that is {n} s faster: taking it":
+    "{n}秒早い経路が空いたので、そちらを通ります",
+  "above the pad, landing": "パッドの上です。着陸します",
+  "accept orders again": "指示の受け付けを再開します",
+  "an obstacle of {who} is refused: {why}": "{who} の障害物は使えません：{why}",
+  "an order to stop or land came before it was taken": "先に停止か着陸の指示が来ました",
+  "arrived": "到着しました",
+  "arrived, looking": "到着しました。確認しています",
+  "at most {d} m/s, and only by nudge": "最大 {d} m/s、手動での移動のみ",
+  "at most {n} printable letters": "印字できる {n}文字まで",
+  "came to rest off its course: going on from there": "経路を外れて止まりました。そこから続けます",
+  "coming home for safety": "安全のため戻ります",
+  "coordinates of at most {d} m": "座標は {d} m まで",
+  "cut the motors": "モーターを切る",
+  "do it from here": "ここから実行します",
+  "do it once in the air": "離陸後に実行します",
+  "drone lost our commands": "指示がドローンに届きませんでした",
+  "emergency landing by the user": "利用者による緊急着陸",
+  "emergency left": "非常停止を解除しました",
+  "flying to goal": "目的地へ飛行中",
+  "furniture or a wall stands below or beside it": "下か横に家具または壁があります",
+  "furniture stands below": "下に家具があります",
+  "goal is not a position in a room": "goal が室内の位置ではありません",
+  "holding": "保持中",
+  "holding here: {why}": "ここで待機します：{why}",
+  "hover, and accept nothing that moves until RESUME":
+    "「再開」まで停止し、移動の指示を受け付けません",
+  "id is not a name": "id が名前ではありません",
+  "idle": "待機中",
+  "it does not agree with the drone's own motion": "ドローン自身の動きと合いません",
+  "it flies slowly here by order": "ここは低速で飛ぶ区域です",
+  "it is faster than {d} m/s": "{d} m/s より速く動いています",
+  "it is too far from where the drone can be": "ドローンがいられる位置から離れすぎています",
+  "it is too old": "古すぎます",
+  "it lies far outside the map": "地図のはるか外です",
+  "it names neither a place nor a goal": "場所も目標もありません",
+  ["it says that the drone moved {d} m while it lay still: is it another body? Lift the " +
+    "drone to show where it is"]:
+    "静止中に {d} m " +
+      "動いたことになっています。別の物体ではありませ" +
+      "んか？ドローンを持ち上げて位置を示してください",
+  "it stays the same to the last bit while the drone flies": "飛行中なのに値がまったく変わりません",
+  "it was seen in the future": "未来の時刻に検出されています",
+  "its confidence does not lie between 0 and 1": "確信度が 0〜1 の範囲にありません",
+  "its own motion is in doubt": "自身の動きが疑わしいです",
+  "its size makes no sense (at most {d} m)": "大きさが不正です（最大 {d} m）",
+  "its sonar shows something everywhere": "超音波がどこでも反応しています",
+  "its stamp is not newer than the last one": "時刻が前のものより新しくありません",
+  "its stamp lies in the future": "時刻が未来です",
+  "land here": "ここに着陸",
+  "landing all the same: {why}": "それでも着陸します：{why}",
+  "landing for safety": "安全のため着陸します",
+  "landing here": "ここに着陸します",
+  "landing is not acknowledged after {n} s: still asking":
+    "{n}秒たっても着陸が確認されません。要求を続けます",
+  "landing {d} m beside": "{d} m 横に着陸します",
+  "leave the emergency state": "非常停止を解除",
+  "look_at is not a position in a room": "look_at が室内の位置ではありません",
+  "look_s is wrong": "look_s が不正です",
+  "looked long enough, coming home": "確認が終わりました。戻ります",
+  "looking": "確認中",
+  "looking below": "下を確認しています",
+  "motor cut": "モーター停止",
+  "motors are cut": "モーターは停止しています",
+  "moved by hand": "手動で移動中",
+  "moved by hand by {who}": "{who} が手動で移動中",
+  "moved by hand no longer": "手動での移動が終わりました",
+  "moved by hand: {why}": "手動で移動中：{why}",
+  "moving aside": "横へ移動しています",
+  "moving {d} m aside by the drone's own motion, to land":
+    "自身の動きを頼りに {d} m 横へ移動して着陸します",
+  "no clear place to land within 2 m: holding by the drone's own motion":
+    "2 m 以内に着陸できる場所がありません。自身の動きを頼りに待機します",
+  "no clear place to land within 2 m: waiting in the air":
+    "2 m 以内に着陸できる場所がありません。空中で待ちます",
+  "no order for {n} s: coming home": "{n}秒間指示がないため戻ります",
+  "no place called {name}: did you mean {place}? known places: {places}":
+    "{name} という場所はありません。{place} ですか？登録済みの場所：{places}",
+  "no place called {name}; known places: {places}":
+    "{name} という場所はありません。登録済みの場所：{places}",
+  "no way home, landing here: {why}": "戻る経路がないため、ここに着陸します：{why}",
+  "no way leads from home to {end} {place}": "パッドからの経路がありません：{end} {place}",
+  "no way of flying there keeps the limits of the drone":
+    "ドローンの制限内でそこへ飛ぶ方法がありません",
+  "nobody comes near: going back": "近づく人がいなくなりました。元の位置へ戻ります",
+  "not all its numbers are finite": "有限でない数値があります",
+  "not landing: {why}": "着陸しません：{why}",
+  "not landing: {why}. Press Land to land here all the same":
+    "着陸しません：{why}。それでもここに着陸するには「着陸」を押してください",
+  "nothing can be written at {name} ({why})": "{name} に書き込めません（{why}）",
+  "nudge": "手動での移動",
+  "obstacle refused: {why}": "障害物は使えません：{why}",
+  "on the ground": "地上にいます",
+  "ordered to": "指示されたため",
+  "place is not a name": "place が名前ではありません",
+  "returning": "戻っています",
+  "sender is not a name": "sender が名前ではありません",
+  "somebody": "誰か",
+  "something hangs over the drone: carry it to where the air above is free":
+    "ドローンの上に何かあります。上が空いた所へ運んでください",
+  "something was found below here": "この下で何かが見つかっています",
+  "something {d} m high seems to lie on the pad: is it clear?":
+    "パッドに高さ {d} m の物があるようです。空いていますか？",
+  "something {d} m high seems to stand below": "下に高さ {d} m の物があるようです",
+  "stands {d} m above the floor: on something": "床から {d} m の高さにいます。何かの上です",
+  "stands {d} m above where it took off: on something":
+    "離陸した所より {d} m 高い所にいます。何かの上です",
+  "stay here": "ここに留まる",
+  "stop": "停止",
+  "take off, then do it": "離陸してから実行します",
+  "the battery is too low: {p}%, there and back ({n} s) needs {q}%; charge it":
+    "バッテリー不足です：{p}%、往復（{n}秒）には {q}% 必要です。充電してください",
+  "the drone did not acknowledge the {what}": "ドローンが確認しませんでした：{what}",
+  "the drone does not tell how it moves": "ドローンが自身の動きを伝えません",
+  "the drone flies already": "ドローンはすでに飛行中です",
+  "the drone flies although its motors were cut: landing":
+    "モーターを切ったのに飛んでいます。着陸します",
+  "the drone flies somewhere: press Hover first": "移動中です。先に「ホバリング」を押してください",
+  "the drone is in its emergency state: motors off":
+    "ドローンは非常停止状態です。モーターは停止しています",
+  "the drone is in the air without an order: holding": "指示なしで空中にいます。その場に留まります",
+  "the drone is landing": "ドローンは着陸中です",
+  "the drone is on the ground": "ドローンは地上にいます",
+  "the drone is taking off already": "ドローンはすでに離陸中です",
+  "the drone is too fast to turn there: let it stop first":
+    "速すぎてそこへ曲がれません。先に停止させてください",
+  "the drone lands by itself": "ドローンが自動で着陸しています",
+  "the drone says: {what}": "ドローンの警告：{what}",
+  "the drone says: {what}; landing": "ドローンの警告：{what}。着陸します",
+  "the drone stands in a no-fly area: carry it out":
+    "ドローンが飛行禁止区域にあります。外へ運んでください",
+  "the drone was moved on the ground: tracking starts anew":
+    "地上で動かされました。位置計測をやり直します",
+  "the drone's sonar shows something everywhere: landing by the tracked height":
+    "超音波がどこでも反応しています。位置計測の高さで着陸します",
+  "the end of where it may fly is ahead": "前方は飛行できる範囲の端です",
+  "the goal": "目的地",
+  "the order's {what}; allowed: {limit}": "指示：{what}。許容範囲：{limit}",
+  "the orientation is not a unit quaternion": "姿勢が単位四元数ではありません",
+  "the pilot failed ({name}): landing": "操縦プログラムが異常終了しました（{name}）。着陸します",
+  "the start": "現在地",
+  "the way is free: going on": "経路が空きました。続けます",
+  "the way stays blocked": "経路がふさがったままです",
+  "there are more than {n} at once": "同時に {n}個を超えています",
+  "there is a way: going on": "経路がありました。続けます",
+  "there is nowhere to go": "行き先がありません",
+  "too many orders in a second": "1 秒間の指示が多すぎます",
+  "took too long": "時間がかかりすぎました",
+  "tracking is believed in part, {n} of the last {m} poses are not: {why}":
+    "位置計測の一部だけを使っています。最近の {m} 回のうち {n} 回は使えません：{why}",
+  "tracking is not believed since {n} s: {why}": "位置計測を {n}秒間信用していません：{why}",
+  "velocity is wrong": "velocity が不正です",
+  "waiting here: {why}": "ここで待ちます：{why}",
+  "{asked} by {who}: {what}": "{asked}（{who}）：{what}",
+  "{asked} {place}": "{asked} {place}",
+  "{asked}: {what}": "{asked}：{what}",
+  "{end} is not a position: {place}": "{end}が位置ではありません：{place}",
+  "{end} {place} is too close to an obstacle": "{end} {place} は障害物に近すぎます",
+  "{end} {place} is too close to an obstacle ({d} m)":
+    "{end} {place} は障害物に近すぎます（{d} m）",
+  "{end} {place} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
+    "{end} {place} は障害物に近すぎます：機体から {d} m、必要なのは {m} m です",
+  "{end} {place} lies in a no-fly area": "{end} {place} は飛行禁止区域内です",
+  "{end} {place} lies in an obstacle": "{end} {place} は障害物の中です",
+  "{end} {place} lies outside the map": "{end} {place} は地図の外です",
+  "{end} {place} lies outside the room": "{end} {place} は部屋の外です",
+  "{thing} is in the way, {d} m ahead": "{d} m 前方で {thing} が経路をふさいでいます",
+  "{thing} is in the way: going around": "{thing} が経路上にあるため、よけて進みます",
+  "{thing} is near": "{thing} が近くにあります",
+  "{what} took too long": "時間がかかりすぎました：{what}",
+  "{who} comes near": "{who} が近づいています",
+  "{who} comes near and there is no room to make way":
+    "{who} が近づいていますが、よける場所がありません",
+  "{who} comes near and there is no room to make way: landing here":
+    "{who} が近づいていますが、よける場所がないため、ここに着陸します",
+  "{who} comes near: making way": "{who} が近づいているため、よけます",
+  "{who} comes near: the take-off is given up": "{who} が近づいたため、離陸を中止しました",
+  "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
+    "{who} の指示が多すぎます：1 秒間に {n}件を拒否しました（上限 {m}件）",
+  "{who} is below": "{who} が下にいます",
+  "{who} walks into the way: going around": "{who} が経路に入ったため、よけて進みます",
+  "{who} walks into the way: waiting": "{who} が経路に入ったため、待ちます",
+  "{who}: {why}": "{who}：{why}",
+  "{why}, once it can: {what}": "{why}（可能になりしだい：{what}）",
+  "{why}, {d} ms late": "{why}、{d} ミリ秒の遅れ",
+  "{why}, {more}": "{why}、{more}",
+  "{why}: landing here": "{why}。ここに着陸します",
+  "{why}: stopping": "{why}。停止します",
+  "{why}: the air around the drone must be free": "{why}。ドローンの周りを空けてください",
+  "{why}: {found}, must be {limit}; likely cause: {cause} ({value}): {mend}":
+    "{why}：{found}（条件：{limit}）。考えられる原因：{cause}（{value}）。{mend}",
+  "{why}: {found}; {mend}": "{why}：{found}。{mend}",
+  "{why}; nearest free place: ({x}, {y}) m": "{why}。最も近い空いた位置：({x}, {y}) m",
+  "{why}; no way home, waiting here: {more}": "{why}。戻る経路がないため、ここで待ちます：{more}",
+  "{why}; no way on, waiting here: {more}": "{why}。先へ進む経路がないため、ここで待ちます：{more}",
+  // who is here, and who has control
+  "a browser came in by {link}: {what}": "{link} からブラウザが入りました：{what}",
+  "another tab says hello on a socket of its own": "別のタブが独自の接続を使っています",
+  "it may do everything": "すべての操作ができます",
+  "it may fly": "飛行の操作ができます",
+  "it may watch": "閲覧だけできます",
+  "it may watch and ask": "閲覧と質問ができます",
+  "no path could be asked for: {why}": "経路を問い合わせられません：{why}",
+  "nobody has control: take it first": "誰も操縦していません。先に操縦を引き受けてください",
+  "say hello first": "先に接続を始めてください",
+  "the console was started again: what happened meanwhile is not in this log":
+    "コンソールが再起動しました。その間の出来事は記録にありません",
+  "the link of the terminal": "端末のリンク",
+  "the link that {who} made": "{who} が作ったリンク",
+  "the order to {asked} takes no place and no goal": "この指示に場所や目的地は要りません：{asked}",
+  "your role is {name}, and this needs {what}: ask who runs Housefly":
+    "あなたの役割は {name} ですが、{what} が必要です。Houseflyの管理者に頼んでください",
+  "{who} handed control to {name}": "{who} が {name} に操縦を渡しました",
+  "{who} has control": "{who} が操縦中です",
+  "{who} laid down control": "{who} が操縦をやめました",
+  "{who} may not fly any more and lost control": "{who} は飛行の権限がなくなり、操縦を失いました",
+  "{who} saved places and zones": "{who} が場所と区域を保存しました",
+  "{who} took control": "{who} が操縦を引き受けました",
+  "{who} undid a change of places and zones": "{who} が場所と区域の変更を取り消しました",
+  "{who} was silent for {n} s and lost control: nobody has it now":
+    "{who} から{n}秒間応答がなく、操縦を失いました。いまは誰も操縦していません",
+  "{who}: {what}, but the pilot is not heard": "{who}：{what}（自動操縦の応答がありません）",
   // services of the house
   "Look at a place or a thing": "場所や物を見る",
-  "Flies to where it is seen from, takes a picture and comes home": "よく見える所まで飛び、写真を撮って戻ります",
+  "Flies to where it is seen from, takes a picture and comes home.":
+    "よく見える所まで飛び、写真を撮って戻ります。",
   "Where is something": "物の場所",
-  "Says where the memory has it; when that is old or unsure, flies there and looks":
-    "記憶にある場所を答え、古いか不確かなら見に行きます",
+  "Says where the memory has it; when that is old or unsure, flies there and looks.":
+    "記憶にある場所を答え、古いか不確かなら見に行きます。",
   "Patrol": "見回り",
-  "Looks at every place in turn, takes pictures and tells what changed since the last time":
-    "各場所を順に見て写真を撮り、前回との違いを知らせます",
+  "Looks at every place in turn, takes pictures and tells what changed since the last time.":
+    "各場所を順に見て写真を撮り、前回との違いを知らせます。",
   "Night round": "夜の見回り",
-  "Looks after everybody and every place once, quietly; tells only what is wrong":
-    "静かに一度ずつ見て回り、異常だけを知らせます",
+  "Looks after everybody and every place once, quietly; tells only what is wrong.":
+    "静かに一度ずつ見て回り、異常だけを知らせます。",
   "Look who is at the door": "玄関に誰がいるか見る",
-  "Flies to the entrance, films whoever stands there and tells everybody": "玄関へ飛び、来た人を撮影して皆に知らせます",
+  "Flies to the entrance, films whoever stands there and tells everybody.":
+    "玄関へ飛び、来た人を撮影して皆に知らせます。",
   "Look around": "周りを見る",
-  "Takes pictures in all directions, where the drone starts or at a place":
-    "離陸した所か選んだ場所で、全方向の写真を撮ります",
+  "Takes pictures in all directions, where the drone starts or at a place.":
+    "離陸した所か選んだ場所で、全方向の写真を撮ります。",
   "Is everything all right?": "異常はありませんか",
-  "Tells how everybody is; looks after who may have fallen or left their bed at night":
-    "皆の様子を知らせ、転倒や夜の離床を見に行きます",
+  "Tells how everybody is; looks after who may have fallen or left their bed at night.":
+    "皆の様子を知らせ、転倒や夜の離床を見に行きます。",
   "Inventory": "中身の確認",
-  "Tells what is in the cabinet and the refrigerator, and takes a picture of each":
-    "棚と冷蔵庫の中身を知らせ、それぞれ写真を撮ります",
+  "Tells what is in the cabinet and the refrigerator, and takes a picture of each.":
+    "棚と冷蔵庫の中身を知らせ、それぞれ写真を撮ります。",
   "Follow somebody": "人を追う",
-  "Keeps a person in view for a while; looks for who is lost, then comes home":
-    "しばらく人を映し続け、見失えば探してから戻ります",
+  "Keeps a person in view for a while; looks for who is lost, then comes home.":
+    "しばらく人を映し続け、見失えば探してから戻ります。",
   "Find a lost thing": "なくした物を探す",
-  "Looks where it most likely is, shows pictures and asks; tells what was not looked at":
-    "ありそうな所を見て写真で確認し、見ていない所を知らせます",
+  "Looks where it most likely is, shows pictures and asks; tells what was not looked at.":
+    "ありそうな所を見て写真で確認し、見ていない所を知らせます。",
   "Come to somebody": "人のところへ行く",
-  "Flies to a person, faces them and waits; goes home when told, or after a while":
-    "人のところへ飛び、向き合って待ちます。指示かしばらくのあと戻ります",
+  "Flies to a person, faces them and waits; goes home when told, or after a while.":
+    "人のところへ飛び、向き合って待ちます。指示かしばらくのあと戻ります。",
   "what to look at": "見るもの",
   "how long to look": "見る時間",
   "how long to look at each": "それぞれを見る時間",

@@ -1,7 +1,6 @@
 // The page in Japanese.
 import { JA_TOLD } from "./ja-told";
 import type { Speech } from "./language";
-import { teller } from "./templates";
 
 const texts: Speech["texts"] = {
   // orders, STOP and what stands beside them
@@ -137,7 +136,6 @@ const texts: Speech["texts"] = {
   "drone^lines": "ドローン",
   "room^lines": "部屋",
   "warnings^lines": "警告",
-  "The drone's own lines are in English.": "ドローンの記録は英語で表示されます。",
   "Show the room as it was then": "そのときの部屋を表示",
   "Only of": "対象",
   "everything": "すべて",
@@ -599,4 +597,4 @@ const texts: Speech["texts"] = {
 
 const ideas = ["玄関に誰がいますか", "誰かいますか", "大丈夫ですか", "今日何がありましたか"];
 
-export const JA: Speech = { texts, ideas, told: teller(JA_TOLD, { point: ".", stop: "。" }) };
+export const JA: Speech = { texts, ideas, templates: JA_TOLD };

@@ -1,12 +1,19 @@
 // Which language a page speaks. English is in the code; the others are fetched when chosen.
 import { batch, signal } from "@preact/signals";
+import type { Said } from "../wire/messages";
 import { language, localNumber, type Language } from "./numbers";
+import { short } from "./short";
+
+/** English template to the same in another language; the names in braces are the same in both. */
+export type Templates = Readonly<Record<string, string>>;
 
 /** What a language's file gives. */
 export interface Speech<Text extends string = string> {
   texts: Record<Text, string>;
-  /** What the server says in English, in this language; null where no template fits. */
-  told(english: string): string | null;
+  /** What the server says by a template: `short` of the English one to that of this language. */
+  templates?: Templates;
+  /** What it says without one, in this language; null where nobody has put it so. */
+  told?(english: string): string | null;
   /** What one may ask here; English ideas come with the names of the room. */
   ideas?: string[];
 }
@@ -93,13 +100,26 @@ const foreign = new Set<string>();
 /** Without the capital and the full stop that the page may have given it. */
 const bare = (words: string): string => words.toLowerCase().replace(/\.$/, "");
 
+const PLACE = /\{\w+\}/g;
+
 /** What the server says, in the language of the page, or as it is where nobody has put it so. */
-export function translated(english: string): string {
-  const own = speech.value?.told(english) ?? null;
-  if (own !== null || !speech.value || !english) return own ?? english;
-  if (foreign.size >= FOREIGN_KEPT) foreign.clear();
-  foreign.add(bare(english));
-  return english;
+export function translated(said: Said): string {
+  const [english, ...values] = typeof said === "string" ? [said] : said;
+  const own = speech.value?.templates?.[short(english)] ?? speech.value?.told?.(english);
+  const words = values.length ? filled(own ?? english, english, values) : (own ?? english);
+  if (own == null && words) {
+    if (foreign.size >= FOREIGN_KEPT) foreign.clear();
+    foreign.add(bare(words));
+  }
+  return words;
+}
+
+function filled(own: string, english: string, values: (Said | { n: string })[]): string {
+  const names: string[] = english.match(PLACE)!;
+  return own.replace(PLACE, (name) => {
+    const one = values[names.indexOf(name)] as { n?: string };
+    return one.n ? localNumber(one.n) : translated(one as Said);
+  });
 }
 
 /** The `lang` of an element that shows `translated` words: English where they still are. */

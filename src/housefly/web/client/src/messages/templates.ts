@@ -1,7 +1,6 @@
 // English sentences of the server with numbers and names in them, put into another language.
 
-/** English template to the same in another language; the names in braces are the same in both. */
-export type Templates = Readonly<Record<string, string>>;
+import type { Templates } from "./speech";
 
 interface Rule {
   pattern: RegExp;

@@ -9,7 +9,7 @@ import { events } from "../store";
 import { go } from "../timebar/past";
 import { serverNow } from "../wire/clock";
 import type { Severity } from "../wire/messages";
-import { language, t } from "../messages/language";
+import { t, tongue, translated } from "../messages/language";
 import { capital } from "../format";
 
 const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕" };
@@ -39,7 +39,7 @@ const lines = computed<Line[]>(() => {
     key: `d${one.number}`,
     when: Date.now() - 1000 * (now - one.at),
     severity: one.severity,
-    words: capital(one.text),
+    words: capital(translated(one.text)),
     of: "drone",
     shows: null,
   }));
@@ -88,7 +88,6 @@ export function Log({ children }: { children?: ComponentChildren }) {
         {filter.value === "room" && <OnlyOf />}
         {children}
       </div>
-      {language.value !== "en" && <p class="quiet">{t("The drone's own lines are in English.")}</p>}
       <ol tabIndex={0} data-scrolls>
         {shown.value.map((one) => (
           <li key={one.key} data-severity={one.severity}>
@@ -97,7 +96,7 @@ export function Log({ children }: { children?: ComponentChildren }) {
               {MARK[one.severity]}
             </span>
             {one.shows === null ? (
-              <span lang={language.value === "en" ? undefined : "en"}>{one.words}</span>
+              <span lang={tongue(one.words)}>{one.words}</span>
             ) : (
               <button
                 type="button"

@@ -1,12 +1,13 @@
 import { computed, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { minutes } from "../format";
+import { capital, minutes } from "../format";
 import { clock } from "../live/words";
 import { clipAddress, clips } from "../tasks/tasks-client";
 import type { ClipInfo } from "../wire/task-messages";
 import { recordedLine, recordedSecond, recordedWords } from "./recorded-state";
 import { closeFlight, moment, pace, playing, replay, replaying } from "./replay";
-import { t } from "../messages/language";
+import { t, translated } from "../messages/language";
+import { Told } from "../messages/told";
 
 /** Across the map, so that nobody takes a recording for the present. */
 export function RecordedBanner() {
@@ -43,7 +44,7 @@ export function RecordedLog() {
               <span class="mark" aria-label={t(one.severity)}>
                 {MARK[one.severity]}
               </span>
-              <span lang="en">{one.text.charAt(0).toUpperCase() + one.text.slice(1)}</span>
+              <Told words={capital(translated(one.text))} />
             </li>
           ))}
       </ol>

@@ -13,7 +13,7 @@ async function choose(mode: HouseMode): Promise<void> {
   try {
     words.value = (await setMode(mode)).words;
   } catch (error) {
-    words.value = `△ ${(error as Error).message}`;
+    words.value = (error as Error).message;
   }
 }
 

@@ -70,12 +70,19 @@ export type Role = "watch" | "ask" | "fly" | "admin";
 
 export type Severity = "info" | "warning" | "fault";
 
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+
 export interface EventView {
   number: number;
   at: number;
   severity: Severity;
   code: string;
-  text: string;
+  text: Said;
 }
 
 export interface Welcome {
@@ -130,14 +137,14 @@ export interface RoomMessage {
 
 export interface PreflightCheck {
   code: string;
-  title: string;
-  fault: string;
+  title: Said;
+  fault: Said;
   passed: boolean;
   required: boolean;
-  value: string;
-  limit: string;
-  why: string;
-  mend: string;
+  value: Said;
+  limit: Said;
+  why: Said;
+  mend: Said;
 }
 
 export interface PreflightView {
@@ -220,7 +227,7 @@ export interface StateMessage {
   clears: Clearing;
   action: Action;
   goal_name: string;
-  reason: string;
+  reason: Said;
   path: number;
   waypoint: number;
   others: OtherBody[];
@@ -251,7 +258,7 @@ export interface LinkStatus {
   loop_p99_s: number;
   loop_max_s: number;
   missed_ticks: number;
-  notes: string[];
+  notes: Said[];
   tracking_latency_s: number;
   command_delay_s: number;
   command_delay_std_s: number;
@@ -279,13 +286,13 @@ export type Standing =
 
 export interface FlightObjection {
   code: string;
-  words: string;
-  mend: string;
+  words: Said;
+  mend: Said;
 }
 
 export interface OrderObjection {
   order: OrderKind;
-  words: string;
+  words: Said;
 }
 
 export type StopProgress = "none" | "sent" | "confirmed" | "failed";
@@ -293,17 +300,17 @@ export type StopProgress = "none" | "sent" | "confirmed" | "failed";
 export interface StopView {
   progress: StopProgress;
   by: string;
-  words: string;
+  words: Said;
 }
 
 export interface ConsoleVerdict {
   at: number;
   shape: HeadlineShape;
-  headline: string;
-  detail: string;
-  banner: string;
+  headline: Said;
+  detail: Said;
+  banner: Said;
   standing: Standing;
-  place: string;
+  place: Said;
   pad_distance: number | null;
   airborne: boolean | null;
   may_be_airborne: boolean;
@@ -311,10 +318,10 @@ export interface ConsoleVerdict {
   pose_is_old: boolean;
   may_take_off: boolean;
   reasons: FlightObjection[];
-  known: string[];
+  known: Said[];
   orders: OrderObjection[];
   next_order: OrderKind | null;
-  if_contact_lost: string;
+  if_contact_lost: Said;
   stop: StopView;
   pilot: number | null;
   control: string;
@@ -478,7 +485,7 @@ export interface PlanAnswer {
   start: [number, number];
   goal: [number, number];
   path: Path | null;
-  reason: string;
+  reason: Said;
   suggestion: [number, number] | null;
   duration: number;
 }
@@ -496,8 +503,14 @@ export interface AcceptedReply {
 
 export interface RefusedReply {
   id: number;
-  reason: string;
+  reason: Said;
   type: "refused";
+}
+
+export interface OrderRefused {
+  order: OrderKind;
+  reason: Said;
+  type: "order_refused";
 }
 
 export interface PongReply {
@@ -550,6 +563,7 @@ export type ServerMessage =
   | PlanReply
   | AcceptedReply
   | RefusedReply
+  | OrderRefused
   | PongReply
   | InviteReply
   | InvitationUsed;

@@ -288,11 +288,18 @@ export interface FlightPath {
   speeds: number[];
 }
 
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+
 export interface FlightNote {
   t: number;
   severity: Severity;
   code: string;
-  text: string;
+  text: Said;
 }
 
 export interface FlightReplay {

@@ -3,6 +3,7 @@ import { batch } from "@preact/signals";
 import * as store from "../store";
 import { sentence } from "../format";
 import { tellRefusal } from "../said";
+import { translated } from "../messages/speech";
 import { told } from "../tasks/board";
 import { extended, trailOf } from "../trail";
 import { assume, learn, localNow } from "./clock";
@@ -169,6 +170,10 @@ function receive(message: ServerMessage): void {
         tellRefusals(message.events);
         store.events.value = [...store.events.value, ...message.events].slice(-EVENTS_KEPT);
         break;
+      case "order_refused":
+        store.orderRefused.value = message;
+        tellRefusal(message);
+        break;
       case "verdict":
         // Each flight has a trail of its own.
         if (message.may_be_airborne && !store.flying.value) store.trail.value = [];
@@ -197,15 +202,14 @@ function receive(message: ServerMessage): void {
 function tellRefusals(events: EventView[]): void {
   const refused = events.filter((event) => event.code === "order_refused").at(-1);
   if (!refused || !store.iFly.value) return;
-  const words = sentence(refused.text);
+  const words = sentence(translated(refused.text));
   store.notice.value = words;
   setTimeout(() => store.notice.value === words && (store.notice.value = ""), NOTICE_KEPT);
-  tellRefusal(refused);
 }
 
 function answer(message: Answer): void {
   const resolve = waiting.get(message.id);
   waiting.delete(message.id);
   if (resolve) resolve(message);
-  else if (message.type === "refused") store.notice.value = message.reason;
+  else if (message.type === "refused") store.notice.value = translated(message.reason);
 }

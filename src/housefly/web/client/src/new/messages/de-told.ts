@@ -1,5 +1,5 @@
 // What the server of the page of a new site says, in German: templates of its sentences.
-import type { Templates } from "../../messages/templates";
+import type { Templates } from "../../messages/speech";
 
 export const DE_TOLD: Templates = {
   // what a draft lacks, and what mends it
