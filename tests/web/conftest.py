@@ -24,6 +24,7 @@ from housefly.app.certificates import CertificateFiles
 from housefly.bus.local import LocalBus
 from housefly.config.web import WebConfig
 from housefly.hub.api.pilot_queries import RoomView
+from housefly.messages.words import from_tree
 from housefly.web.console_port import listening
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditService
@@ -34,6 +35,25 @@ from housefly.web.users import UserBook
 
 TOKEN = "a-token-for-tests-only"
 SECRET = "a-secret-for-tests-only"
+
+
+_WORDS = {
+    *("reason", "text", "headline", "detail", "banner", "place", "words", "mend", "title"),
+    *("fault", "value", "limit", "why", "if_contact_lost"),
+}
+"""Keys of a message of the console under which words are."""
+
+
+def in_english(told: Any) -> Any:
+    """Return a message with the English sentences of its words, as a page in English shows it."""
+    if isinstance(told, list):
+        return [in_english(one) for one in told]
+    if not isinstance(told, dict):
+        return told
+    shown = {key: from_tree(one) if key in _WORDS else in_english(one) for key, one in told.items()}
+    if "known" in shown:
+        shown["known"] = [from_tree(one) for one in told["known"]]
+    return shown
 
 
 @dataclass
@@ -56,7 +76,7 @@ class Talk:
                     if all(message.get(key) == value for key, value in wanted):
                         self._waiting.remove(message)
                         return message
-                message = json.loads(await self.socket.recv())
+                message = in_english(json.loads(await self.socket.recv()))
                 self.heard.append(message)
                 self._waiting.append(message)
 

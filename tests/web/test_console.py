@@ -115,7 +115,7 @@ async def test_who_has_not_said_who_it_is_may_stop_and_land_and_nothing_else(con
         for message in UNNAMED:
             await socket.send(json.dumps(message))
             told = json.loads(await asyncio.wait_for(socket.recv(), 5))
-            assert (told["type"], told["reason"]) == ("refused", "say hello first"), message
+            assert (told["type"], told["reason"]) == ("refused", ["say hello first"]), message
         await socket.send('{"type":"order","id":2,"order":"land"}')
         assert json.loads(await asyncio.wait_for(socket.recv(), 5))["type"] == "accepted"
     assert kinds(console) == [OrderKind.LAND]
