@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import pytest
 
+from housefly.lab.lockstep import lockstep_room
 from housefly.lab.safety_case.faulty_flight import fly_trial
 from housefly.lab.safety_case.trial import TrialKey
-from housefly.twin import lockstep
 
 SILENT_FLIGHTS = pytest.mark.parametrize(
     "flight", [TrialKey("F17/off", 238), TrialKey("F25/gone", 187)], ids=lambda key: key.row
@@ -29,5 +29,5 @@ def test_a_drone_that_lands_after_a_second_of_silence_stays_off_the_furniture(
 def test_the_same_drone_as_it_comes_from_its_maker_does_harm(
     flight: TrialKey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(lockstep, "COM_WATCHDOG_TIME", 2)
+    monkeypatch.setattr(lockstep_room, "COM_WATCHDOG_TIME", 2)
     assert any(words.startswith("I1") for words in fly_trial(flight).violations)
