@@ -14,6 +14,7 @@ from housefly.pilot.safety.observer import LATE_STEP, TILT_TIME, FlightObserver
 FINE = GateInputs(
     0.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False, flight_height=1.1
 )
+HEARD = Telemetry(0.0, DroneStatus.FLYING, 0.9, theta=0.1)
 TICK = 0.01
 
 
@@ -102,10 +103,17 @@ def test_a_blow_is_what_the_lean_of_a_drone_that_brakes_does_not_explain(
     assert max(unexplained) == pytest.approx(blow, abs=0.03)
 
 
-@pytest.mark.parametrize("unknown", [{"yaw": nan}, {"telemetry": None}, {"velocity": None}])
+@pytest.mark.parametrize(
+    "unknown",
+    [
+        {"yaw": nan},
+        {"telemetry": None},
+        {"velocity": None},
+        *({"telemetry": replace(HEARD, **{angle: inf})} for angle in ("theta", "phi")),
+    ],
+)
 def test_where_the_lean_is_not_known_it_explains_nothing(unknown: dict[str, object]) -> None:
-    report = Telemetry(0.0, DroneStatus.FLYING, 0.9, theta=0.1)
-    known = replace(FINE, velocity=(0.5, 0.0, 0.0), yaw=0.0, telemetry=report)
+    known = replace(FINE, velocity=(0.5, 0.0, 0.0), yaw=0.0, telemetry=HEARD)
     observer = FlightObserver(LimitsConfig())
     assert observer.observe(known, held=False, landing=False).unexplained_change == 0.0
     seen = observer.observe(replace(known, **unknown), held=False, landing=False)

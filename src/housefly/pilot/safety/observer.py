@@ -229,16 +229,13 @@ class FlightObserver:
     def _unexplained_change(self, inputs: GateInputs, dt: float) -> float:
         """Return how much the velocity changed beyond what the lean did: a brake is no blow."""
         told, (x, y) = inputs.telemetry, self._leant
-        if inputs.velocity is None or told is None or not isfinite(inputs.yaw):
+        is_known = told is not None and all(map(isfinite, (inputs.yaw, told.theta, told.phi)))
+        if inputs.velocity is None or told is None or not is_known:
             self._unexplained.clear()
             return inf
         c, s = cos(inputs.yaw), sin(inputs.yaw)
         ahead, left = GRAVITY * dt * sin(told.theta), -GRAVITY * dt * sin(told.phi)
         x, y = self._leant = x + c * ahead - s * left, y + s * ahead + c * left
-        if not (isfinite(x) and isfinite(y)):
-            self._leant = (0.0, 0.0)
-            self._unexplained.clear()
-            return inf
         vx, vy, _ = inputs.velocity
         self._unexplained.add(inputs.now, (vx - x, vy - y))
         before_x, before_y = self._unexplained.oldest(inputs.now)
