@@ -151,6 +151,23 @@ async def test_control_changes_hands_by_name(console: Any) -> None:
         await ben.hear("viewers", pilot=1)
 
 
+@asynccontextmanager
+async def here(talk: Any) -> AsyncIterator[None]:
+    """Give signs of life as a page does: who is silent for three seconds loses control."""
+
+    async def beat() -> None:
+        while True:
+            await talk.say(type="ping", sent=0.0)
+            await asyncio.sleep(0.5)
+
+    beating = asyncio.create_task(beat())
+    try:
+        yield
+    finally:
+        beating.cancel()
+        await asyncio.gather(beating, return_exceptions=True)
+
+
 async def test_taking_over_in_flight_needs_the_hold(console: Any) -> None:
     cookie = await console.session()
     async with (
@@ -160,9 +177,10 @@ async def test_taking_over_in_flight_needs_the_hold(console: Any) -> None:
         await anna.hear("room")
         await anna.hear("state")
         await anna.say(type="order", id=1, order="take_off")
-        await ben.hear("state", status="flying")
-        await ben.say(type="lease", id=1, action="take")
-        assert "hold" in (await ben.hear("refused", id=1))["reason"]
+        async with here(anna):
+            await ben.hear("state", status="flying")
+            await ben.say(type="lease", id=1, action="take")
+            assert "hold" in (await ben.hear("refused", id=1))["reason"]
         await ben.say(type="lease", id=2, action="take", held=True)
         await anna.hear("viewers", pilot=2)
 
