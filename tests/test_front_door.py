@@ -233,7 +233,11 @@ def test_the_folder_of_a_flight_is_the_given_one_or_goes_with_the_flight(
 def test_a_simulation_flies_what_fly_flies(tour: tuple[str, housefly.Flight]) -> None:
     simulation = housefly.Simulation(housefly.load_site("bsen", twin__seed=7))
     order = housefly.Order(
-        housefly.OrderKind.SERVICE, place="entrance", look_s=5.0, sender="python"
+        housefly.OrderKind.SERVICE,
+        place="entrance",
+        look_s=5.0,
+        sender="python",
+        source=housefly.OrderSource.PROGRAM,
     )
     for recorded in islice(tour[1].steps(), 2500):  # the take-off, and half of the way there
         simulation.advance()
