@@ -57,7 +57,7 @@ def pilots_side(socket: str) -> None:
     """Measure as a pilot does, and print the ages."""
     raise_priority()
     gc.freeze()
-    tracker: Tracker = RemoteTracker(Path(socket)) if socket else ViconTracker(CONFIG)
+    tracker: Tracker = RemoteTracker(Path(socket), RealClock()) if socket else ViconTracker(CONFIG)
     print(json.dumps(asyncio.run(ages_of(tracker))))
 
 

@@ -19,7 +19,7 @@ from housefly.app.readiness import Readiness
 from housefly.app.room_main import DronelessPilot, RoomTracking
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY, STAND_DOWN_QUERY
-from housefly.clock import RealClock
+from housefly.clock import RealClock, SteppedClock
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError, LinkError, ThingError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
@@ -91,7 +91,8 @@ async def test_a_pilot_hears_each_frame_also_when_the_bus_takes_none(
         raise LinkError("the bus is gone")
 
     monkeypatch.setattr(bus, "publish", refuse)
-    pilot = RemoteTracker(tmp_path / "tracking")
+    heard_by = SteppedClock(10.0)
+    pilot = RemoteTracker(tmp_path / "tracking", heard_by)
     assert not pilot.connected and "room.log" in pilot.problem
     listening = asyncio.create_task(pilot.run(heard.extend))
     running = asyncio.create_task(RoomTracking(OneBody(), bus, tmp_path / "tracking", clock).run())
@@ -99,6 +100,9 @@ async def test_a_pilot_hears_each_frame_also_when_the_bus_takes_none(
         await until(lambda: len(heard) > 3)
         assert pilot.connected and pilot.problem == ""
         assert all(one.body == "visitor" for one in heard)
+        heard_by.advance(1.5)
+        assert not pilot.connected and "room.log" in pilot.problem, "it stands still"
+        await until(lambda: pilot.connected)
     finally:
         running.cancel()
         await asyncio.gather(running, return_exceptions=True)

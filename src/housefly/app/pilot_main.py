@@ -38,7 +38,7 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     with ZenohBus(connect=runtime.bus) as bus:
         drone = RemoteDrone(runtime.driver_socket, clock)
         origin = OriginMemory(site, runtime.driver_socket.parent)
-        tracker = RemoteTracker(runtime.tracking_socket)
+        tracker = RemoteTracker(runtime.tracking_socket, clock)
         shell = PilotShell(loaded, bus, tracker, drone, origin=origin)
         # The launcher starts no pilot before the last one is gone, so it alone shares the port.
         where = ("127.0.0.1", runtime.stop_port)

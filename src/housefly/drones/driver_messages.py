@@ -1,7 +1,7 @@
 """What pilot and driver tell each other over their socket: bytes and back.
 
-Each message is magic, kind, size of its body [bytes], body. A command carries the time at which the
-pilot gave it: what comes late counts for nothing (``failsafe``).
+A command carries the time at which the pilot gave it: what comes late counts for nothing
+(``failsafe``).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import isfinite
 
+from housefly.bus.private_socket import FrameCutter, framed
 from housefly.config.capabilities import Capabilities
 from housefly.errors import WireError
 from housefly.messages import (
@@ -27,7 +28,6 @@ from housefly.messages import (
 )
 
 _MAGIC = b"HFd1"
-_HEADER = struct.Struct("<4sBI")
 _COMMAND = struct.Struct("<B5d???4d")
 _TELEMETRY = struct.Struct("<Bdd4d3d???3d?d")
 _LINK = struct.Struct("<??d")
@@ -85,14 +85,14 @@ def encode_driver_message(message: DriverMessage) -> bytes:
     """Return a message with its header."""
     kind = _KINDS.index(type(message))
     body = _ENCODE[kind](message)
-    return _HEADER.pack(_MAGIC, kind, len(body)) + body
+    return framed(_MAGIC, kind, body)
 
 
 class MessageReader:
     """Cuts a stream into messages."""
 
     def __init__(self) -> None:
-        self._buffer = bytearray()
+        self._frames = FrameCutter(_MAGIC, len(_KINDS), _BODY_MAX)
 
     def feed(self, data: bytes) -> list[DriverMessage]:
         """Append the next bytes and return the messages now complete, oldest first.
@@ -100,19 +100,7 @@ class MessageReader:
         Raises:
             WireError: no message of ours; the connection is of no use any more.
         """
-        self._buffer += data
-        messages: list[DriverMessage] = []
-        while len(self._buffer) >= _HEADER.size:
-            magic, kind, size = _HEADER.unpack_from(self._buffer)
-            if magic != _MAGIC or kind >= len(_KINDS) or size > _BODY_MAX:
-                raise WireError("pilot and driver do not speak the same language")
-            end = _HEADER.size + size
-            if len(self._buffer) < end:
-                break
-            body = bytes(memoryview(self._buffer)[_HEADER.size : end])
-            del self._buffer[:end]
-            messages.append(_decoded(kind, body))
-        return messages
+        return [_decoded(kind, body) for kind, body in self._frames.feed(data)]
 
 
 def _decoded(kind: int, body: bytes) -> DriverMessage:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+from math import inf
 from pathlib import Path
 
 from housefly.bus.private_socket import is_own_user
+from housefly.clock import Clock
 from housefly.errors import WireError
 from housefly.messages import TrackedFrame
 from housefly.tracking.contracts import SightingSink
@@ -14,6 +16,8 @@ from housefly.tracking.tracking_messages import TrackerStatus, TrackingMessageRe
 
 _RECONNECT_PAUSE = 0.05
 """Pause between two attempts to reach the room's process [s]."""
+_SILENT_AFTER = 1.0
+"""The room's process, which tells how tracking is four times a second, does not answer [s]."""
 _UNREACHED = TrackerStatus(problem="the room's process does not answer (its log: room.log)")
 
 
@@ -22,11 +26,12 @@ class RemoteTracker:
 
     Args:
         path: of the socket.
+        clock: for ages.
     """
 
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        self._status = _UNREACHED
+    def __init__(self, path: Path, clock: Clock) -> None:
+        self._path, self._clock = path, clock
+        self._status, self._heard_at = _UNREACHED, -inf
 
     async def run(self, sink: SightingSink) -> None:
         """Connect, hand on each frame's sightings, reconnect for ever; ends only when cancelled."""
@@ -49,16 +54,21 @@ class RemoteTracker:
     @property
     def connected(self) -> bool:
         """Whether frames arrive (within the last second)."""
-        return self._status.connected
+        return self._told().connected
 
     @property
     def problem(self) -> str:
         """Why not, in words, or ""."""
-        return self._status.problem
+        return self._told().problem
 
     def note(self, status: TrackerStatus) -> None:
         """Take in how the room's tracker is."""
-        self._status = status
+        self._status, self._heard_at = status, self._clock.now()
+
+    def _told(self) -> TrackerStatus:
+        """Return the newest word; a process that stands still says nothing, and nothing is well."""
+        is_heard = self._clock.now() - self._heard_at < _SILENT_AFTER
+        return self._status if is_heard else _UNREACHED
 
 
 class _RoomLink(asyncio.Protocol):
