@@ -9,10 +9,16 @@ from fuzz_target import DEEP, HUGE, FuzzTarget, pieces, split
 
 from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
+from housefly.messages import Pose, Sighting, TrackedFrame
 from housefly.sensors.laser import scan_of
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.natnet_frames import NatNetFrames
+from housefly.tracking.tracking_messages import (
+    TrackerStatus,
+    TrackingMessageReader,
+    encode_tracking_message,
+)
 from housefly.tracking.vicon_frames import ViconFrames
 from housefly.tracking.vrpn_frames import VrpnFrames
 from housefly.wires.devices import KINDS, Delivered, decode_reading, parse_topic
@@ -211,6 +217,18 @@ def _bridge_seeds() -> Iterable[bytes]:
     yield b'{"bodies": ' + DEEP
 
 
+def _sightings(data: bytes) -> None:
+    reader = TrackingMessageReader()
+    for piece in pieces(data[1:], 1 + (data[0] if data else 0)):
+        reader.feed(piece)
+
+
+def _sighting_seeds() -> Iterable[bytes]:
+    frame = TrackedFrame((Sighting("ardrone", Pose((1.0, 2.0, 3.0)), 4.0, 5.0),))
+    for message in (frame, TrackedFrame(()), TrackerStatus(False, "silent")):
+        yield b"\xff" + encode_tracking_message(message)
+
+
 ROOM_WIRES: dict[str, FuzzTarget] = {
     "natnet": FuzzTarget(_natnet, _natnet_seeds, (WireError,)),
     "vicon": FuzzTarget(_vicon, _vicon_seeds, (WireError,)),
@@ -222,6 +240,7 @@ ROOM_WIRES: dict[str, FuzzTarget] = {
         2048,
         (b'"bodies"', b"1e309", b"NaN", b"-Infinity"),
     ),
+    "sightings": FuzzTarget(_sightings, _sighting_seeds, (WireError,), words=(b"HFt1",)),
     "scip_reply": FuzzTarget(_scip, _scip_seeds),
     "scip_request": FuzzTarget(decode_request, _scip_request_seeds, (WireError,), 64),
     "mqtt": FuzzTarget(_device, _device_seeds, (WireError,), words=(b"housefly/", b"NaN", b"1e99")),
