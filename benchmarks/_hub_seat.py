@@ -12,7 +12,7 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
-from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, ROOM_NEWS_TOPIC, STEP_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, ROOM_NEWS_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
 from housefly.hub.api.answers import WhereAnswer
@@ -21,6 +21,8 @@ from housefly.hub.api.questions import WhereQuestion
 from housefly.hub.client.discovery import find
 from housefly.hub.client.room_client import RoomClient
 from housefly.messages import PilotStep, RoomNews, TrackedFrame
+
+TOPICS = DroneTopics()
 
 ECHO = "benchmark/echo"
 PAUSE = 0.003
@@ -118,7 +120,7 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
 
     open_ = [
         bus.subscribe(FRAME_TOPIC, frame),
-        bus.subscribe(STEP_TOPIC, step),
+        bus.subscribe(TOPICS.step, step),
         bus.subscribe(ROOM_NEWS_TOPIC, news),
     ]
     time.sleep(WARM_UP)

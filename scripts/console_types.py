@@ -13,6 +13,7 @@ from housefly.hub.api import answers as room_answers
 from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskAnswer
 from housefly.web.client_messages import ClientMessage
+from housefly.web.consoles import DronesView
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditsView
 from housefly.web.flight_book import FlightReplay, FlightsView
@@ -69,7 +70,8 @@ def _room_types() -> str:
         | EditsView
         | BellView
         | FlightsView
-        | FlightReplay,
+        | FlightReplay
+        | DronesView,
         "RoomNews": room_answers.News,
     }
     return _text("housefly/hub/api/answers.py", unions)

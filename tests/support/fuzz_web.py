@@ -16,7 +16,19 @@ from stand_in_tasks import StandInTasks
 
 from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, TOPICS
+from housefly.bus.topics import (
+    DEPTH_TOPIC,
+    FRAME_TOPIC,
+    HUB_QUERY,
+    OBSTACLE_TOPIC,
+    ROOM_EVENT_TOPIC,
+    ROOM_NEWS_TOPIC,
+    SENSOR_TOPIC,
+    SIGHT_TOPIC,
+    TASK_NEWS_TOPIC,
+    DroneTopics,
+    Topic,
+)
 from housefly.config.site import Site
 from housefly.errors import LinkError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES
@@ -56,6 +68,24 @@ from housefly.room.model import Place, Room
 from housefly.web.edit_service import EditService
 from housefly.web.server import create_app
 
+_OURS = DroneTopics()
+TOPICS: tuple[Topic[Any], ...] = (
+    FRAME_TOPIC,
+    _OURS.step,
+    _OURS.trajectory,
+    _OURS.link,
+    _OURS.video,
+    _OURS.order,
+    ROOM_NEWS_TOPIC,
+    OBSTACLE_TOPIC,
+    DEPTH_TOPIC,
+    SENSOR_TOPIC,
+    SIGHT_TOPIC,
+    ROOM_EVENT_TOPIC,
+    TASK_NEWS_TOPIC,
+    _OURS.recording,
+)
+"""In the order that the inputs under ``tests/fuzz`` were kept with."""
 _PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)
 _STATUSES = (200, 401, 404, 503)
 _QUESTIONS = tuple(ANSWER_TYPES)

@@ -29,14 +29,14 @@ class DepthService:
     """Processes the images of a site's depth cameras, until closed.
 
     Attributes:
-        own: where the drone is, None when it is not in the air or not known.
+        own: where our drones are, of those in the air whose place is known.
         sight: until when the cameras were believed.
     """
 
     def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
         site = loaded.site
         height, half = site.map.flight_height, site.map.half_band
-        self.own: OwnFootprint | None = None
+        self.own: tuple[OwnFootprint, ...] = ()
         self._bus, self._clock = bus, clock
         self._tracker = DepthTracker(
             untracked(loaded.room, site), site.depth_cameras, (height - half, height + half)

@@ -17,7 +17,6 @@ from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import TaskDocument
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
-from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.task_run import HOLD_PERIOD
 from housefly.tasks.room_names import names_of_room
 from housefly.tasks.rules.room_facts import AskedRoomFacts
@@ -29,6 +28,7 @@ from housefly.tasks.rules.rule_store import RuleStore
 from housefly.tasks.scheduler.task_store import TASK_FILE, TaskStore
 from housefly.tasks.scheduler.values import SchedulerLimits
 from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.task_engine import TaskEngine
 from housefly.tasks.task_outlet import TaskOutlet, TaskRehearser
 from housefly.tasks.task_rehearsals import TaskRehearsals
@@ -42,8 +42,7 @@ _ASKING_PATIENCE = 5.0
 
 def task_service(
     loaded: LoadedSite,
-    room: LiveTaskRoom,
-    inbox: StepInbox,
+    rooms: Mapping[str, LiveTaskRoom],
     rehearser: TaskRehearser,
     outlet: TaskOutlet,
     clock: Callable[[], float],
@@ -54,8 +53,7 @@ def task_service(
 
     Args:
         loaded: the site.
-        room: memory, people and viewpoints as of now.
-        inbox: the pilot's steps.
+        rooms: by drone: memory, people and viewpoints as of now.
         rehearser: flies in lock step.
         outlet: takes orders and events.
         clock: the pilot's [s].
@@ -67,19 +65,20 @@ def task_service(
     """
     site, folder = loaded.site, tasks_folder(loaded.site)
     config = site.tasks
-    own, has_drone = config.documents, site.drone.enabled
+    own, has_drone = config.documents, bool(site.drone_names)
     library = OpenLibrary(Path(own) if own else None, has_drone=has_drone)
     rules, wrong_rules = _rules(config)
     rules = rules if has_drone else rules_without_flight(rules, library)
     rule_store = RuleStore(folder, HouseMode(config.mode))
     store = TaskStore(folder / TASK_FILE)
-    clips = ClipRecorder(clips_folder(site), config)
+    drones = TaskDrones(*(_drone(site, name, room) for name, room in rooms.items()))
+    room = next(iter(rooms.values()))
     rehearsals = TaskRehearsals(rehearser)
-    actions = TaskActions(outlet, clips, site.tracking.body)
-    runs = TaskRuns(room, rehearsals, actions, inbox)
+    actions = TaskActions(outlet, drones)
+    runs = TaskRuns(drones, rehearsals, actions)
     runs.recording = recording
     limits = SchedulerLimits(config.queue, config.beside, config.confirm_time, config.fresh_time)
-    engine = TaskEngine(store, limits, runs, actions, inbox)
+    engine = TaskEngine(store, limits, runs, actions, drones)
 
     def ask(question: Question) -> object:
         return room.ask(question, _ASKING_PATIENCE)
@@ -90,9 +89,8 @@ def task_service(
         store,
         rehearsals,
         actions,
-        inbox,
+        drones,
         RuleService(RuleEngine(rules), rule_store, AskedRoomFacts(room.ask), wrong_rules),
-        clips,
         AskedRoom(ask),
         outlet,
         names_of_room(loaded.room),
@@ -110,6 +108,11 @@ def task_service(
     )
     service = TaskService(parts, clock, wall)
     return service, parts, tuple(problem for problem in problems if problem)
+
+
+def _drone(site: Site, name: str, room: LiveTaskRoom) -> TaskDrone:
+    body = site.for_drone(name).tracking.body
+    return TaskDrone(name, body, room, ClipRecorder(clips_folder(site), site.tasks))
 
 
 def _rules(config: TasksConfig) -> tuple[tuple[Rule, ...], str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import ceil, sqrt
 from operator import mul
@@ -87,23 +88,23 @@ class DepthTracker:
         self._tracks = {camera.name: TrackSet() for camera in cameras}
 
     def update(
-        self, image: DepthImage, now: float, own: OwnFootprint | None = None
+        self, image: DepthImage, now: float, own: Iterable[OwnFootprint] = ()
     ) -> TrackingResult:
         """Process one image.
 
         Args:
             image: of any of the cameras.
             now: time [s].
-            own: where the drone is, None if it is on the ground or unknown.
+            own: where our drones are, of those in the air whose place is known.
         """
         problem = self._checks.fault(image, now)
         if problem:
             return TrackingResult(problem=f"{image.source[:40]}: {problem}")
         view = depth_view(image)
         points = points_of(view.depth, view.camera, view.pose)
-        if own is not None:
+        for drone in own:
             known = known_discs(self._tracks[image.source], image.captured_at)
-            points = points[own.others(points, known)]
+            points = points[drone.others(points, known)]
         clusters = unexplained(points, self._known, self._band, view.pose.position[:2])
         middle = (self._band[0] + self._band[1]) / 2
         last = self._tracks[image.source]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 from math import atan2, hypot, isfinite, pi
@@ -105,18 +106,18 @@ class LaserTracker:
         self._tracks = TrackSet()
         self._wall_check = WallCheck(room)
 
-    def update(self, scan: Scan, now: float, own: OwnFootprint | None = None) -> TrackingResult:
+    def update(self, scan: Scan, now: float, own: Iterable[OwnFootprint] = ()) -> TrackingResult:
         """Process one scan.
 
         Args:
             scan: of any of the scanners.
             now: time [s].
-            own: where the drone is, None if it is on the ground or unknown.
+            own: where our drones are, of those in the air whose place is known.
         """
         return self.update_beams(beam_scan_of(scan), now, own)
 
     def update_beams(
-        self, scan: BeamScan, now: float, own: OwnFootprint | None = None
+        self, scan: BeamScan, now: float, own: Iterable[OwnFootprint] = ()
     ) -> TrackingResult:
         """Process one scan whose distances are in an array, as ``update``."""
         problem = self._fault(scan, now)
@@ -130,8 +131,8 @@ class LaserTracker:
                 return TrackingResult(problem=doubt)
             laser, scan = error.laser, replace(scan, ranges=scan.ranges - error.longer)
         ends, beams = _foreground(scan, self._background(scan, laser), laser)
-        if own is not None:
-            other = own.others(ends, known_discs(self._tracks, at))
+        for drone in own:
+            other = drone.others(ends, known_discs(self._tracks, at))
             if not other.all():
                 ends, beams = ends[other], beams[other]
         clusters = clusters_of(ends, beams, (laser.x, laser.y))

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from housefly.messages import Phase
 from housefly.tasks.api.values import ENDED
-from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.scheduler.values import RunReport
 from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_drones import TaskDrone
 from housefly.tasks.task_runs import TaskRuns
 
 _LEFT_IN = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
@@ -21,12 +21,12 @@ class StrandedDrone:
     """Sends home what nobody flies any more.
 
     Args:
-        inbox: the pilot's steps.
+        drone: one of the site.
         actions: gives the order.
     """
 
-    def __init__(self, inbox: StepInbox, actions: TaskActions) -> None:
-        self._inbox, self._actions = inbox, actions
+    def __init__(self, drone: TaskDrone, actions: TaskActions) -> None:
+        self._name, self._inbox, self._actions = drone.name, drone.inbox, actions
         self._sent_home_at = float("-inf")
 
     def let_go(self, reports: Iterable[RunReport], runs: TaskRuns) -> None:
@@ -34,7 +34,8 @@ class StrandedDrone:
         for report in reports:
             record = runs.record(report.id)
             has_run = record is not None and record.run is not None and record.task.flies
-            if report.stage in ENDED and has_run:
+            is_ours = record is not None and record.drone == self._name
+            if report.stage in ENDED and has_run and is_ours:
                 self._inbox.give_up()
 
     def bring_home(self, now: float) -> None:
@@ -47,4 +48,4 @@ class StrandedDrone:
         step, is_due = self._inbox.newest, now - self._sent_home_at > _HOME_REPEAT
         if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
             self._sent_home_at = now
-            self._actions.send_home(now)
+            self._actions.send_home(self._name, now)

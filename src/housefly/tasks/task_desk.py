@@ -28,6 +28,7 @@ from housefly.tasks.rules.rule_engine import RuleDecision
 from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
 from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.task_drones import TaskDrones
 from housefly.tasks.task_engine import TaskEngine
 from housefly.tasks.task_outlet import TaskOutlet
 
@@ -47,6 +48,7 @@ class TaskDesk:
         outlet: hears of events.
         store: keeps what people want to be told.
         wall: Unix time [s].
+        drones: of the site.
 
     Attributes:
         lock: guards the engine and the store.
@@ -61,7 +63,9 @@ class TaskDesk:
         outlet: TaskOutlet,
         store: TaskStore,
         wall: Callable[[], float],
+        drones: TaskDrones,
     ) -> None:
+        self._drones = drones
         self.lock = RLock()
         self.notices = Notices(store, self.lock, wall)
         self._library, self._engine, self._rules = library, engine, rules
@@ -77,6 +81,7 @@ class TaskDesk:
         Raises:
             TaskError: UNKNOWN_SERVICE, BAD_PARAMETER, MODE, or why the queue refuses it.
         """
+        self._drones.check(request.drone)
         task = self.bound(request.service, request.parameters)
         permit = launch_permit(
             self._rules.mode,

@@ -13,8 +13,8 @@ from housefly.tasks.document.task_document import BoundTask
 class TaskOutlet(Protocol):
     """Takes what the tasks want done; quick, thread-safe, never raises."""
 
-    def order(self, order: Order) -> None:
-        """Give the pilot an order."""
+    def order(self, order: Order, drone: str) -> None:
+        """Give a drone's pilot an order."""
         ...
 
     def tell(self, event: RoomEvent) -> None:
@@ -33,6 +33,6 @@ class TaskOutlet(Protocol):
 class TaskRehearser(Protocol):
     """Flies a task in lock step, elsewhere."""
 
-    def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
-        """Begin a rehearsal on the room as it is now."""
+    def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
+        """Begin a rehearsal with a drone in the room as it is now."""
         ...

@@ -49,7 +49,7 @@ class TaskRehearsals:
     ) -> None:
         """Begin the rehearsal of a task; one that waits already may become the next."""
         if record.rehearsal is None:
-            record.rehearsal = self._turns.begin(record.task, urgency)
+            record.rehearsal = self._turns.begin(record.task, urgency, record.drone)
         elif urgency is RehearsalUrgency.FLIGHT:
             self._turns.hurry(record.task, record.rehearsal)
 
@@ -77,13 +77,17 @@ class TaskRehearsals:
         return 0.0 <= unix - record.rehearsed_at <= FRESH_TIME
 
     def now(
-        self, task: BoundTask, surface: RequestSurface = RequestSurface.CONSOLE
+        self,
+        task: BoundTask,
+        surface: RequestSurface = RequestSurface.CONSOLE,
+        drone: str = "",
     ) -> RehearsalReport:
         """Rehearse and wait.
 
         Args:
             task: which.
             surface: where it was asked for.
+            drone: with which; "" for any.
 
         Raises:
             TaskError: too many are under way, or it takes too long.
@@ -91,7 +95,7 @@ class TaskRehearsals:
         is_person = surface in ATTENDED
         urgency = RehearsalUrgency.PERSON if is_person else RehearsalUrgency.MACHINE
         self._admit(urgency)
-        future = self._turns.begin(task, urgency)
+        future = self._turns.begin(task, urgency, drone)
         try:
             future.exception(_PATIENCE)
         except TimeoutError as error:

@@ -57,7 +57,7 @@ class LockstepPerception:
         obstacles: list[Obstacle] = []
         while self._under_way and self._under_way[0][0] <= now:
             _, scan = self._under_way.popleft()
-            seen = self._tracker.update_beams(scan, now, own_footprint(self._site, estimate))
+            seen = self._tracker.update_beams(scan, now, own_footprints(self._site, estimate))
             if not seen.problem:
                 self._scans.believed(scan.source, scan.captured_at)
             obstacles.extend(seen.obstacles)
@@ -66,7 +66,7 @@ class LockstepPerception:
                 self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
                 take = partial(self._world.depth_image, camera.name, now)
                 for image in self._faults.depth_images(camera.name, take, now):
-                    own = own_footprint(self._site, estimate)
+                    own = own_footprints(self._site, estimate)
                     found = self._depth.update(image, now, own)
                     if not found.problem:
                         self._images.believed(image.source, image.captured_at)
@@ -86,11 +86,9 @@ class LockstepPerception:
         self._under_way.append((arrival, scan))
 
 
-def own_footprint(site: Site, estimate: Estimate | None) -> OwnFootprint | None:
-    """Return the ground that the drone itself covers; None while its position is unknown."""
+def own_footprints(site: Site, estimate: Estimate | None) -> tuple[OwnFootprint, ...]:
+    """Return the ground that the drone itself covers; none while its position is unknown."""
     if estimate is None:
-        return None
-    return OwnFootprint(
-        estimate.position[:2],
-        half_diagonal(site.drone.hull_length, site.drone.hull_width) + OWN_MARGIN,
-    )
+        return ()
+    reach = half_diagonal(site.drone.hull_length, site.drone.hull_width)
+    return (OwnFootprint(estimate.position[:2], reach + OWN_MARGIN),)

@@ -39,6 +39,7 @@ class RequestTask:
     deadline: _Time | None = None
     ask: Literal["request"] = "request"
     owner: _Word = ""
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,7 @@ class RehearseTask:
     parameters: _Parameters = field(default_factory=dict)
     ask: Literal["rehearse"] = "rehearse"
     surface: RequestSurface = RequestSurface.CONSOLE
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,6 +221,7 @@ class TakePhoto:
     at: Annotated[float, Field(ge=0.0, le=1e12, allow_inf_nan=False)] = 0.0
     by: _Word = ""
     ask: Literal["photo"] = "photo"
+    drone: _Word = ""
 
 
 TaskQuestion = (
