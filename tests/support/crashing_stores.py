@@ -70,7 +70,7 @@ from housefly.web.api.edit_service import EditService
 from housefly.web.flights.flight_book import FlightBook
 from housefly.web.flights.flight_log import SAMPLE_PERIOD
 from housefly.web.flights.flight_log_writer import FlightLogWriter
-from housefly.web.sockets.server_messages import EventView, PathMessage
+from housefly.web.messages.server_messages import EventView, PathMessage
 from housefly.web.status.console_memory import ConsoleMemory, KeptControl
 
 CLIP_GROUP, CLIP_LENGTH, CLIP_RATE_HZ = 6, 30, 30.0

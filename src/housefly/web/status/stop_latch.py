@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from housefly.messages import OrderKind, PilotStep, SafetyMode
 from housefly.messages.words import Words
-from housefly.web.status.verdict_message import StopProgress, StopView
+from housefly.web.messages.verdict_message import StopProgress, StopView
 
 CONFIRM_TIMEOUT = 1.5
 """A STOP that the pilot has not confirmed by then has failed for now [s]."""

@@ -28,9 +28,9 @@ from housefly.messages import (
 )
 from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskBoard
-from housefly.web.access.role import Role
 from housefly.web.http.qr_code import QrView
-from housefly.web.status.verdict_message import ConsoleVerdict
+from housefly.web.messages.role import Role
+from housefly.web.messages.verdict_message import ConsoleVerdict
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from housefly.messages import OrderKind
-from housefly.web.sockets.client_messages import CLIENT_MESSAGE
+from housefly.web.messages.client_messages import CLIENT_MESSAGE
 
 
 def test_an_order_is_read() -> None:

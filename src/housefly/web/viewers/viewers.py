@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from housefly.messages import OrderAnswer
-from housefly.web.sockets.server_messages import EventsMessage, OrderRefused
-from housefly.web.sockets.tab_numbers import TabNumbers
-from housefly.web.sockets.viewer import Viewer
+from housefly.web.messages.server_messages import EventsMessage, OrderRefused
 from housefly.web.status.state_feed import StateFeed
+from housefly.web.viewers.tab_numbers import TabNumbers
+from housefly.web.viewers.viewer import Viewer
 
 _CLOSE_OPENED_ELSEWHERE = 4001
 """WebSocket close code; the client knows it."""

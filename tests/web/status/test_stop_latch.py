@@ -15,8 +15,8 @@ from housefly.messages import (
     PilotStep,
     SafetyMode,
 )
-from housefly.web.control.stop_latch import CONFIRM_TIMEOUT, StopLatch
-from housefly.web.status.verdict_message import StopProgress
+from housefly.web.messages.verdict_message import StopProgress
+from housefly.web.status.stop_latch import CONFIRM_TIMEOUT, StopLatch
 
 
 def step(

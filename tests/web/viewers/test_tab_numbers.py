@@ -3,8 +3,8 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.web.sockets.tab_numbers import TABS_KEPT, TABS_OF_ONE, TabNumbers
 from housefly.web.status.console_memory import KnownTab
+from housefly.web.viewers.tab_numbers import TABS_KEPT, TABS_OF_ONE, TabNumbers
 
 VISITS = st.lists(st.tuples(st.integers(0, 40), st.integers(0, 40)), max_size=600)
 

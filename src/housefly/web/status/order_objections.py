@@ -7,13 +7,13 @@ from collections.abc import Callable
 from housefly.messages import OrderKind, Phase, PreflightCheck, SafetyMode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.words import UNSAID, Words
-from housefly.web.status.console_knowledge import ConsoleKnowledge, drone_last_seen
-from housefly.web.status.verdict_message import (
+from housefly.web.messages.verdict_message import (
     ConsoleVerdict,
     FlightObjection,
     OrderObjection,
     StopProgress,
 )
+from housefly.web.status.console_knowledge import ConsoleKnowledge, drone_last_seen
 
 _LANDING = {
     SafetyMode.RETURN: Words("it comes home for safety"),

@@ -11,14 +11,33 @@ from starlette.websockets import WebSocket
 
 from housefly.messages import Order, OrderKind
 from housefly.web.access.session import Session
-from housefly.web.control.nudges import LineDelay
 from housefly.web.http.rate_limit import CommandLimiter
-from housefly.web.sockets.client_messages import PlanQuestion
-from housefly.web.sockets.server_messages import ServerMessage, to_text
+from housefly.web.messages.client_messages import PlanQuestion
+from housefly.web.messages.server_messages import ServerMessage, to_text
 
 _ORDERS_KEPT = 30
 _MAX_QUEUED_MESSAGES = 1000
 """Answers and events that may wait for one browser; with more its socket is closed."""
+_PINGS_KEPT = 10
+
+
+@dataclass(slots=True)
+class LineDelay:
+    """How late messages of one page arrive, against its quickest of the last ten pings.
+
+    The page's clock is not ours. What is known is how long after the page's own stamp its quickest
+    message came: who comes later than that was held up on the line by the difference.
+    """
+
+    _apart: deque[float] = field(default_factory=lambda: deque(maxlen=_PINGS_KEPT))
+
+    def learn(self, sent: float, now: float) -> None:
+        """Take in a ping: when the page sent it by its own clock, and when it came by ours [s]."""
+        self._apart.append(now - sent)
+
+    def lateness(self, sent: float, now: float) -> float:
+        """Return how much later than the quickest a message came [s]; 0 before the first ping."""
+        return max(0.0, now - sent - min(self._apart, default=now - sent))
 
 
 @dataclass(eq=False, slots=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from housefly.messages import OrderKind, Phase
+from housefly.web.messages.verdict_message import FlightObjection, OrderObjection, StopProgress
 from housefly.web.status.console_knowledge import ConsoleKnowledge
-from housefly.web.status.verdict_message import FlightObjection, OrderObjection, StopProgress
 
 _BY_ITSELF = (Phase.TAKING_OFF, Phase.RETURNING, Phase.LANDING)
 """What ends by itself; who wants it otherwise has Hover and Land beside the button."""

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import json
 
-from housefly.web.sockets.server_messages import AcceptedReply, PongReply, to_text
+from housefly.web.messages.server_messages import AcceptedReply, PongReply, to_text
 
 
 def test_numbers_that_are_not_finite_become_null() -> None:

@@ -9,9 +9,9 @@ from housefly.web.access.invitations import Invitation
 from housefly.web.access.roles import Role
 from housefly.web.access.session_auth import SessionAuth
 from housefly.web.http.qr_code import qr_view
-from housefly.web.sockets.client_messages import InviteRequest
-from housefly.web.sockets.server_messages import InvitationUsed, InviteReply
-from housefly.web.sockets.viewer import Viewer
+from housefly.web.messages.client_messages import InviteRequest
+from housefly.web.messages.server_messages import InvitationUsed, InviteReply
+from housefly.web.viewers.viewer import Viewer
 
 _MAX_HOSTS = 200
 """Links whose makers are told when they are used."""
