@@ -26,8 +26,7 @@ from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, ROOM_NEWS_TOPIC, 
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.state import clips_folder
 from housefly.errors import LinkError
-from housefly.hub.api.told_events import told_event_of
-from housefly.messages import EventNews, Order, PilotStep, RoomNews
+from housefly.messages import Order, PilotStep, RoomEvent, RoomNews
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record.truth import read_truth
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site
@@ -109,8 +108,7 @@ class _Ear:
         if estimate is not None:
             self.poses.append((step.now, estimate.yaw))
 
-    def heard_event(self, news: EventNews) -> None:
-        event = told_event_of(news, time.time())
+    def heard_event(self, event: RoomEvent) -> None:
         self.events.append((time.monotonic(), event.kind))
 
 

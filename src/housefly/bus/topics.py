@@ -13,13 +13,13 @@ from typing import Generic, TypeVar
 from housefly.errors import WireError
 from housefly.messages import (
     DepthImage,
-    EventNews,
     LinkStatus,
     Obstacle,
     Order,
     PilotStep,
     PlannedTrajectory,
     RecordingNews,
+    RoomEvent,
     RoomNews,
     SensorReport,
     SightNews,
@@ -91,7 +91,9 @@ OBSTACLE_TOPIC: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LAT
 DEPTH_TOPIC: Topic[DepthImage] = Topic(
     "room/depth", DepthImage, Delivery.LATEST, depth=2, max_size=16 * 2**20
 )
-ROOM_EVENT_TOPIC: Topic[EventNews] = Topic("room/event", EventNews, Delivery.EVERY)
+ROOM_EVENT_TOPIC: Topic[RoomEvent] = Topic(
+    "room/event", RoomEvent, Delivery.EVERY, max_size=16 * 1024
+)
 """What a process other than the hub says has happened; the hub keeps it."""
 TASK_NEWS_TOPIC: Topic[TaskNews] = Topic(
     "tasks/news", TaskNews, Delivery.LATEST, depth=8, max_size=2 * 2**20

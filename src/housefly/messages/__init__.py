@@ -55,7 +55,6 @@ from housefly.messages.steering import (
 )
 from housefly.messages.world import (
     Covariance,
-    EventNews,
     Fact,
     Facts,
     Observation,
@@ -78,7 +77,6 @@ __all__ = [
     "Estimate",
     "Event",
     "EventCode",
-    "EventNews",
     "Fact",
     "Facts",
     "Inputs",

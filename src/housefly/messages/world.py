@@ -93,10 +93,3 @@ class RecordingNews:
 
     at: float
     records: bool
-
-
-@dataclass(frozen=True, slots=True)
-class EventNews:
-    """What a process other than the hub says has happened: one ``RoomEvent`` as JSON."""
-
-    text: str
