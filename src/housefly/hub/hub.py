@@ -12,7 +12,6 @@ from housefly.bus.topics import (
     HUB_QUERY,
     OBSTACLE_TOPIC,
     ROOM_EVENT_TOPIC,
-    ROOM_NEWS_TOPIC,
     SENSOR_TOPIC,
     STEP_TOPIC,
 )
@@ -21,6 +20,7 @@ from housefly.config.site import Site
 from housefly.errors import HouseflyError
 from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
 from housefly.hub.api.told_events import checked_event
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.change_feed import CHANGE_FEED_PERIOD, ChangeFeed
 from housefly.hub.flight_facts import FlightFacts
 from housefly.hub.memory import RoomMemory

@@ -60,8 +60,6 @@ from housefly.messages.world import (
     Observation,
     RecordingNews,
     RoomEvent,
-    RoomNews,
-    TaskNews,
 )
 
 __all__ = [
@@ -101,7 +99,6 @@ __all__ = [
     "RecordingNews",
     "Reference",
     "RoomEvent",
-    "RoomNews",
     "SafetyMode",
     "Scan",
     "SensorReport",
@@ -109,7 +106,6 @@ __all__ = [
     "Severity",
     "SightNews",
     "Sighting",
-    "TaskNews",
     "Telemetry",
     "TrackedFrame",
     "TrajectoryPoint",
