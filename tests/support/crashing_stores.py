@@ -65,13 +65,13 @@ from housefly.tasks.scheduler.values import (
 )
 from housefly.tasks.task_record import task_status
 from housefly.twin.camera.encoder import Encoder
-from housefly.web.audit_log import AuditLog
-from housefly.web.console_memory import ConsoleMemory, KeptControl
-from housefly.web.edit_service import EditService
-from housefly.web.flight_book import FlightBook
-from housefly.web.flight_log import SAMPLE_PERIOD
-from housefly.web.flight_log_writer import FlightLogWriter
-from housefly.web.server_messages import EventView, PathMessage
+from housefly.web.access.audit_log import AuditLog
+from housefly.web.api.edit_service import EditService
+from housefly.web.flights.flight_book import FlightBook
+from housefly.web.flights.flight_log import SAMPLE_PERIOD
+from housefly.web.flights.flight_log_writer import FlightLogWriter
+from housefly.web.sockets.server_messages import EventView, PathMessage
+from housefly.web.status.console_memory import ConsoleMemory, KeptControl
 
 CLIP_GROUP, CLIP_LENGTH, CLIP_RATE_HZ = 6, 30, 30.0
 """Pictures from one key frame to the next; pictures of a clip; and pictures a second."""

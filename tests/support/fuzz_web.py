@@ -54,7 +54,7 @@ from housefly.messages import (
 from housefly.room.edit_versions import EditVersions
 from housefly.room.model import Place, Room
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
-from housefly.web.edit_service import EditService
+from housefly.web.api.edit_service import EditService
 from housefly.web.server import create_app
 
 _PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.web.nudges import LineDelay
+from housefly.web.control.nudges import LineDelay
 
 
 @given(offset=st.floats(-1e5, 1e5), held=st.floats(0.0, 5.0))
