@@ -18,14 +18,13 @@ from housefly.app.task_parts import task_service
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, ROOM_EVENT_TOPIC
 from housefly.clock import SteppedClock
-from housefly.hub.api.told_events import told_event_of
+from housefly.hub.api.told_events import checked_event
 from housefly.hub.hub import Hub
 from housefly.lab.lockstep.simulation import Simulation
 from housefly.messages import (
     Action,
     Command,
     DroneStatus,
-    EventNews,
     Inputs,
     Order,
     Outputs,
@@ -195,5 +194,5 @@ class TaskStage:
         inputs = Inputs(telemetry=Telemetry(now, status, 0.9), orders=orders)
         return PilotStep(self._sequence, now, inputs, Outputs(Command(Action.LAND), phase=phase))
 
-    def _told(self, news: EventNews) -> None:
-        self.events.append(told_event_of(news, self.wall()))
+    def _told(self, event: RoomEvent) -> None:
+        self.events.append(checked_event(event, self.wall()))

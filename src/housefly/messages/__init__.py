@@ -55,14 +55,11 @@ from housefly.messages.steering import (
 )
 from housefly.messages.world import (
     Covariance,
-    EventNews,
     Fact,
     Facts,
     Observation,
     RecordingNews,
     RoomEvent,
-    RoomNews,
-    TaskNews,
 )
 
 __all__ = [
@@ -78,7 +75,6 @@ __all__ = [
     "Estimate",
     "Event",
     "EventCode",
-    "EventNews",
     "Fact",
     "Facts",
     "Inputs",
@@ -103,7 +99,6 @@ __all__ = [
     "RecordingNews",
     "Reference",
     "RoomEvent",
-    "RoomNews",
     "SafetyMode",
     "Scan",
     "SensorReport",
@@ -111,7 +106,6 @@ __all__ = [
     "Severity",
     "SightNews",
     "Sighting",
-    "TaskNews",
     "Telemetry",
     "TrackedFrame",
     "TrajectoryPoint",

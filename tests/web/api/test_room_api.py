@@ -25,9 +25,10 @@ from websockets.sync.client import connect as connect_socket
 
 import housefly
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, ROOM_NEWS_TOPIC
+from housefly.bus.topics import HUB_QUERY
 from housefly.errors import HouseflyError, LinkError, ThingError, WireError
 from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.change_feed import ChangeFeed
 from housefly.hub.client.room_client import RoomClient
 from housefly.hub.memory import RoomMemory

@@ -19,12 +19,13 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import HUB_QUERY, ROOM_NEWS_TOPIC
+from housefly.bus.topics import HUB_QUERY
 from housefly.errors import HouseflyError
+from housefly.hub.api.answers import News
 from housefly.hub.api.endpoints import API_PREFIX, ENDPOINTS, Endpoint
 from housefly.hub.api.json import first_problem, question_to_json
 from housefly.hub.api.questions import Question
-from housefly.messages import RoomNews
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.tasks.api.endpoints import TASK_ENDPOINTS
 from housefly.web.access.bearer import bears
 from housefly.web.access.roles import Role
@@ -34,6 +35,7 @@ from housefly.web.api.room_openapi import openapi_document
 from housefly.web.http.responses import error_response, json_response
 from housefly.web.http.seats import Seats
 
+_NEWS: TypeAdapter[News] = TypeAdapter(News)
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""
 _WHO_MAY_ASK = "ask with the session of the console, or with the key of this run"
@@ -121,8 +123,8 @@ class RoomApi:
         loop = asyncio.get_running_loop()
         waiting: asyncio.Queue[str] = asyncio.Queue(_MAX_QUEUED_NEWS)
 
-        def received(news: RoomNews) -> None:
-            loop.call_soon_threadsafe(_put, waiting, news.text)
+        def received(news: News) -> None:
+            loop.call_soon_threadsafe(_put, waiting, _NEWS.dump_json(news).decode())
 
         subscription = self._bus.subscribe(ROOM_NEWS_TOPIC, received)
         sending = asyncio.create_task(_send(websocket, waiting))

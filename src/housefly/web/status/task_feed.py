@@ -9,13 +9,13 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import TASK_NEWS_TOPIC, TASKS_QUERY
+from housefly.bus.topics import TASKS_QUERY
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
-from housefly.messages import TaskNews
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import BoardQuestion
+from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.api.values import HouseMode
 from housefly.web.messages.server_messages import TasksMessage
 
@@ -46,7 +46,7 @@ class TaskFeed:
 
     def listen(self) -> None:
         """Subscribe to the tasks' news; the bus closes the subscription."""
-        self._bus.subscribe(TASK_NEWS_TOPIC, self._on_news)
+        self._bus.subscribe(TASK_NEWS_TOPIC, self._take)
 
     def close(self) -> None:
         """Shut the thread down without waiting."""
@@ -74,12 +74,6 @@ class TaskFeed:
             self._take(task_answer_from_json(question, text))
         except HouseflyError as error:
             _LOG.debug("no board of the tasks: %s", error)
-
-    def _on_news(self, news: TaskNews) -> None:
-        try:
-            self._take(task_answer_from_json(BoardQuestion(), news.text))
-        except HouseflyError as error:
-            _LOG.warning("news of the tasks that are no board: %s", error)
 
     def _take(self, board: TaskBoard) -> None:
         now = self._clock.now()
