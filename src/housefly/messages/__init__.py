@@ -41,6 +41,7 @@ from housefly.messages.sensing import (
 from housefly.messages.steering import (
     LEVEL,
     Action,
+    AnySetpoint,
     Behavior,
     Clearing,
     Command,
@@ -48,10 +49,13 @@ from housefly.messages.steering import (
     Path,
     PlanAnswer,
     PlannedTrajectory,
+    PositionSetpoint,
     Reference,
     SafetyMode,
     Setpoint,
+    SetpointForm,
     TrajectoryPoint,
+    VelocitySetpoint,
 )
 from housefly.messages.world import (
     Covariance,
@@ -68,6 +72,7 @@ from housefly.messages.world import (
 __all__ = [
     "LEVEL",
     "Action",
+    "AnySetpoint",
     "Behavior",
     "Clearing",
     "Command",
@@ -99,6 +104,7 @@ __all__ = [
     "PlanAnswer",
     "PlannedTrajectory",
     "Pose",
+    "PositionSetpoint",
     "PreflightCheck",
     "RecordingNews",
     "Reference",
@@ -108,6 +114,7 @@ __all__ = [
     "Scan",
     "SensorReport",
     "Setpoint",
+    "SetpointForm",
     "Severity",
     "SightNews",
     "Sighting",
@@ -115,5 +122,6 @@ __all__ = [
     "Telemetry",
     "TrackedFrame",
     "TrajectoryPoint",
+    "VelocitySetpoint",
     "VideoFrame",
 ]

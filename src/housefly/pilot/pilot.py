@@ -110,7 +110,7 @@ class Pilot:
         self._profile: PathProfile = NO_PATH
         self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
-        self._reported, self._sent = ReportedStatus(), Command(Action.IDLE)
+        self._reported, self._sent, self._climb = ReportedStatus(), Command(Action.IDLE), 0.0
         self._now = -inf
         self._refused: set[Words] = set()
         self._vehicle: VehicleStatus | None = None
@@ -226,6 +226,7 @@ class Pilot:
             settings.body,
             now,
             settings.airframe.sonar,
+            drag=settings.drag,
             odometry_error=settings.odometry_error,
             trusting=not settings.guarded,
         )
@@ -295,7 +296,7 @@ class Pilot:
         (x, y, z), gains, told = reckoned.position, self._params.gains, self._telemetry
         height = self._reckoned_height = (before or ReckonedHeight(now, z)).advanced(
             now,
-            self._sent.setpoint.vz,
+            self._climb,
             gains.climb_lag,
             gains.sink_gain,
             told.height + self._gate.standing_height if told else nan,
@@ -341,7 +342,8 @@ class Pilot:
         self._target = output.target if guidance.active else None
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         action = Action.FLY if blind else self._action(output, guidance)
-        verdict = released(action, output.command, assessment)
+        verdict = released(action, output.command, assessment, output.formed)
+        self._climb = output.command.vz if verdict.command.action is Action.FLY else 0.0
         self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
         is_off = assessment.held or assessment.waits
         self._held = is_off or not is_flown_in(self._stepped.gate)
@@ -528,7 +530,7 @@ class Pilot:
             reference=self._reference() if is_tracking and not self._params.is_paper else None,
             flight_height=self._height,
             height_follows=self._in_space,
-            flown=self._sent.setpoint if self._is_flown else None,
+            flown=self._sent.asked if self._is_flown else None,
             telemetry=vehicle.telemetry,
             consistency=vehicle.consistency,
             late=late,
