@@ -23,8 +23,10 @@ from housefly.messages import (
     DroneFault,
     DroneStatus,
     KnownMotion,
+    Pose,
     PositionSetpoint,
     Setpoint,
+    Sighting,
     Telemetry,
     VelocitySetpoint,
     VideoFrame,
@@ -36,6 +38,7 @@ _COMMAND = struct.Struct("<BBd4d???4d")
 _TELEMETRY = struct.Struct("<Bdd4d3d???3d?d")
 _LINK = struct.Struct("<??d")
 _LIGHT = struct.Struct("<?")
+_POSE = struct.Struct("<9d")
 _VIDEO = struct.Struct("<?HHIdd")
 _BODY_MAX = 1_100_000
 """Longest body accepted [bytes]: a picture of the largest size (``pave.MAX_PAYLOAD``)."""
@@ -83,7 +86,14 @@ class DriverStatus:
     capabilities: Capabilities | None = None
 
 
-DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame | LightOrder
+@dataclass(frozen=True, slots=True)
+class PoseNews:
+    """Where tracking saw the drone, for one that wants to know."""
+
+    seen: Sighting
+
+
+DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame | LightOrder | PoseNews
 
 
 def encode_driver_message(message: DriverMessage) -> bytes:
@@ -233,12 +243,28 @@ def _light(body: bytes) -> LightOrder:
     return LightOrder(*_LIGHT.unpack(body))
 
 
+def _pose_bytes(news: PoseNews) -> bytes:
+    seen = news.seen
+    numbers = seen.captured_at, seen.received_at, *seen.pose.position, *seen.pose.orientation
+    return _POSE.pack(*numbers) + seen.body.encode()
+
+
+def _pose(body: bytes) -> PoseNews:
+    captured_at, received_at, x, y, z, *orientation = numbers = _POSE.unpack_from(body)
+    if not all(map(isfinite, numbers)):
+        raise ValueError("a number is not finite")
+    qw, qx, qy, qz = orientation
+    pose = Pose((x, y, z), (qw, qx, qy, qz))
+    return PoseNews(Sighting(body[_POSE.size :].decode(), pose, captured_at, received_at))
+
+
 _KINDS: tuple[type[DriverMessage], ...] = (
     TimedCommand,
     Telemetry,
     DriverStatus,
     VideoFrame,
     LightOrder,
+    PoseNews,
 )
 _ENCODE: tuple[Callable[..., bytes], ...] = (
     _command_bytes,
@@ -246,6 +272,7 @@ _ENCODE: tuple[Callable[..., bytes], ...] = (
     _status_bytes,
     _video_bytes,
     _light_bytes,
+    _pose_bytes,
 )
 _DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (
     _command,
@@ -253,4 +280,5 @@ _DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (
     _status,
     _video,
     _light,
+    _pose,
 )

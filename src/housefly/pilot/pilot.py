@@ -126,6 +126,7 @@ class Pilot:
         self._held = False
         self._reckoned_height: ReckonedHeight | None = None
         self._motion: KnownMotion | None = None
+        self._seen: Sighting | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -149,6 +150,11 @@ class Pilot:
     def known_motion(self) -> KnownMotion | None:
         """How the drone moves, as of the last step, should this pilot fall silent; or None."""
         return self._motion
+
+    @property
+    def external_pose(self) -> Sighting | None:
+        """Where tracking saw the drone last, for one that wants to be told; None if in doubt."""
+        return self._seen
 
     @property
     def origin_confirmed(self) -> bool:
@@ -345,6 +351,7 @@ class Pilot:
         verdict = released(action, output.command, assessment, output.formed)
         self._climb = output.command.vz if verdict.command.action is Action.FLY else 0.0
         self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
+        self._seen = self._estimator.accepted if assessment.knows_place else None
         is_off = assessment.held or assessment.waits
         self._held = is_off or not is_flown_in(self._stepped.gate)
         self._maneuvering, self._height = override.active and not blind, output.target.z
