@@ -20,6 +20,7 @@ from housefly.drones.driver_messages import (
     DriverStatus,
     LightOrder,
     MessageReader,
+    PoseNews,
     TimedCommand,
     encode_driver_message,
 )
@@ -109,7 +110,7 @@ class DriverServer:
             self._drone.abandon()
 
     def hear(self, pilot: _PilotLink, messages: list[DriverMessage]) -> None:
-        """Obey the newest of some commands, and show whether the camera is recorded.
+        """Obey the newest of some commands, pass poses on, and show whether it is recorded.
 
         A hover that was said before it is obeyed first: it begins STOP, and the setpoint behind it
         leaves at once as a change of action does, not in its turn of the drone's stream.
@@ -119,6 +120,8 @@ class DriverServer:
         for message in messages:
             if isinstance(message, LightOrder):
                 self._drone.show_recording(message.records)
+            elif isinstance(message, PoseNews):
+                self._drone.send_pose(message.seen)
         commands = [message for message in messages if isinstance(message, TimedCommand)]
         if not commands:
             return
