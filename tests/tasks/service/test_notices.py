@@ -14,9 +14,9 @@ from housefly.messages import RoomEvent
 from housefly.tasks.api.questions import Sentence
 from housefly.tasks.api.values import RequestSurface
 from housefly.tasks.intents.intent_reply import Notice
-from housefly.tasks.notices import MOST, MOST_OF_ONE, Notices
 from housefly.tasks.rules.trigger import EventTrigger
 from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.service.notices import MOST, MOST_OF_ONE, Notices
 
 BELL = Notice("The bell is ringing.", ("bell pressed",))
 DAY = 86400.0

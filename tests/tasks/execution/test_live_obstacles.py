@@ -12,7 +12,7 @@ from housefly.messages import (
     TrackedFrame,
 )
 from housefly.sites.loaded_site import load_site
-from housefly.tasks.live_obstacles import LiveObstacles
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 
 LOADED = load_site("bsen", people__bodies=("guest",))
 

@@ -1,17 +1,20 @@
-"""Rehearsals under way: begun in the background, looked at each tick."""
+"""Rehearsals under way: begun in the background one at a time, looked at each tick."""
 
 from __future__ import annotations
 
+import heapq
 import logging
+from collections.abc import Callable
 from concurrent.futures import CancelledError, Future
+from enum import IntEnum
+from itertools import count
 from threading import Lock
 
 from housefly.errors import HouseflyError, TaskError
 from housefly.tasks.api.values import ATTENDED, ReasonCode, RehearsalReport, RequestSurface
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.rehearsal_turns import RehearsalTurns, RehearsalUrgency
-from housefly.tasks.task_outlet import TaskRehearser
-from housefly.tasks.task_record import TaskRecord
+from housefly.tasks.engine.task_outlet import TaskRehearser
+from housefly.tasks.engine.task_record import TaskRecord
 
 _log = logging.getLogger(__name__)
 
@@ -25,6 +28,16 @@ MOST_ASKED, MOST_OF_MACHINES = 3, 1
 """So many rehearsals asked for by themselves wait or go on at once, and of those so many that no
 person asked for.
 """
+
+Report = Future[RehearsalReport]
+
+
+class RehearsalUrgency(IntEnum):
+    """Who waits for a rehearsal; the smaller goes first."""
+
+    FLIGHT = 0
+    PERSON = 1
+    MACHINE = 2
 
 
 class TaskRehearsals:
@@ -133,3 +146,68 @@ def report_of(future: Future[RehearsalReport]) -> RehearsalReport:
     return RehearsalReport(
         False, ReasonCode.NOT_READY, f"it could not be rehearsed ({words}), so it does not fly"
     )
+
+
+class RehearsalTurns:
+    """Hands rehearsals to the rehearser one by one; thread-safe.
+
+    Args:
+        rehearser: flies in lock step, elsewhere.
+    """
+
+    def __init__(self, rehearser: TaskRehearser) -> None:
+        self._rehearser, self._lock = rehearser, Lock()
+        self._number = count()
+        self._waiting: list[tuple[int, int, BoundTask, Report]] = []
+        self._is_busy = False
+
+    def begin(self, task: BoundTask, urgency: RehearsalUrgency) -> Report:
+        """Return the report to come; cancelled before its turn, it is not rehearsed at all."""
+        report: Report = Future()
+        self._add(task, urgency, report)
+        return report
+
+    def hurry(self, task: BoundTask, report: Report) -> None:
+        """Let a rehearsal that waits be the next."""
+        with self._lock:
+            waits = any(one[3] is report and one[0] for one in self._waiting)
+        if waits:
+            self._add(task, RehearsalUrgency.FLIGHT, report)
+
+    def _add(self, task: BoundTask, urgency: RehearsalUrgency, report: Report) -> None:
+        with self._lock:
+            heapq.heappush(self._waiting, (urgency, next(self._number), task, report))
+        self._next()
+
+    def _next(self) -> None:
+        while True:
+            with self._lock:
+                if self._is_busy or not self._waiting:
+                    return
+                _, _, task, report = heapq.heappop(self._waiting)
+                # One that was hurried stands here twice; one that nobody waits for is cancelled.
+                if report.running() or report.done() or not report.set_running_or_notify_cancel():
+                    continue
+                self._is_busy = True
+            _begun(self._rehearser.rehearse, task).add_done_callback(
+                lambda found, report=report: self._ended(found, report)  # type: ignore[misc]
+            )
+
+    def _ended(self, found: Report, report: Report) -> None:
+        error = found.exception()
+        if error is None:
+            report.set_result(found.result())
+        else:
+            report.set_exception(error)
+        with self._lock:
+            self._is_busy = False
+        self._next()
+
+
+def _begun(rehearse: Callable[[BoundTask], Report], task: BoundTask) -> Report:
+    try:
+        return rehearse(task)
+    except Exception as error:
+        failed: Report = Future()
+        failed.set_exception(error)
+        return failed

@@ -9,7 +9,9 @@ from typing import Any
 from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource
-from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface
+from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface, TaskStatus
+from housefly.tasks.engine.task_outlet import TaskOutlet, task_event, task_name
+from housefly.tasks.engine.task_record import TaskRecord
 from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import task_sender
@@ -25,10 +27,7 @@ from housefly.tasks.execution.values import (
     TakeSnapshot,
     TaskAction,
 )
-from housefly.tasks.room_events import task_event, task_name
 from housefly.tasks.scheduler.values import ScheduledTask
-from housefly.tasks.task_outlet import TaskOutlet
-from housefly.tasks.task_record import TaskRecord
 
 _SOURCES = {
     RequestSurface.RULE: OrderSource.RULE,
@@ -96,6 +95,18 @@ class TaskActions:
             "because": task.request.cause,
         }
         self._outlet.tell(task_event(kind, self._drone, unix, cause, known | facts))
+
+    def tell_asked(self, task: ScheduledTask, unix: float) -> None:
+        """Tell that a task was asked for, and what a person is asked now [Unix time, s]."""
+        by = task.request.asked_by or "somebody"
+        self.tell("task asked", task, unix, title=task.traits.title, by=by)
+        if task.question is not None:
+            # A millisecond later: the memory sorts what happened at once by other things.
+            self.tell("person asked", task, unix + 0.001, words=task.question.words)
+
+    def tell_ended(self, task: ScheduledTask, status: TaskStatus, unix: float) -> None:
+        """Tell how a task ended [Unix time, s]."""
+        self.tell("task ended", task, unix, outcome=status.state.value, words=status.words)
 
     def tell_clip(self, clip: str, unix: float) -> int:
         """Tell that a clip is kept; return the number of its task, 0 for a person's or unknown."""

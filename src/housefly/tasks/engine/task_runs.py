@@ -7,14 +7,16 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
-from housefly.messages import Order, OrderKind, OrderSource
+from housefly.messages import Order, OrderKind, OrderSource, Phase
 from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_record import TaskRecord
+from housefly.tasks.engine.task_rehearsals import RehearsalUrgency, TaskRehearsals
 from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import GiveOrder, TaskInputs
-from housefly.tasks.rehearsal_turns import RehearsalUrgency
 from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
 from housefly.tasks.scheduler.values import (
     CancelRun,
@@ -28,9 +30,6 @@ from housefly.tasks.scheduler.values import (
     ScheduledTask,
     StartTask,
 )
-from housefly.tasks.task_actions import TaskActions
-from housefly.tasks.task_record import TaskRecord
-from housefly.tasks.task_rehearsals import TaskRehearsals
 
 _log = logging.getLogger(__name__)
 
@@ -38,6 +37,10 @@ READY_TIME = 60.0
 """A drone that is not ready so long after its task's turn ends the task [s]."""
 LOST_TIME = 3.0
 """A pilot silent for longer [s] ends the task: by then the drone hovers or lands by itself."""
+_LEFT_IN = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
+"""Phases from which nobody would bring a drone home for a long time."""
+_HOME_REPEAT = 3.0
+"""It is sent home again after this [s]."""
 
 
 class TaskRuns:
@@ -66,6 +69,7 @@ class TaskRuns:
         self._records: dict[int, TaskRecord] = {}
         self._pilot = inbox.run
         self._steps = -1
+        self._sent_home_at = float("-inf")
         self.person_ordered = False
         self.recording = ""
         self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
@@ -160,6 +164,26 @@ class TaskRuns:
                 record.watch_flight(self._inbox.is_airborne, now, unix)
             reports.append(_report_of(task.id, record))
         return tuple(reports)
+
+    def hand_over(self, reports: Iterable[RunReport]) -> None:
+        """Leave the drone to the pilot after a flight that ended; no other task takes it over."""
+        for report in reports:
+            record = self._records.get(report.id)
+            has_run = record is not None and record.run is not None and record.task.flies
+            if report.stage in ENDED and has_run:
+                self._inbox.give_up()
+
+    def bring_home(self, now: float) -> None:
+        """Send home a drone that a task left in the air, as when the next one was called off.
+
+        Args:
+            now: the pilot's clock [s]; no task has the drone then.
+        """
+        is_left = self._inbox.is_airborne and self._inbox.is_flown_by_task
+        step, is_due = self._inbox.newest, now - self._sent_home_at > _HOME_REPEAT
+        if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
+            self._sent_home_at = now
+            self._actions.send_home(now)
 
     def _resume_task(self, record: TaskRecord) -> None:
         """Go on with a run that was set aside; from the ground only after another rehearsal."""

@@ -10,9 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from secrets import token_hex
+from threading import Lock
 from typing import Any
 
 from housefly.errors import HouseflyError, TaskError
+from housefly.hub.client.room_queries import AskedRoom
 from housefly.messages import Order, OrderKind, Phase
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.tasks.api.answers import (
@@ -52,17 +54,13 @@ from housefly.tasks.api.questions import (
     TaskQuestion,
     Webhook,
 )
-from housefly.tasks.api.values import ReasonCode, RequestSurface, TaskRequest, TaskStatus
-from housefly.tasks.asked_room import AskedRoom
+from housefly.tasks.api.values import ATTENDED, ReasonCode, RequestSurface, TaskRequest, TaskStatus
 from housefly.tasks.document.open_library import NO_DRONE, OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.drone_state import (
-    DronePlace,
-    TakeOffReadiness,
-    drone_availability,
-    drone_place,
-    drone_words,
-)
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_engine import TaskEngine
+from housefly.tasks.engine.task_outlet import TaskOutlet
+from housefly.tasks.engine.task_rehearsals import TaskRehearsals
 from housefly.tasks.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
@@ -76,18 +74,25 @@ from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import WebhookTrigger
 from housefly.tasks.scheduler.task_store import TaskStore
 from housefly.tasks.scheduler.values import DroneAvailability
-from housefly.tasks.sentences import SentenceEffects, Sentences
-from housefly.tasks.source_pace import SourcePace
-from housefly.tasks.task_actions import TaskActions
-from housefly.tasks.task_desk import TaskDesk
-from housefly.tasks.task_engine import TaskEngine
-from housefly.tasks.task_outlet import TaskOutlet
-from housefly.tasks.task_rehearsals import TaskRehearsals
+from housefly.tasks.service.drone_state import (
+    DronePlace,
+    TakeOffReadiness,
+    drone_availability,
+    drone_place,
+    drone_words,
+)
+from housefly.tasks.service.sentences import SentenceEffects, Sentences
+from housefly.tasks.service.task_desk import TaskDesk
 
 _log = logging.getLogger(__name__)
 
 _PHOTO_PATIENCE = 3.0
 """How long a person waits for the disk to keep a photo [s]."""
+
+AT_ONCE = 20
+"""So many requests, sentences and rehearsals of one surface after a pause."""
+_PERIOD = 3.0
+"""Then one more each [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +148,7 @@ class TaskService:
     ) -> None:
         self.readiness = TakeOffReadiness()
         self._parts, self._clock, self._wall = parts, clock, wall
-        self._pace = SourcePace(clock)
+        self._pace = _RequestRate(clock)
         self.desk = TaskDesk(
             parts.library, parts.engine, parts.rules, parts.outlet, parts.store, wall
         )
@@ -380,3 +385,29 @@ class TaskService:
                     return engine.pause(task, by, unix)
                 case TaskAct.CONTINUE:
                     return engine.proceed(task, by, unix)
+
+
+class _RequestRate:
+    """A bucket of requests a surface on which nobody may be looking; thread-safe.
+
+    Args:
+        clock: monotonic time [s].
+    """
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock, self._lock = clock, Lock()
+        self._left: dict[RequestSurface, tuple[float, float]] = {}
+
+    def spend(self, surface: RequestSurface) -> None:
+        """Count a request; raises TaskError RATE_LIMIT when it is one too many."""
+        if surface in ATTENDED:
+            return
+        with self._lock:
+            now = self._clock()
+            left, since = self._left.get(surface, (float(AT_ONCE), now))
+            left = min(AT_ONCE, left + (now - since) / _PERIOD)
+            is_over = left < 1.0
+            self._left[surface] = (left if is_over else left - 1.0), now
+        if is_over:
+            words = f"too many requests over {surface.value}; wait {_PERIOD:.0f} s"
+            raise TaskError(words, ReasonCode.RATE_LIMIT.value)

@@ -14,9 +14,13 @@ from housefly.errors import TaskError
 from housefly.tasks.api.questions import BoardQuestion, RehearseTask
 from housefly.tasks.api.values import RehearsalReport, RequestSurface
 from housefly.tasks.document.library import BoundTask, bind, load_library
-from housefly.tasks.rehearsal_turns import RehearsalTurns, RehearsalUrgency
-from housefly.tasks.task_record import TaskRecord
-from housefly.tasks.task_rehearsals import MOST_ASKED, TaskRehearsals
+from housefly.tasks.engine.task_record import TaskRecord
+from housefly.tasks.engine.task_rehearsals import (
+    MOST_ASKED,
+    RehearsalTurns,
+    RehearsalUrgency,
+    TaskRehearsals,
+)
 
 LIBRARY = load_library()
 FLIGHT, PERSON, MACHINE = RehearsalUrgency

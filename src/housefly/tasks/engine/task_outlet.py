@@ -1,4 +1,6 @@
-"""What the tasks tell the room's memory: one event a thing that happened, each with its cause.
+"""What the tasks may do to the world: orders, events, MQTT; nothing else.
+
+Each thing that happens is one event with its cause:
 
     trigger -> "task asked" -> "task started" -> "clip kept" -> "task ended"
 
@@ -8,12 +10,43 @@ The cause of "task asked" is the trigger; that of all others is their task, as "
 from __future__ import annotations
 
 from collections.abc import Mapping
+from concurrent.futures import Future
+from typing import Protocol
 
 from housefly.hub.api.told_events import TOLD_EVENT_SOURCE, ToldEventKind
-from housefly.messages import RoomEvent
-from housefly.tasks.api.values import ParameterValue
+from housefly.messages import Order, RoomEvent
+from housefly.tasks.api.values import ParameterValue, RehearsalReport
+from housefly.tasks.document.task_document import BoundTask
 
 _MAX_WORDS, _MAX_THING = 200, 100
+
+
+class TaskOutlet(Protocol):
+    """Takes what the tasks want done; quick, thread-safe, never raises."""
+
+    def order(self, order: Order) -> None:
+        """Give the pilot an order."""
+        ...
+
+    def tell(self, event: RoomEvent) -> None:
+        """Tell the room's memory what happened."""
+        ...
+
+    def say(self, words: str) -> None:
+        """Say something to whoever listens in the room."""
+        ...
+
+    def publish_mqtt(self, topic: str, payload: str) -> None:
+        """Publish to a device of the room."""
+        ...
+
+
+class TaskRehearser(Protocol):
+    """Flies a task in lock step, elsewhere."""
+
+    def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
+        """Begin a rehearsal on the room as it is now."""
+        ...
 
 
 def task_name(task: int) -> str:

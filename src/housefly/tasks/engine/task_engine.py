@@ -5,6 +5,7 @@ Nothing here reads a clock or opens a wire: time comes in, orders go out by the 
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -21,9 +22,10 @@ from housefly.tasks.api.values import (
     TaskStatus,
 )
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_record import task_status
+from housefly.tasks.engine.task_runs import TaskRuns
 from housefly.tasks.execution.values import GiveOrder, PersonReply
-from housefly.tasks.queue_keeper import QueueKeeper
 from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.scheduler.board import board_order, waiting_words
 from housefly.tasks.scheduler.scheduler import Scheduler
@@ -41,14 +43,11 @@ from housefly.tasks.scheduler.values import (
     TaskMerged,
     TaskTraits,
 )
-from housefly.tasks.stranded_drone import StrandedDrone
-from housefly.tasks.task_actions import TaskActions
-from housefly.tasks.task_chronicle import TaskChronicle
-from housefly.tasks.task_record import task_status
-from housefly.tasks.task_runs import TaskRuns
 
 _CLICK_TIME = 5.0
 """The same wish of the same asker within this is one wish [s]."""
+_SHOWN = 20
+"""So many ended tasks are on the board."""
 _ONLY_OWN = "you can end only what you asked for; STOP is for all"
 
 
@@ -60,7 +59,6 @@ class TaskEngine:
         limits: of the queue.
         runs: of the open tasks.
         actions: does and tells.
-        inbox: the pilot's steps.
     """
 
     def __init__(
@@ -69,13 +67,11 @@ class TaskEngine:
         limits: SchedulerLimits,
         runs: TaskRuns,
         actions: TaskActions,
-        inbox: StepInbox,
     ) -> None:
         self._drone = DroneAvailability(False, "the tasks have just begun")
-        self._runs, self._actions = runs, actions
-        self._keeper, self._stranded = QueueKeeper(store), StrandedDrone(inbox, actions)
+        self._store, self._runs, self._actions = store, runs, actions
         self._scheduler = store.load(limits)
-        self._chronicle = TaskChronicle(store, actions)
+        self._ended: deque[TaskStatus] = deque(store.newest_ended(_SHOWN), _SHOWN)
 
     def restore(self, bind: Callable[[TaskRequest], BoundTask], unix: float) -> None:
         """Take over the tasks of a program that ended: what flew ends, what waits is asked again.
@@ -90,7 +86,7 @@ class TaskEngine:
                 if scheduling_traits(bound) != task.traits:
                     raise _bad(f"'{task.traits.title}' was changed meanwhile; ask again")
                 record = self._runs.add(task.id, bound, is_urgent=task.is_attended)
-                if (before := self._chronicle.known(task.id)) is not None:
+                if (before := self._known(task.id)) is not None:
                     record.clips, record.report = list(before.clips), list(before.report)
                     record.steps = before.steps
                     record.took_off_at, record.flown = before.took_off_at, before.flown
@@ -104,7 +100,7 @@ class TaskEngine:
     @property
     def problem(self) -> str:
         """Why the queue cannot be kept, in words, or ""."""
-        return self._keeper.problem
+        return self._store.problem
 
     @property
     def open(self) -> tuple[TaskStatus, ...]:
@@ -118,7 +114,7 @@ class TaskEngine:
     @property
     def ended(self) -> tuple[TaskStatus, ...]:
         """The tasks that ended last, the newest first."""
-        return self._chronicle.ended
+        return tuple(self._ended)
 
     def request(self, request: TaskRequest, task: BoundTask, unix: float) -> TaskStatus:
         """Take a request, its parameters complete; return its task, which may be refused.
@@ -213,16 +209,16 @@ class TaskEngine:
             unix: the same moment as Unix time [s].
         """
         self._drone = drone
-        self._keeper.retry()
+        self._store.retry()
         for number, report in tuple(self._runs.rehearsed(unix)):
             self._take(self._scheduler.rehearsed(number, report, unix), unix)
         reports = self._runs.step(self._scheduler.tasks, drone, now, unix)
         if self._runs.person_ordered:
             self._take(self._scheduler.taken_over(unix), unix)
-        self._stranded.let_go(reports, self._runs)
+        self._runs.hand_over(reports)
         self._take(self._scheduler.ticked(unix, reports, drone), unix)
         if not any(task.traits.flies and task.state in ACTIVE for task in self._scheduler.tasks):
-            self._stranded.bring_home(now)
+            self._runs.bring_home(now)
 
     def change_mode(self, mode: HouseMode, unix: float) -> None:
         """End the flights that may not be asked for in the new mode of the house.
@@ -299,7 +295,7 @@ class TaskEngine:
         for task in self._scheduler.tasks:
             if task.id == number:
                 return task_status(task, self._runs.record(number))
-        if (known := self._chronicle.known(number)) is not None:
+        if (known := self._known(number)) is not None:
             return known
         raise TaskError(f"there is no task {number}", ReasonCode.UNKNOWN_TASK.value)
 
@@ -311,15 +307,23 @@ class TaskEngine:
         ended = [one.task for one in decisions if isinstance(one, TaskEnded)]
         statuses = {task.id: self._end_status(task) for task in ended}
         kept = [KeptTask(task, task_status(task, self._runs.record(task.id))) for task in changed]
-        self._keeper.keep([*kept, *(KeptTask(task, statuses[task.id]) for task in ended)])
+        self._store.keep([*kept, *(KeptTask(task, statuses[task.id]) for task in ended)])
         for decision in decisions:
             if isinstance(decision, TaskAdmitted):
-                self._chronicle.was_asked(decision.task, unix)
+                self._actions.tell_asked(decision.task, unix)
             elif isinstance(decision, TaskEnded):
-                self._runs.remove(decision.task.id)
-                self._chronicle.has_ended(decision.task, statuses[decision.task.id], unix)
+                task, status = decision.task, statuses[decision.task.id]
+                self._runs.remove(task.id)
+                self._actions.end_clip(task.id)
+                self._ended.appendleft(status)
+                self._actions.tell_ended(task, status, unix)
             else:
                 self._runs.decide(decision)
+
+    def _known(self, number: int) -> TaskStatus | None:
+        """Return a task as it ended, or as it was kept last; None when nobody knows it."""
+        found = next((one for one in self._ended if one.id == number), None)
+        return found or self._store.status(number)
 
     def _end_status(self, task: ScheduledTask) -> TaskStatus:
         status = task_status(task, self._runs.record(task.id))

@@ -48,12 +48,12 @@ from housefly.tasks.api.values import (
 from housefly.tasks.api.values import (
     TaskStage as Stage,
 )
-from housefly.tasks.drone_state import TakeOffReadiness
 from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
 from housefly.tasks.evidence.clip_store import new_clip_row
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import TaskInputs
 from housefly.tasks.rules.trigger import EventTrigger
+from housefly.tasks.service.drone_state import TakeOffReadiness
 
 LOOK = RequestTask("look", {"subject": "refrigerator"}, by="kim")
 

@@ -21,15 +21,14 @@ from housefly.tasks.api.values import (
 from housefly.tasks.document.library import bind
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.notices import Notices
-from housefly.tasks.room_events import task_event
+from housefly.tasks.engine.task_engine import TaskEngine
+from housefly.tasks.engine.task_outlet import TaskOutlet, task_event
 from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.rules.rule_engine import RuleDecision
 from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
 from housefly.tasks.scheduler.task_store import TaskStore
-from housefly.tasks.task_engine import TaskEngine
-from housefly.tasks.task_outlet import TaskOutlet
+from housefly.tasks.service.notices import Notices
 
 _log = logging.getLogger(__name__)
 
