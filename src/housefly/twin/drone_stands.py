@@ -35,9 +35,16 @@ class DroneStand:
         return self.site.drone
 
 
-def drone_stands(site: Site, room: Room) -> tuple[DroneStand, ...]:
-    """Return the drones that a site flies, in its order; one that does not fly where none does."""
+def drone_stands(site: Site, room: Room, first: str = "") -> tuple[DroneStand, ...]:
+    """Return the drones that a site flies, in its order; one that does not fly where none does.
+
+    Args:
+        site: whose drones.
+        room: gives the pad of one that has none of its own.
+        first: which of them comes before the others, if any does; pictures are taken from it.
+    """
     names = site.drone_names or (site.all_drones[0].name,)
+    names = tuple(sorted(names, key=lambda name: name != first))
     return tuple(_stand(site.for_drone(name), room, number) for number, name in enumerate(names))
 
 

@@ -20,12 +20,14 @@ def scene_mjcf(
     room: Room,
     people: tuple[PersonScript, ...] = (),
     movables: tuple[Movable, ...] = (),
+    first: str = "",
 ) -> str:
     """Return the MJCF of the room with its drones on their pads; needs no MuJoCo.
 
-    People and movables are included, out of the room.
+    People and movables are included, out of the room. The drone named first is ``BODY``; else that
+    is the first of the site.
     """
-    stands = drone_stands(site, room)
+    stands = drone_stands(site, room, first)
     return room_to_mjcf(
         room,
         bodies="".join(drone_body(one.config, one.pad, one.yaw, one.body) for one in stands)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from housefly.config.site import Site
+from housefly.errors import WireError
 from housefly.geometry import Vec2, Vec3
 from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
@@ -274,8 +275,16 @@ class SimulatedWorld:
         self.first.hover(position, yaw)
 
     def carry_drone(self, order: CarryOrder) -> None:
-        """Have somebody take the drone up and carry it; raises as ``SimulatedDrone.carry``."""
-        self.first.carry(order)
+        """Have somebody take the drone up that an order names, and carry it.
+
+        Raises:
+            WireError: its motors turn, or there is none of that name.
+        """
+        if order.drone and order.drone not in self.drones:
+            raise WireError(
+                f"there is no drone called {order.drone!r} (there is: {', '.join(self.drones)})"
+            )
+        (self.drones[order.drone] if order.drone else self.first).carry(order)
 
     @property
     def is_carried(self) -> bool:
