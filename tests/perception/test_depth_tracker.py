@@ -281,7 +281,7 @@ def test_any_images_are_survived_and_what_comes_out_is_finite(
     scene: Scene, garbage: list[DepthImage]
 ) -> None:
     for image in garbage:
-        for o in scene.tracker.update(image, 10.0, [OwnFootprint((1.0, 1.0), 0.5)]).obstacles:
+        for o in scene.tracker.update(image, 10.0, (OwnFootprint((1.0, 1.0), 0.5),)).obstacles:
             assert all(np.isfinite([*o.position, o.radius, *o.size, *o.velocity]))
 
 

@@ -189,7 +189,7 @@ def test_any_scans_are_survived_and_what_comes_out_is_finite(
 ) -> None:
     hall = make_hall()
     for scan in garbage:
-        for o in hall.tracker.update(scan, 10.0, [OwnFootprint((1.0, 1.0), 0.5)]).obstacles:
+        for o in hall.tracker.update(scan, 10.0, (OwnFootprint((1.0, 1.0), 0.5),)).obstacles:
             assert all(np.isfinite([*o.position, o.radius, *o.size, *o.velocity]))
 
 

@@ -31,7 +31,7 @@ from housefly.messages import (
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.evidence.frame_blanker import BLANK
 from housefly.tasks.evidence.live_blanker import LiveBlanker
-from housefly.web.video import FRAME_HEADER, VideoRelay
+from housefly.web.camera.video import FRAME_HEADER, VideoRelay
 
 TOPICS = DroneTopics()
 

@@ -68,7 +68,8 @@ class PerceptionProcess:
         def on_step(step: PilotStep) -> None:
             telemetry = step.inputs.telemetry
             on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
-            where = own_footprints(site, None if on_the_ground else step.outputs.estimate)
+            estimate = None if on_the_ground else step.outputs.estimate
+            where = own_footprints(site, (estimate,))
             self._own[site.drone.name] = where  # each on a thread of its own
             self._depth.own = self._all_own()
 

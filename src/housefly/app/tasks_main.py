@@ -19,8 +19,6 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from pydantic import TypeAdapter, ValidationError
-
 from housefly.app.live_task_room import LiveTaskRoom
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.task_outlet_bus import BusTaskOutlet
@@ -29,8 +27,6 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import (
     FRAME_TOPIC,
     OBSTACLE_TOPIC,
-    ROOM_NEWS_TOPIC,
-    TASK_NEWS_TOPIC,
     TASKS_QUERY,
     DroneTopics,
 )
@@ -43,25 +39,26 @@ from housefly.errors import HouseflyError, LinkError
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
 from housefly.lab.rehearsal.drone_rehearsers import DroneRehearsers
 from housefly.lab.rehearsal.rehearsal_ahead import tasks_ahead
 from housefly.lab.rehearsal.rehearser import Rehearser
 from housefly.lab.rehearsal.room_now import RoomNow, room_now
-from housefly.messages import RecordingNews, RoomNews, TaskNews, VideoFrame
+from housefly.messages import RecordingNews, VideoFrame
 from housefly.pilot.behavior.preflight import preflight_refusal
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
-from housefly.tasks.api.json import task_answer_to_json
+from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.client.tasks_client import tasks_socket
-from housefly.tasks.drone_state import TakeOffReadiness
+from housefly.tasks.engine.drone_state import TakeOffReadiness
+from housefly.tasks.engine.task_drones import TaskDrone
 from housefly.tasks.evidence.camera_pose import camera_pose_of
-from housefly.tasks.live_obstacles import LiveObstacles
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.rules.dry_run import event_of
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
-from housefly.tasks.task_drones import TaskDrone
 
 _log = logging.getLogger(__name__)
 
@@ -75,7 +72,6 @@ _CLOCK_PERIOD = 1.0
 _ANSWERERS = 6
 """So many questions are answered at once: a rehearsal holds up no cancellation."""
 _MAX_TRIGGERS = 1000
-_NEWS: TypeAdapter[News] = TypeAdapter(News)
 
 
 class TasksProcess:
@@ -172,13 +168,8 @@ class TasksProcess:
             self._recording[drone.name] = news
             self._bus.publish(self._topics[drone.name].recording, news)
 
-    def _on_news(self, news: RoomNews) -> None:
-        try:
-            events = _NEWS.validate_json(news.text).events
-        except ValidationError:
-            _log.warning("these are no news of the room: %s", news.text[:100])
-            return
-        for event in events:
+    def _on_news(self, news: News) -> None:
+        for event in news.events:
             self._enqueue(EventTrigger(event_of(event)))
 
     def _enqueue(self, trigger: Trigger) -> None:
@@ -210,7 +201,7 @@ class TasksProcess:
         board = self.service.board()
         before, self._published = self._published, board
         if before is None or replace(board, at=before.at) != before:
-            self._bus.publish(TASK_NEWS_TOPIC, TaskNews(task_answer_to_json(board)))
+            self._bus.publish(TASK_NEWS_TOPIC, board)
 
 
 def _film(drone: TaskDrone, frame: VideoFrame) -> None:

@@ -1,8 +1,8 @@
 """What the twin's servers may ask of the simulated world.
 
-``twin.world`` implements ``TwinWorld``; the servers and lock step use it. World frame and
-body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone``
-and the server.
+``twin.world`` implements ``TwinWorld``, ``twin.simulated_drone`` ``TwinDrone``; the servers and
+lock step use them. World frame and body frame (forward, left, up) as everywhere; native AR.Drone
+signs live only in ``wires.ardrone`` and the server.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from enum import Enum
 from typing import Protocol
 
 from housefly.geometry import Vec3
-from housefly.messages import Pose
+from housefly.messages import AnySetpoint, Pose
 from housefly.wires.ardrone.conversions import Stick
 
 AWAY_Z = -30.0
@@ -152,20 +152,24 @@ class MocapFrame:
     bodies: tuple[tuple[str, Pose | None], ...]
 
 
-class TwinWorld(Protocol):
-    """The simulated room with one drone in it; time passes only in ``advance``."""
+class TwinDrone(Protocol):
+    """One drone of the simulated room; time passes only in ``TwinWorld.advance``."""
 
     @property
     def now(self) -> float:
         """World time [s]."""
         ...
 
-    def advance(self, seconds: float) -> None:
-        """Run physics, firmware, tracking and batteries for this long."""
-        ...
-
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""
+        ...
+
+    def steer(self, asked: AnySetpoint) -> None:
+        """Pass on a setpoint to a drone that takes no sticks; late as ``set_stick``."""
+        ...
+
+    def tell_pose(self, pose: Pose, captured_at: float) -> None:
+        """Tell the drone where it was at a time [s]; late as ``set_stick``."""
         ...
 
     def keep_alive(self) -> None:
@@ -202,6 +206,14 @@ class TwinWorld(Protocol):
 
     def truth(self) -> GroundTruth:
         """Return the true state now."""
+        ...
+
+
+class TwinWorld(TwinDrone, Protocol):
+    """The simulated room; by itself it speaks of its only, or first, drone."""
+
+    def advance(self, seconds: float) -> None:
+        """Run physics, firmware, tracking and batteries for this long."""
         ...
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:

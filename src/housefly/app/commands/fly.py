@@ -44,7 +44,7 @@ def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.flight import fly_service
     from housefly.twin.installed import require_simulator
-    from housefly.web.exposure import checked_exposure
+    from housefly.web.access.exposure import checked_exposure
 
     loaded = load_drone(options, with_edits=not options.lockstep)
     out = Path(options.out or time.strftime("flights/%Y-%m-%d_%H-%M-%S"))

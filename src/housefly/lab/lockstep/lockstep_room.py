@@ -7,27 +7,29 @@ the drone hears and when. Faults befall the same streams as on the wires.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from math import inf, isfinite, nan
+from typing import Any
 
 from housefly.config.site import Site
 from housefly.drones.failsafe import Failsafe
+from housefly.drones.pose_rate import PoseRate
 from housefly.errors import ConfigError
+from housefly.lab.lockstep.lockstep_wires import lockstep_wire, onboard_limits
+from housefly.lab.lockstep.shared_tracking import SharedTracking
 from housefly.messages import (
     Command,
     DroneFault,
     DroneStatus,
     KnownMotion,
-    Setpoint,
     Sighting,
     Telemetry,
 )
+from housefly.messages.steering import commanded
 from housefly.twin.contracts import (
     FlightState,
-    MocapFrame,
-    OnboardLimits,
     OnboardState,
+    TwinDrone,
     TwinWorld,
 )
 from housefly.twin.faults.fault import Fault
@@ -35,11 +37,8 @@ from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.onboard_stream import not_numbers
 from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_encoder import CommandEncoder
-from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
-from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
 FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
     FlightState.LANDED: DroneStatus.LANDED,
@@ -60,7 +59,7 @@ _FAULTS: tuple[tuple[DroneFault, Callable[[OnboardState], bool]], ...] = (
 )
 
 
-_Datagram = tuple[int, tuple[at.AtCommand, ...]]
+_Datagram = tuple[int, tuple[Any, ...]]
 """Sequence number and commands of what would be one datagram."""
 _COMMANDS: PacketCodec[_Datagram] = PacketCodec(
     garbled=lambda fault, datagram, number: None, repeated=lambda old, new: (new[0], old[1])
@@ -72,11 +71,10 @@ _REPORTS: PacketCodec[OnboardState] = PacketCodec(
 """Reports that stand still are written anew, with old content."""
 _Step = tuple[float, Command, KnownMotion | None]
 """When the pilot gave a command [s], the command, and how the drone moved then."""
-_NO_NUMBERS = Setpoint(nan, nan, nan, nan)
 _STEPS: PacketCodec[_Step] = PacketCodec(
     garbled=lambda fault, step, number: (
         step[0],
-        replace(step[1], setpoint=_NO_NUMBERS),
+        commanded(step[1].action, type(step[1].asked)(nan, nan, nan, nan)),
         step[2],
     ),
     repeated=lambda old, new: (new[0], *old[1:]),
@@ -84,15 +82,19 @@ _STEPS: PacketCodec[_Step] = PacketCodec(
 
 
 class LockstepRoom:
-    """World, driver and tracking client on one stepped clock.
+    """World, driver and tracking client of one drone on one stepped clock.
 
     Args:
         world: what flies.
-        site: limits, and the faults of its ``[[faults]]``.
+        site: limits, and the faults of its ``[[faults]]``; as the drone's own chain sees it.
         faults: those instead, when somebody else uses them too.
         guarded: False takes the driver's watchdog away; for negative controls only.
+        drone: which drone of the world it is; None for its first.
+        tracking: what hears the tracking system, and as which of its listeners; None for a client
+            of its own.
 
     Attributes:
+        world: as given.
         faults: what fails, and when.
 
     Raises:
@@ -106,24 +108,19 @@ class LockstepRoom:
         faults: FaultInjector | None = None,
         *,
         guarded: bool = True,
+        drone: TwinDrone | None = None,
+        tracking: tuple[SharedTracking, int] | None = None,
     ) -> None:
-        limits = site.limits
-        self._world = world
+        self.world, self._drone = world, drone or world
         self.faults = FaultInjector(site) if faults is None else faults
-        world.set_limits(
-            OnboardLimits(
-                limits.tilt_max,
-                limits.full_climb,
-                limits.yaw_rate_max,
-                limits.onboard_height_max,
-                COM_WATCHDOG_TIME,
-            )
+        self._tracking, self._listener = tracking or (SharedTracking(world, (self.faults,)), 0)
+        self._drone.set_limits(onboard_limits(site))
+        self._failsafe = Failsafe(
+            world.now, site.limits.tilt_max, site.drone.airframe, watched=guarded
         )
-        maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
-        self._failsafe = Failsafe(world.now, limits.tilt_max, site.drone.airframe, watched=guarded)
-        self._encoder = CommandEncoder(maxima)
+        self._wire = lockstep_wire(site)
+        self._pose_rate = PoseRate(site.drone.airframe.capabilities.external_pose_rate)
         self._sent_at, self._link = world.now, site.drone.airframe.link
-        self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
         self._downlink = PacketStream(FaultComponent.TELEMETRY, _REPORTS)
         self._pilot_link = PacketStream(FaultComponent.PILOT, _STEPS)
@@ -138,7 +135,7 @@ class LockstepRoom:
     @property
     def now(self) -> float:
         """World time [s]."""
-        return self._world.now
+        return self.world.now
 
     def inject(self, *faults: Fault) -> None:
         """Let these faults happen, too; raises ConfigError for one that cannot be made here."""
@@ -146,26 +143,29 @@ class LockstepRoom:
 
     def advance(self, seconds: float) -> None:
         """Let the world run while commands are repeated at the driver's rate."""
-        end = self.now + seconds
-        self._disturb()
-        while (beat := min(self._sent_at + self._link.repeat_after, self._next_arrival())) <= end:
-            self._world.advance(max(0.0, beat - self.now))
-            self._deliver()
-            if self._sent_at + self._link.repeat_after <= self.now:
-                self._transmit()
-        self._world.advance(max(0.0, end - self.now))
+        advance_together((self,), seconds)
+
+    @property
+    def next_beat(self) -> float:
+        """When its driver has something to do next [s]."""
+        return min(self._sent_at + self._link.repeat_after, self._next_arrival())
+
+    def beat(self) -> None:
+        """Let the drone hear what has arrived, and repeat the command when it is time to."""
+        self._deliver()
+        if self._sent_at + self._link.repeat_after <= self.now:
+            self._transmit()
 
     def sightings(self) -> tuple[Sighting, ...]:
         """Return what tracking reported since the last call, oldest first."""
-        frames = self.faults.frames(self._world.mocap_frames(), self.now)
-        return tuple(sighting for frame in frames for sighting in _sightings_of(frame))
+        return self._tracking.sightings(self._listener)
 
     def telemetry(self) -> Telemetry | None:
         """Return the drone's newest report; None before the first.
 
         As on the wire: battery in whole percent, no vertical speed.
         """
-        onboard = self._world.onboard()
+        onboard = self._drone.onboard()
         if not self.faults.schedule.faults:
             return self._telemetry_of(onboard)
         if onboard.at > self._reported_at:
@@ -194,15 +194,24 @@ class LockstepRoom:
         while self._steps_under_way and self._steps_under_way[0][0] <= now + _ROUNDING:
             self._hear(*self._steps_under_way.popleft()[1])
 
+    def send_pose(self, seen: Sighting | None) -> None:
+        """Hand over where tracking saw the drone, to one that wants to know."""
+        due = self._pose_rate.due(seen)
+        if due is not None:
+            self._drone.tell_pose(due.pose, due.captured_at)
+
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
         action_changed = self._failsafe.update(command, self.now, issued_at, motion)
         if action_changed or self.now - self._sent_at >= self._link.interval_min:
             self._transmit()
 
-    def _disturb(self) -> None:
-        if isinstance(self._world, SimulatedWorld):
-            self.faults.act_on(self._world)
+    def disturb(self) -> None:
+        """Let the faults act on the drone, and on who is in its way."""
+        drone = self._drone
+        if isinstance(self.world, SimulatedWorld):
+            assert isinstance(drone, SimulatedWorld | SimulatedDrone)
+            self.faults.act_on(self.world, drone)
         elif self.faults.schedule.faults:
             raise ConfigError("faults", "need the simulated room; this world has no physics")
 
@@ -212,7 +221,7 @@ class LockstepRoom:
         self._number += 1
         report = self.telemetry()
         told = self._failsafe.decide(self.now, report)
-        commands = self._encoder.encoded(told, self.now, report)
+        commands = self._wire.encoded(told, self.now, report)
         datagram = (self._number, commands)
         self._commands_under_way.extend(self._uplink.sent(datagram, self.faults.schedule, self.now))
         self._deliver()
@@ -227,26 +236,22 @@ class LockstepRoom:
             if number <= self._heard_number:
                 continue
             self._heard_number = number
-            self._world.keep_alive()
+            self._drone.keep_alive()
             for command in commands:
-                self._obey(command)
+                self._wire.obey(self._drone, command)
 
-    def _obey(self, command: at.AtCommand) -> None:
-        """Obey a command as the drone does; the emergency bit acts on its rising edge."""
-        match command:
-            case at.Pcmd():
-                self._world.set_stick(stick_from_pcmd(command))
-            case at.FlatTrim():
-                self._world.flat_trim()
-            case at.Ref(bits):
-                emergency = at.RefBits.EMERGENCY in bits
-                if emergency and not self._emergency_held:
-                    self._world.toggle_emergency()
-                self._emergency_held = emergency
-                if at.RefBits.TAKE_OFF in bits:
-                    self._world.request_take_off()
-                else:
-                    self._world.request_land()
+
+def advance_together(rooms: Sequence[LockstepRoom], seconds: float) -> None:
+    """Let the world of some drones run, while each driver repeats its commands at its own rate."""
+    world = rooms[0].world
+    end = world.now + seconds
+    for room in rooms:
+        room.disturb()
+    while (beat := min(room.next_beat for room in rooms)) <= end:
+        world.advance(max(0.0, beat - world.now))
+        for room in rooms:
+            room.beat()
+    world.advance(max(0.0, end - world.now))
 
 
 def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Telemetry:
@@ -275,12 +280,3 @@ def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Tel
 
 def _in_percent(charge: float) -> float:
     return round(charge * 100) / 100 if isfinite(charge) else charge
-
-
-def _sightings_of(frame: MocapFrame) -> tuple[Sighting, ...]:
-    """Return the sightings of the bodies that a frame shows."""
-    return tuple(
-        Sighting(name, pose, frame.captured_at, frame.due_at)
-        for name, pose in frame.bodies
-        if pose is not None
-    )
