@@ -144,6 +144,15 @@ class BatteryConstants(Section):
     endurance: float = quantity(..., 30.0, 7200.0, "s", "flight time of a full battery, as rated")
 
 
+class FlowConstants(Section):
+    """Its own measurement of its velocity over the ground."""
+
+    delay: float = quantity(..., 0.0, 0.5, "s", "velocity and height of a report are this old")
+    noise: float = quantity(..., 0.0, 1.0, "m/s", "white noise of a velocity, one sigma")
+    bias: float = quantity(..., 0.0, 0.5, "m/s", "slowly wandering bias, one sigma")
+    bias_time: float = quantity(..., 0.1, 1000.0, "s", "correlation time of that bias")
+
+
 class SonarConstants(Section):
     """Its own measurement of the height above what is below."""
 
@@ -181,7 +190,8 @@ class Airframe(Section):
     Attributes:
         name: as its maker calls it.
         capabilities: what it can do.
-        body, response, braking, brake, take_off, landing, battery, sonar, link: its constants.
+        body, response, braking, brake, take_off, landing, battery, link: its constants.
+        sonar, flow: its own measurements of height and velocity; None where it has none.
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
@@ -193,7 +203,8 @@ class Airframe(Section):
     take_off: TakeOffConstants
     landing: LandingConstants
     battery: BatteryConstants
-    sonar: SonarConstants
+    sonar: SonarConstants | None = None
+    flow: FlowConstants | None = None
     link: LinkConstants
 
     @model_validator(mode="after")

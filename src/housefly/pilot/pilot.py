@@ -231,7 +231,7 @@ class Pilot:
             self._params.estimator,
             settings.body,
             now,
-            settings.airframe.sonar,
+            settings.airframe,
             drag=settings.drag,
             odometry_error=settings.odometry_error,
             trusting=not settings.guarded,

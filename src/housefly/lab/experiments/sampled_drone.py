@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, exp, floor, sqrt
+from math import ceil, cos, exp, floor, sin, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from housefly.lab.experiments.random import RandomState, normal
 from housefly.lab.experiments.tracking_noise import Camera, Frames, Stream, exposed
 from housefly.numeric import compiled
+from housefly.pilot.control.forms import FormCode
+from housefly.pilot.control.laws import acceleration, saturated_jointly, tilt
 from housefly.pilot.control.model import Beat, Constants, DroneState, beat_of, hover_tilt, moved
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
 
@@ -18,8 +20,9 @@ LONGEST_STEP = 0.0125
 """Longest step of the dynamics [s]."""
 GUST_TIME = 1.0
 """Correlation time of gusts [s]."""
-ORDER = np.dtype([("flying", "i8")] + [(name, "f8") for name in ("theta", "phi", "vz", "yaw_rate")])
-"""What left the pilot's gate; not flying is the drone's own hover."""
+_ASKED = ("theta", "phi", "vz", "yaw_rate", "forward", "left", "x", "y", "z")
+ORDER = np.dtype([("flying", "i8")] + [(name, "f8") for name in _ASKED])
+"""What left the pilot's gate, by tilt or in another form; not flying is the drone's own hover."""
 ORDER_RING_SIZE = 128
 """Orders kept: more than half a second at 200 Hz."""
 Orders = NDArray[Any]
@@ -44,6 +47,9 @@ class SampledDrone(NamedTuple):
         sink_gain: what it makes of a commanded sinking, over what was commanded.
         gust: one sigma of the push that changes [m/s^2].
         gust_kept: share of it that is left after a tick.
+        form: a ``FormCode``.
+        pull: pole of its velocity response, or damping of that to places [1/s].
+        stiffness: of the response to places [1/s^2].
     """
 
     constants: Constants
@@ -59,6 +65,9 @@ class SampledDrone(NamedTuple):
     sink_gain: float
     gust: float
     gust_kept: float
+    form: int
+    pull: float
+    stiffness: float
 
 
 @compiled
@@ -85,6 +94,9 @@ def sampled_drone(case: Any) -> SampledDrone:
         case.sink_gain,
         case.gust,
         exp(-tick / GUST_TIME),
+        case.form,
+        case.pull,
+        case.stiffness,
     )
 
 
@@ -140,6 +152,33 @@ def _pushed(
     if sent >= 0 and order.flying > 0:
         vz = order.vz if order.vz >= 0.0 else air.sink_gain * order.vz
         vz += air.climb_beside
-        return moved(body, order.theta, order.phi, vz, order.yaw_rate, wind, air.constants, beat)
+        theta, phi = order.theta, order.phi
+        if air.form != FormCode.TILT_AND_CLIMB.value:
+            theta, phi = _leaning(body, order, air)
+        if air.form == FormCode.POSITION.value:
+            vz = air.stiffness / air.constants.climb_lag * (order.z - body.z) + air.climb_beside
+        return moved(body, theta, phi, vz, order.yaw_rate, wind, air.constants, beat)
     theta, phi = hover_tilt(body, wind, air.tilt_max)
     return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, beat)
+
+
+@compiled
+def _leaning(body: DroneState, order: Any, air: SampledDrone) -> tuple[float, float]:
+    """Return pitch and roll [rad] of a drone that flies velocities, or to places, by itself.
+
+    As ``twin.setpoint_firmware``: behind its lag it accelerates by push - pull v.
+    """
+    c, s = cos(body.psi), sin(body.psi)
+    push_x = air.pull * (c * order.forward - s * order.left)
+    push_y = air.pull * (s * order.forward + c * order.left)
+    if air.form == FormCode.POSITION.value:
+        push_x, push_y = air.stiffness * (order.x - body.x), air.stiffness * (order.y - body.y)
+    has_x, has_y = acceleration(body.theta, body.phi, body.psi)
+    held, lead = air.pull - air.constants.drag, air.pull / air.constants.lag
+    theta, phi = tilt(
+        push_x - held * body.vx - lead * has_x,
+        push_y - held * body.vy - lead * has_y,
+        body.psi,
+        1.0,
+    )
+    return saturated_jointly(theta, phi, air.tilt_max)

@@ -23,7 +23,6 @@ from housefly.pilot.estimation.felt_motion import (
     felt_tied,
 )
 from housefly.pilot.estimation.onboard_odometry import (
-    FLOW_DELAY,
     MotionRing,
     OdometryState,
     OnboardReport,
@@ -144,7 +143,7 @@ class FlowMonitor:
     def _look_alone(self, at: float, odometry: OdometryState, motion: MotionRing) -> None:
         """Hold flow against the witness where nobody sees the drone."""
         self._looked_at = at
-        until = at - FLOW_DELAY
+        until = at - odometry.flow.delay
         since = until - LOOK
         if max(self._felt.since, odometry.since) > since:
             return

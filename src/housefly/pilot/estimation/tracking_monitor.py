@@ -20,21 +20,21 @@ from housefly.pilot.estimation.climb_odometry import ClimbOdometry
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
+from housefly.pilot.estimation.flow_model import flow_bias_variance
 from housefly.pilot.estimation.flow_monitor import FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
 from housefly.pilot.estimation.lean_watch import LeanWatch
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
-    NO_ODOMETRY,
     ONBOARD_MOTION,
     REPORT_GAP_MAX,
     OdometryAt,
     OnboardReport,
     drone_seconds,
-    flow_bias_variance,
     flow_is_told,
     odometry_advanced,
     odometry_at,
+    odometry_begun,
     odometry_headed,
 )
 from housefly.pilot.estimation.report_clock import ReportClock
@@ -83,7 +83,7 @@ class TrackingMonitor:
     def __init__(self, tolerance: OdometryTolerance, drag: float, sonar: SonarConstants) -> None:
         self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
-        self._odometry = NO_ODOMETRY
+        self._odometry = odometry_begun(tolerance.flow)
         self._rows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW)
         self._windows = EMPTY_WINDOWS
         self._bank = lag_bank()
@@ -226,7 +226,7 @@ class TrackingMonitor:
             return None
         last, then = self._last
         here, (x, y, z) = odometry_at(self._odometry, self._motion, now), last.pose.position
-        bias = flow_bias_variance(max(now - last.captured_at, 0.0))
+        bias = flow_bias_variance(self._tolerance.flow, max(now - last.captured_at, 0.0))
         way_error = self._tolerance.way_error * (here.way - then.way)
         return ReckonedPose(
             position=(
