@@ -20,17 +20,25 @@ class LostDronesMonitor:
         lost, told = self._navigator.lost_drones, self._told
         self._told = lost
         gone = [
-            Event(now, Severity.WARNING, EventCode.DRONE_LOST, Words(_LOST, who=name))
+            Event(
+                now,
+                Severity.WARNING,
+                EventCode.DRONE_LOST,
+                Words(
+                    "{who} flew and is not seen any more: its last place is kept clear", who=name
+                ),
+            )
             for name in lost
             if name not in told
         ]
         back = [
-            Event(now, Severity.INFO, EventCode.DRONE_SEEN, Words(_SEEN, who=name))
+            Event(
+                now,
+                Severity.INFO,
+                EventCode.DRONE_SEEN,
+                Words("the last place of {who} is no longer kept clear", who=name),
+            )
             for name in told
             if name not in lost
         ]
         return [*gone, *back]
-
-
-_LOST = "{who} flew and is not seen any more: its last place is kept clear"
-_SEEN = "the last place of {who} is no longer kept clear"
