@@ -9,10 +9,10 @@ import numpy as np
 
 from housefly.errors import WireError
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, yaw_of
-from housefly.messages import Pose
+from housefly.messages import AnySetpoint, Pose
 from housefly.twin.ardrone.battery import Battery, BatteryGauge
 from housefly.twin.ardrone.body import DRONE_MASS, STANDING_HEIGHT
-from housefly.twin.ardrone.firmware import WATCHDOG_AFTER, Firmware
+from housefly.twin.ardrone.firmware import WATCHDOG_AFTER
 from housefly.twin.ardrone.leds import Leds
 from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.ardrone.onboard_sensors import OnboardSensors
@@ -26,6 +26,7 @@ from housefly.twin.drone_body import DroneBody
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.encounters import Encounters
 from housefly.twin.hands import Carry, CarryOrder
+from housefly.twin.setpoint_firmware import firmware_of
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, Wrench
 from housefly.twin.sonar_beam import SonarBeam
 from housefly.wires.ardrone.conversions import Stick
@@ -64,7 +65,7 @@ class SimulatedDrone:
         self.encounters: Encounters | None = None
         self._stand, self._rigid, self._clock = stand, body, clock
         self._sensors = OnboardSensors(sensing, SonarBeam(body).height)
-        self._firmware, self._leds = Firmware(stand.config), Leds()
+        self._firmware, self._leds = firmware_of(stand.config), Leds()
         self.battery = Battery(site.twin.battery)
         self._gauge = BatteryGauge(self.battery)
         self._disturbed = DisturbedDrone(site, body, self.battery)
@@ -84,6 +85,14 @@ class SimulatedDrone:
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""
         self._delay_call(lambda: self._firmware.set_stick(stick))
+
+    def steer(self, asked: AnySetpoint) -> None:
+        """Pass on a setpoint to a drone that takes no sticks; late as ``set_stick``."""
+        self._delay_call(lambda: self._firmware.steer(asked))
+
+    def tell_pose(self, pose: Pose, captured_at: float) -> None:
+        """Tell the drone where it was at a time [s]; late as ``set_stick``."""
+        self._delay_call(lambda: self._firmware.tell_pose(pose, self.now - captured_at))
 
     def keep_alive(self) -> None:
         """Any command arrived: feed the firmware's communication watchdogs."""

@@ -12,7 +12,7 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.errors import WireError
 from housefly.geometry import Vec2, Vec3
-from housefly.messages import DepthImage, Pose
+from housefly.messages import AnySetpoint, DepthImage, Pose
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
 from housefly.twin.clearance import UNBOUNDED, Clearance
@@ -147,6 +147,14 @@ class SimulatedWorld:
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""
         self.first.set_stick(stick)
+
+    def steer(self, asked: AnySetpoint) -> None:
+        """Pass on a setpoint to a drone that takes no sticks; late as ``set_stick``."""
+        self.first.steer(asked)
+
+    def tell_pose(self, pose: Pose, captured_at: float) -> None:
+        """Tell the drone where it was at a time [s]; late as ``set_stick``."""
+        self.first.tell_pose(pose, captured_at)
 
     def keep_alive(self) -> None:
         """Any command arrived: feed the firmware's communication watchdogs."""
