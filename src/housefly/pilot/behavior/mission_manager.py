@@ -12,6 +12,7 @@ from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.faster_way import FasterWayMonitor
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
+from housefly.pilot.behavior.lost_drones import LostDronesMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
@@ -41,6 +42,7 @@ class MissionManager:
         self._off_course = OffCourseMonitor(self._commander, limits, paper)
         self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, airframe, paper)
+        self._lost_drones = LostDronesMonitor(navigator)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)
         self._landings = LandingMonitor(self._commander, navigator, paper, limits)
         self._blind = BlindLanding(self._commander, navigator, paper, limits)
@@ -133,4 +135,5 @@ class MissionManager:
         events.extend(self._faster.step(vehicle, paused=is_yielding))
         events.extend(self._separation.step(vehicle, self._passing.rate))
         events.extend(self._nudges.step(vehicle, self._separation.speed_factor))
+        events.extend(self._lost_drones.step(vehicle.now))
         return events

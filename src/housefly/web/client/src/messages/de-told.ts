@@ -685,8 +685,11 @@ export const DE_TOLD: Templates = {
     "der Ultraschall zeigt überall etwas: Landung nach der Höhe der Ortung",
   "the end of where it may fly is ahead": "voraus endet der erlaubte Bereich",
   "the goal": "das Ziel",
+  "the last place of {who} is no longer kept clear":
+    "der letzte Ort von {who} wird nicht mehr freigehalten",
   "the order's {what}; allowed: {limit}": "Befehl: {what}; erlaubt: {limit}",
   "the orientation is not a unit quaternion": "die Lage ist kein Einheitsquaternion",
+  "the pad of {who} is there": "dort ist der Landeplatz von {who}",
   "the pilot failed ({name}): landing": "der Autopilot ist ausgefallen ({name}): sie landet",
   "the start": "der Start",
   "the way is free: going on": "der Weg ist frei: weiter",
@@ -725,6 +728,8 @@ export const DE_TOLD: Templates = {
     "{who} kommt näher, und zum Ausweichen ist kein Platz: sie landet hier",
   "{who} comes near: making way": "{who} kommt näher: sie weicht aus",
   "{who} comes near: the take-off is given up": "{who} kommt näher: Start abgebrochen",
+  "{who} flew and is not seen any more: its last place is kept clear":
+    "{who} flog und ist nicht mehr zu sehen: ihr letzter Ort bleibt frei",
   "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
     "{who} gibt zu viele Befehle: {n} in einer Sekunde abgelehnt (Grenze {m} je Sekunde)",
   "{who} is below": "{who} ist darunter",

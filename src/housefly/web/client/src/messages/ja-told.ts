@@ -626,8 +626,10 @@ export const JA_TOLD: Templates = {
     "超音波がどこでも反応しています。位置計測の高さで着陸します",
   "the end of where it may fly is ahead": "前方は飛行できる範囲の端です",
   "the goal": "目的地",
+  "the last place of {who} is no longer kept clear": "{who} の最後の位置はもう空けていません",
   "the order's {what}; allowed: {limit}": "指示：{what}。許容範囲：{limit}",
   "the orientation is not a unit quaternion": "姿勢が単位四元数ではありません",
+  "the pad of {who} is there": "{who} の発着台があります",
   "the pilot failed ({name}): landing": "操縦プログラムが異常終了しました（{name}）。着陸します",
   "the start": "現在地",
   "the way is free: going on": "経路が空きました。続けます",
@@ -666,6 +668,8 @@ export const JA_TOLD: Templates = {
     "{who} が近づいていますが、よける場所がないため、ここに着陸します",
   "{who} comes near: making way": "{who} が近づいているため、よけます",
   "{who} comes near: the take-off is given up": "{who} が近づいたため、離陸を中止しました",
+  "{who} flew and is not seen any more: its last place is kept clear":
+    "飛行中の {who} が見えなくなりました。最後の位置を空けておきます",
   "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
     "{who} の指示が多すぎます：1 秒間に {n}件を拒否しました（上限 {m}件）",
   "{who} is below": "{who} が下にいます",

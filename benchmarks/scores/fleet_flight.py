@@ -9,7 +9,7 @@ from math import inf
 from housefly.geometry import distance
 from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
-from housefly.messages import Order, PilotStep
+from housefly.messages import Inputs, Order, PilotStep
 from housefly.record.truth import ContactRecord, judged_outcome
 
 _LOOK_PERIOD = 0.05
@@ -42,6 +42,7 @@ def fly_services_lockstep(
     *,
     after: Mapping[str, float] | None = None,
     give_up_after: float = 240.0,
+    hear: Callable[[str, Inputs], Inputs] = lambda drone, inputs: inputs,
     on_step: Callable[[str, PilotStep], None] = lambda drone, step: None,
 ) -> dict[str, FlownService]:
     """Fly the services that are ordered, and return what became of each, by the drone's name.
@@ -53,6 +54,7 @@ def fly_services_lockstep(
         orders: what each drone flies.
         after: how long after ``SETTLING_TIME`` each is ordered [s]; at once where it is left out.
         give_up_after: longest world time of each [s].
+        hear: what the pilot of a drone hears in place of what it should.
         on_step: called with every step of every pilot.
     """
     after = after or {}
@@ -66,7 +68,8 @@ def fly_services_lockstep(
         for name in simulation.drones:
             flight = flights.get(name)
             told = flight.orders() if flight else ()
-            step = simulation.step(simulation.inputs(*told, drone=name), name)
+            inputs = hear(name, simulation.inputs(*told, drone=name))
+            step = simulation.step(inputs, name)
             on_step(name, step)
             if flight:
                 flight.take(step)
@@ -75,6 +78,18 @@ def fly_services_lockstep(
             for flight in flights.values():
                 flight.look()
     return {name: flight.result() for name, flight in flights.items()}
+
+
+def without_others(simulation: Simulation) -> Callable[[str, Inputs], Inputs]:
+    """Return what takes the other drones away from what a pilot hears: the negative control."""
+    bodies = {name: own.site.tracking.body for name, own in simulation.loaded.items()}
+
+    def hear(drone: str, inputs: Inputs) -> Inputs:
+        others = {body for name, body in bodies.items() if name != drone}
+        seen = tuple(one for one in inputs.sightings if one.body not in others)
+        return replace(inputs, sightings=seen)
+
+    return hear
 
 
 class _Flight:
