@@ -10,11 +10,12 @@ from typing import Any
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import TASK_NEWS_TOPIC, TASKS_QUERY
+from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_values import ClipInfo, ClipsAnswer, ClipsQuestion, DeleteClip, KeepClip
 from housefly.messages import TaskNews
 from housefly.tasks.api.answers import (
-    ClipInfo,
-    ClipsAnswer,
     FiringsAnswer,
     ModeAnswer,
     RehearsalAnswer,
@@ -35,11 +36,8 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -56,7 +54,6 @@ from housefly.tasks.api.questions import (
 from housefly.tasks.api.values import (
     ENDED,
     Confirm,
-    HouseMode,
     ParameterInfo,
     ParameterValue,
     PersonQuestion,
@@ -70,7 +67,6 @@ from housefly.tasks.api.values import (
     TaskStepState,
     TaskStepStatus,
 )
-from housefly.tasks.evidence.clip_index import ClipIndex
 
 SERVICES = (
     ServiceInfo(

@@ -14,9 +14,9 @@ import pytest
 from starlette.applications import Starlette
 
 from housefly.config.tasks import TasksConfig
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_store import new_clip_row
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_store import new_clip_row
 from housefly.web.audit_log import AuditLog
 from housefly.web.clip_files import ClipFiles
 from housefly.web.roles import Role, role_for_path

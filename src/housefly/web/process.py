@@ -40,10 +40,10 @@ from housefly.config.state import (
     webhook_key_file,
 )
 from housefly.errors import ConfigError, HouseflyError, LinkError
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
 from housefly.web.connections import ConnectionLimiter, limited_protocol
 from housefly.web.console_memory import ConsoleMemory

@@ -25,7 +25,7 @@ from housefly.pilot.behavior.mission import (
 )
 from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.proposal import Look, Maneuver, Proposal
+from housefly.pilot.behavior.proposal import Look, MissionChange, Proposal
 
 PATH = Path(((0.0, 0.0), (4.0, 0.0), (4.0, 3.0)), 7.0, 0.5)
 FOLLOWING = TrackingTask(profile=cast(Any, object()), path=PATH)
@@ -100,7 +100,7 @@ class Watch:
     def waits_instead(self, vehicle: VehicleStatus) -> bool:
         proposal = self.monitor.waiting_instead(Words("closed"), vehicle)
         self.done(proposal)
-        return proposal.maneuver is Maneuver.HOLD
+        return proposal.change is MissionChange.HOLD
 
 
 @pytest.fixture

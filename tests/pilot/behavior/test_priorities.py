@@ -9,7 +9,7 @@ import pytest
 
 from housefly.pilot.behavior import priorities
 from housefly.pilot.behavior.priorities import PRIORITIES, Priority, Situation, Watch
-from housefly.pilot.behavior.proposal import Maneuver
+from housefly.pilot.behavior.proposal import MissionChange
 
 FOLDER = Path(priorities.__file__).parent
 MODULES = {
@@ -27,7 +27,7 @@ MODULES = {
 def test_each_monitor_has_one_row_and_each_situation_and_maneuver_its_use() -> None:
     assert sorted(row.watch.name for row in PRIORITIES) == sorted(watch.name for watch in Watch)
     assert {one for row in PRIORITIES for one in row.silenced_by} == set(Situation)
-    assert {one for row in PRIORITIES for one in row.may} == set(Maneuver)
+    assert {one for row in PRIORITIES for one in row.may} == set(MissionChange)
 
 
 def test_who_makes_way_for_people_has_the_last_word_but_for_a_hand_on_the_keys() -> None:
@@ -40,15 +40,15 @@ def test_who_makes_way_for_people_has_the_last_word_but_for_a_hand_on_the_keys()
 def test_a_monitor_proposes_what_its_row_says_and_changes_no_mission_itself(row: Priority) -> None:
     tree = ast.parse((FOLDER / f"{MODULES[row.watch]}.py").read_text(encoding="utf-8"))
     proposed = {
-        Maneuver[node.attr]
+        MissionChange[node.attr]
         for node in ast.walk(tree)
         if isinstance(node, ast.Attribute)
         and isinstance(node.value, ast.Name)
-        and node.value.id == "Maneuver"
+        and node.value.id == "MissionChange"
     }
     called = {node.func for node in ast.walk(tree) if isinstance(node, ast.Call)}
-    lands = any(isinstance(func, ast.Name) and func.id == "landing" for func in called)
-    proposed |= {Maneuver.LAND} if lands else set()
+    lands = any(isinstance(func, ast.Name) and func.id == "landing_here" for func in called)
+    proposed |= {MissionChange.LAND} if lands else set()
     assert proposed == set(row.may)
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     assert "housefly.pilot.behavior.commander" not in imported
@@ -58,7 +58,7 @@ def priorities_table() -> str:
     """Return the table in Markdown."""
     rows = ["| watches | may propose | not while |", "|---|---|---|"]
     for row in PRIORITIES:
-        may = "; ".join(maneuver.value for maneuver in row.may) or "nothing: the gate asks it"
+        may = "; ".join(change.value for change in row.may) or "nothing: the gate asks it"
         silenced = " or ".join(situation.value for situation in row.silenced_by)
         rows.append(f"| {row.watch.value} | {may} | {silenced} |")
     return "\n".join(rows)

@@ -21,7 +21,7 @@ from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.proposal import (
     NOTHING,
     Look,
-    Maneuver,
+    MissionChange,
     MissionView,
     Proposal,
     news,
@@ -78,7 +78,7 @@ class CollisionMonitor:
             way = self._mission.other_way(vehicle)
             if not isinstance(way, Refused):
                 events = self._tell_detour(block, vehicle)
-                return Proposal(Maneuver.GO_AROUND, EventCode.DETOUR, way, events=events)
+                return Proposal(MissionChange.GO_AROUND, EventCode.DETOUR, way, events=events)
         return self._stop_before(block, vehicle)
 
     def _stop_before(self, block: PathBlock, vehicle: VehicleStatus) -> Proposal:
@@ -90,7 +90,9 @@ class CollisionMonitor:
         self._asked_at, self._reported = vehicle.now, False
         text = Words("{why}: stopping", why=reason)
         event = Event(vehicle.now, Severity.WARNING, EventCode.WAY_BLOCKED, text)
-        return Proposal(Maneuver.HOLD, event.code, self._waiting(reason, vehicle), events=(event,))
+        return Proposal(
+            MissionChange.HOLD, event.code, self._waiting(reason, vehicle), events=(event,)
+        )
 
     def _waiting(self, why: Words, vehicle: VehicleStatus) -> TrackingTask:
         """Return the task of holding where the drone comes to rest until the way is free."""
@@ -115,7 +117,7 @@ class CollisionMonitor:
             return NOTHING
         self._asked_at, self._reported = vehicle.now, True
         return Proposal(
-            Maneuver.HOLD,
+            MissionChange.HOLD,
             EventCode.WAY_BLOCKED,
             self._waiting(reason, vehicle),
             state.entering(mission.flying_phase, vehicle.now, mission),
@@ -140,7 +142,7 @@ class CollisionMonitor:
             self._resumed_at = vehicle.now
             text = Words("there is a way: going on")
             event = Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)
-            return Proposal(Maneuver.GO_AROUND, event.code, way, events=(event,))
+            return Proposal(MissionChange.GO_AROUND, event.code, way, events=(event,))
         if self._reported:
             return NOTHING
         self._reported = True

@@ -11,7 +11,7 @@ from housefly.pilot.behavior.collision_monitor import ON_THE_WAY
 from housefly.pilot.behavior.mission import TrackingTask
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.path_profile import PathProfile
-from housefly.pilot.behavior.proposal import NOTHING, Look, Maneuver, MissionView, Proposal
+from housefly.pilot.behavior.proposal import NOTHING, Look, MissionChange, MissionView, Proposal
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.planning.trajectory.kinematic_state import TICK
 
@@ -55,4 +55,4 @@ class FasterWayMonitor:
             n=figure(left - other.arrival, ".0f"),
         )
         event = Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)
-        return Proposal(Maneuver.GO_AROUND, event.code, other, events=(event,))
+        return Proposal(MissionChange.GO_AROUND, event.code, other, events=(event,))

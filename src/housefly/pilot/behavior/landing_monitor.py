@@ -34,7 +34,7 @@ from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.proposal import (
     NOTHING,
     Look,
-    Maneuver,
+    MissionChange,
     MissionView,
     Proposal,
     news,
@@ -172,14 +172,14 @@ class LandingMonitor:
         if self._sinking is None:
             return NOTHING
         task, self._sinking = replace(self._sinking, height=None), None
-        return Proposal(Maneuver.DESCEND, EventCode.LANDING_BLOCKED, task)
+        return Proposal(MissionChange.DESCEND, EventCode.LANDING_BLOCKED, task)
 
     def _paused(self, vehicle: VehicleStatus) -> Proposal:
         """Sink no further until it is known whether something stands below."""
         if self._sinking is None or vehicle.estimate is None:
             return NOTHING
         self._sinking = replace(self._sinking, height=vehicle.estimate.position[2])
-        return Proposal(Maneuver.DESCEND, EventCode.LANDING_BLOCKED, self._sinking)
+        return Proposal(MissionChange.DESCEND, EventCode.LANDING_BLOCKED, self._sinking)
 
     def _sunk(self, vehicle: VehicleStatus) -> Proposal:
         """Sink a little further; NOTHING when there is no way to go."""
@@ -194,7 +194,7 @@ class LandingMonitor:
             spot = goal if goal is not None and is_there else (x, y)
             task = replace(mission.held_here(vehicle), hold=spot, duration=duration)
         self._sinking = replace(task, height=sink_height(z, self._lowest - self._lead))
-        return Proposal(Maneuver.DESCEND, EventCode.ARRIVED_HOME, self._sinking)
+        return Proposal(MissionChange.DESCEND, EventCode.ARRIVED_HOME, self._sinking)
 
     def _is_on_floor(self, vehicle: VehicleStatus) -> bool:
         """Return whether the drone may be as low as it says, and tracking too high."""
@@ -219,7 +219,7 @@ class LandingMonitor:
         text = Words("landing {d} m beside", d=figure(distance(place, spot), ".1f"))
         event = Event(vehicle.now, Severity.INFO, EventCode.LANDING_ELSEWHERE, text)
         state = self._mission.state.entering(mission.flying_phase, vehicle.now, mission)
-        return Proposal(Maneuver.LAND_ELSEWHERE, event.code, way, state, (event,))
+        return Proposal(MissionChange.LAND_ELSEWHERE, event.code, way, state, (event,))
 
     def _nowhere(self, vehicle: VehicleStatus) -> Proposal:
         if self._told == _NOWHERE:

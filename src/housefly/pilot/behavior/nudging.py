@@ -24,7 +24,7 @@ from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.mission import STAY, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.behavior.proposal import NOTHING, Look, Maneuver, MissionView, Proposal
+from housefly.pilot.behavior.proposal import NOTHING, Look, MissionChange, MissionView, Proposal
 from housefly.pilot.behavior.trajectory_profile import trajectory_profile
 from housefly.pilot.behavior.way_planner import departure_state
 from housefly.pilot.planning.trajectory.held_motion import (
@@ -138,7 +138,7 @@ class NudgeMonitor:
         if task is None:
             return Proposal(events=events)
         state = self._mission.state.entering(Phase.HOLDING, vehicle.now, STAY)
-        return Proposal(Maneuver.MOVE, EventCode.NUDGE_BEGAN, task, state, events)
+        return Proposal(MissionChange.MOVE, EventCode.NUDGE_BEGAN, task, state, events)
 
     def _brake(self, vehicle: VehicleStatus) -> TrackingTask | None:
         """Return the task of coming to rest; None where the drone does so, or was not moved."""

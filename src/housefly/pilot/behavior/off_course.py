@@ -16,7 +16,7 @@ from housefly.messages.words import Words
 from housefly.pilot.behavior.collision_monitor import ON_THE_WAY
 from housefly.pilot.behavior.mission import Refused, VehicleStatus
 from housefly.pilot.behavior.path_progress import LAG_MAX, TrajectorySetpoint
-from housefly.pilot.behavior.proposal import NOTHING, Look, Maneuver, MissionView, Proposal
+from housefly.pilot.behavior.proposal import NOTHING, Look, MissionChange, MissionView, Proposal
 
 REST_SPEED, REST_TIME = 0.2, 0.5
 """A drone slower than this [m/s] for this long [s] has nearly come to rest: its place is known."""
@@ -49,7 +49,7 @@ class OffCourseMonitor:
             return NOTHING
         text = Words("came to rest off its course: going on from there")
         event = Event(vehicle.now, Severity.INFO, EventCode.OFF_COURSE, text)
-        return Proposal(Maneuver.GO_AROUND, event.code, way, events=(event,))
+        return Proposal(MissionChange.GO_AROUND, event.code, way, events=(event,))
 
     def _is_resting_off_course(
         self, vehicle: VehicleStatus, target: TrajectorySetpoint | None

@@ -16,7 +16,7 @@ from housefly.pilot.behavior.collision_monitor import ON_THE_WAY, RELAPSE_TIME
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.path_profile import PathProfile
-from housefly.pilot.behavior.proposal import NOTHING, Look, Maneuver, MissionView, Proposal
+from housefly.pilot.behavior.proposal import NOTHING, Look, MissionChange, MissionView, Proposal
 from housefly.pilot.behavior.trajectory_profile import SpacePath, retimed
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.planning.space.passage import Passage, first_passage
@@ -127,14 +127,14 @@ class PassingMonitor:
         task = replace(task, path=retimed(path, profile.marks, scale.time, begin, passage.rate))
         if self._waits is not None:
             self._waits = task
-        maneuver = proposal.maneuver or Maneuver.RETIME
-        return replace(proposal, maneuver=maneuver, task=task)
+        change = proposal.change or MissionChange.RETIME
+        return replace(proposal, change=change, task=task)
 
     def _go_around(self, other: TrackingTask, vehicle: VehicleStatus) -> Proposal:
         self._waits = None
         text = Words("{who} walks into the way: going around", who=self._name(vehicle))
         event = Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)
-        return Proposal(Maneuver.GO_AROUND, event.code, other, events=(event,))
+        return Proposal(MissionChange.GO_AROUND, event.code, other, events=(event,))
 
     def _wait(self, task: TrackingTask, vehicle: VehicleStatus) -> Proposal:
         is_relapse = vehicle.now - self._ended_at < RELAPSE_TIME
@@ -143,14 +143,14 @@ class PassingMonitor:
         self._waits = replace(task, halted=True, waiting=text, since=self._since)
         event = Event(vehicle.now, Severity.INFO, EventCode.WAY_BLOCKED, text)
         events = () if is_relapse else (event,)
-        return Proposal(Maneuver.HOLD, event.code, self._waits, events=events)
+        return Proposal(MissionChange.HOLD, event.code, self._waits, events=events)
 
     def _go_on(self, task: TrackingTask, vehicle: VehicleStatus) -> Proposal:
         self._waits, self._ended_at = None, vehicle.now
         text = Words("the way is free: going on")
         event = Event(vehicle.now, Severity.INFO, EventCode.GOING_ON, text)
         moving = replace(task, halted=False, waiting=UNSAID)
-        return Proposal(Maneuver.GO_ON, event.code, moving, events=(event,))
+        return Proposal(MissionChange.GO_ON, event.code, moving, events=(event,))
 
     def _name(self, vehicle: VehicleStatus) -> str:
         """Return who walks and is nearest."""

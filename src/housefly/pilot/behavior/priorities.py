@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from housefly.pilot.behavior.proposal import Maneuver
+from housefly.pilot.behavior.proposal import MissionChange
 
 
 class Watch(Enum):
@@ -43,11 +43,11 @@ class Priority:
     """
 
     watch: Watch
-    may: tuple[Maneuver, ...]
+    may: tuple[MissionChange, ...]
     silenced_by: tuple[Situation, ...] = ()
 
 
-_M, _S = Maneuver, Situation
+_M, _S = MissionChange, Situation
 PRIORITIES = (
     Priority(Watch.LANDING, (_M.DESCEND, _M.LAND_ELSEWHERE)),
     Priority(Watch.BLIND_LANDING, ()),

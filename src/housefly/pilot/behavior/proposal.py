@@ -27,7 +27,7 @@ AIRBORNE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase
 """Phases in which the pilot moves the drone."""
 
 
-class Maneuver(Enum):
+class MissionChange(Enum):
     """What a monitor may propose."""
 
     RETIME = "show when the way will be flown"
@@ -47,14 +47,14 @@ class Proposal:
     """The mission as a monitor wants it, and what people should know.
 
     Attributes:
-        maneuver: what the drone is to do; None to leave the mission as it is.
-        reason: why, as a code; None without a maneuver.
+        change: what the drone is to do; None to leave the mission as it is.
+        reason: why, as a code; None without a change.
         task: what to track instead, None for the same as before.
         state: of the mission instead, None for the same as before.
         events: for people; none for what was told a moment ago.
     """
 
-    maneuver: Maneuver | None = None
+    change: MissionChange | None = None
     reason: EventCode | None = None
     task: TrackingTask | None = None
     state: MissionState | None = None
@@ -70,12 +70,12 @@ def news(code: EventCode, severity: Severity, text: Words, now: float) -> Propos
     return Proposal(events=(Event(now, severity, code, text),))
 
 
-def landing(
+def landing_here(
     state: MissionState, reason: EventCode, severity: Severity, text: Words, now: float
 ) -> Proposal:
     """Return the proposal to land here, told as a text [s]."""
     return Proposal(
-        Maneuver.LAND,
+        MissionChange.LAND,
         reason,
         TrackingTask(),
         state.entering(Phase.LANDING, now, STAY),

@@ -26,10 +26,10 @@ from housefly.pilot.behavior.proposal import (
     AIRBORNE_PHASES,
     NOTHING,
     Look,
-    Maneuver,
+    MissionChange,
     MissionView,
     Proposal,
-    landing,
+    landing_here,
     news,
 )
 from housefly.pilot.planning.people import SPEED_UNCERTAINTY, UNCERTAIN_TIME, speed_share
@@ -183,7 +183,7 @@ class SeparationMonitor:
             return NOTHING
         text = Words("{who} comes near: the take-off is given up", who=found.name)
         state, reason = self._mission.state, EventCode.TAKE_OFF_GIVEN_UP
-        return landing(state, reason, Severity.WARNING, text, vehicle.now)
+        return landing_here(state, reason, Severity.WARNING, text, vehicle.now)
 
     def _comes_within(self, horizon: float, vehicle: VehicleStatus, place: Vec2) -> Separation:
         """Return how near who walks comes to a drone that stays, within a time [s]."""
@@ -304,7 +304,7 @@ class SeparationMonitor:
         why = Words("{who} comes near: making way", who=yielding.name)
         hold = (x + share * (gx - x), y + share * (gy - y))
         self._task = self._making_way(hold, yielding.yaw, why, vehicle)
-        return Proposal(Maneuver.MAKE_WAY, EventCode.MAKING_WAY, self._task, events=events)
+        return Proposal(MissionChange.MAKE_WAY, EventCode.MAKING_WAY, self._task, events=events)
 
     def _making_way(
         self, hold: Vec2, yaw: float, why: Words, vehicle: VehicleStatus
@@ -337,7 +337,7 @@ class SeparationMonitor:
             why = self._mission.task.waiting
             task = self._making_way(place, yielding.yaw, why, vehicle)
             self._end(vehicle)
-            return Proposal(Maneuver.MAKE_WAY, EventCode.MAKING_WAY, task)
+            return Proposal(MissionChange.MAKE_WAY, EventCode.MAKING_WAY, task)
         there = self._people.separation(yielding.post, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
         if there.closest < self._people.config.comfort_distance + APPROACH:
             return self._go(vehicle, place)
@@ -349,7 +349,7 @@ class SeparationMonitor:
         text = Words("nobody comes near: going back")
         event = Event(vehicle.now, Severity.INFO, EventCode.GOING_BACK, text)
         back = back and replace(back, duration=before.duration)
-        return Proposal(Maneuver.GO_BACK, event.code, back, events=(event,))
+        return Proposal(MissionChange.GO_BACK, event.code, back, events=(event,))
 
     def _end(self, vehicle: VehicleStatus) -> None:
         self._yielding, self._is_cornered_told = None, False
@@ -370,7 +370,7 @@ class SeparationMonitor:
                 "{who} comes near and there is no room to make way: landing here", who=name
             )
             state, reason = self._mission.state, EventCode.CORNERED_LANDING
-            return landing(state, reason, Severity.WARNING, text, vehicle.now)
+            return landing_here(state, reason, Severity.WARNING, text, vehicle.now)
         if self._is_cornered_told:
             return NOTHING
         self._is_cornered_told = True

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from math import inf
 
 from housefly.errors import HouseflyError
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import Vec2
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase
@@ -15,14 +16,7 @@ from housefly.tasks.api.values import ReasonCode, TaskStepState
 from housefly.tasks.document.templates import plain_text
 from housefly.tasks.execution.order_tracker import OrderTracker
 from housefly.tasks.execution.task_room import TaskRoom
-from housefly.tasks.execution.values import (
-    GiveOrder,
-    StartClip,
-    StopClip,
-    TakeSnapshot,
-    TaskAction,
-    TaskInputs,
-)
+from housefly.tasks.execution.values import GiveOrder, StopClip, TaskAction, TaskInputs
 
 
 @dataclass(slots=True)

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.evidence.camera_pose import CameraPose, CameraTrack, camera_pose_of
 from housefly.geometry import euler_from_quaternion
 from housefly.messages import (
     LEVEL,
@@ -21,7 +22,6 @@ from housefly.messages import (
     PilotStep,
     Telemetry,
 )
-from housefly.tasks.evidence.camera_pose import CameraPose, CameraTrack, camera_pose_of
 
 ESTIMATE = Estimate(10.0, (1.0, 2.0, 3.0), (0.0, 0.0, 0.0), 0.5, 0.1, 0.02)
 REPORT = Telemetry(10.0, DroneStatus.FLYING, 0.9, phi=0.1, theta=-0.2)

@@ -9,10 +9,10 @@ from pathlib import Path
 from PIL import Image
 
 from housefly.config.durable import sync_folder
-from housefly.tasks.evidence.clip_writer import make_private
-from housefly.tasks.evidence.frame_blanker import FrameBlanker
-from housefly.tasks.evidence.picture_codec import Picture
-from housefly.tasks.evidence.picture_cover import FilmedFrame
+from housefly.evidence.clip_writer import make_private
+from housefly.evidence.frame_blanker import FrameBlanker
+from housefly.evidence.picture_codec import Picture
+from housefly.evidence.picture_cover import FilmedFrame
 
 SNAPSHOT_SUFFIX, _PART_SUFFIX = ".jpg", ".jpg.part"
 _QUALITY = 92

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 
-from housefly.tasks.evidence.picture_cover import FilmedFrame
+from housefly.evidence.picture_cover import FilmedFrame
 
 RING_BYTES_MAX = 32 * 2**20
 """Twice what the fastest stream that we accept brings in five seconds [bytes]."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from housefly.evidence.face_blur import FaceBlur
+from housefly.evidence.picture_codec import Picture, PictureDecoder, PictureEncoder
+from housefly.evidence.picture_cover import EVERYTHING, FilmedFrame, PictureCover
 from housefly.messages import VideoFrame
-from housefly.tasks.evidence.face_blur import FaceBlur
-from housefly.tasks.evidence.picture_codec import Picture, PictureDecoder, PictureEncoder
-from housefly.tasks.evidence.picture_cover import EVERYTHING, FilmedFrame, PictureCover
 
 BLANK = (24, 26, 30)
 """Colour of what is blank (RGB)."""

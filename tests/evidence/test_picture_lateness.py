@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.evidence.picture_lateness import PictureLateness
 from housefly.messages import VideoFrame
-from housefly.tasks.evidence.picture_lateness import PictureLateness
 
 PERIOD = 1 / 30
 

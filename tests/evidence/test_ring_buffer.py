@@ -5,9 +5,9 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.evidence.picture_cover import FilmedFrame
+from housefly.evidence.ring_buffer import RingBuffer
 from housefly.messages import VideoFrame
-from housefly.tasks.evidence.picture_cover import FilmedFrame
-from housefly.tasks.evidence.ring_buffer import RingBuffer
 
 STREAMS = st.lists(st.tuples(st.booleans(), st.integers(0, 400), st.floats(0.0, 1.0)), max_size=80)
 

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.tasks.evidence.face_blur import without_boxes
+from housefly.evidence.face_blur import without_boxes
 
 SIDE = st.floats(-50, 400)
 

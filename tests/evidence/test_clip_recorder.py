@@ -23,18 +23,17 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.errors import HouseflyError, MissingPartError, TaskError
+from housefly.evidence.camera_pose import CameraPose
+from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_values import ClipsQuestion, StartClip, TakeSnapshot
+from housefly.evidence.frame_blanker import BLANK
+from housefly.evidence.picture_codec import Picture
 from housefly.messages import DroneStatus, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.tasks.api.questions import ClipsQuestion
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.camera_pose import CameraPose
-from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
-from housefly.tasks.evidence.frame_blanker import BLANK
-from housefly.tasks.evidence.picture_codec import Picture
-from housefly.tasks.execution.values import StartClip, TakeSnapshot
 
 UNIX = 1_790_000_000.0
 VISITOR = ClipOrigin(7, "visitor", "event-3")
@@ -437,8 +436,8 @@ from filming import video
 from housefly.config.tasks import TasksConfig
 from housefly.messages import DroneStatus
 from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.values import StartClip
 
 recorder = ClipRecorder(Path(sys.argv[1]), TasksConfig())

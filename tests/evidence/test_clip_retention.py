@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.config.tasks import TasksConfig
-from housefly.tasks.evidence.clip_clock import LEAP, PROOF, STEP, BelievedTime, StepWatch
-from housefly.tasks.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_clock import LEAP, PROOF, STEP, BelievedTime, StepWatch
+from housefly.evidence.clip_index import ClipIndex
 
 CONFIG = TasksConfig(clip_days=30, snapshot_days=90, clip_space_gb=0.01)
 

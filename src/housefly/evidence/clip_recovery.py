@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from housefly.tasks.evidence.clip_store import ADOPTED, SUFFIXES, ClipRow, ClipTable, ClipView
-from housefly.tasks.evidence.clip_writer import PART_SUFFIX, duration_of, finish_leftover
+from housefly.evidence.clip_store import ADOPTED, SUFFIXES, ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_writer import PART_SUFFIX, duration_of, finish_leftover
 
 _LOG = logging.getLogger(__name__)
 _NAME = re.compile(r"[0-9a-zA-Z-]{1,60}")

@@ -9,14 +9,19 @@ from pathlib import Path
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import StoreError, TaskError
-from housefly.tasks.api.answers import ClipInfo, ClipsAnswer
-from housefly.tasks.api.questions import ClipsQuestion, DeleteClip, KeepClip
-from housefly.tasks.api.values import ReasonCode
-from housefly.tasks.evidence.clip_clock import ClockLook
-from housefly.tasks.evidence.clip_export import ClipExport, exported
-from housefly.tasks.evidence.clip_recovery import recover_clips
-from housefly.tasks.evidence.clip_retention import ClipRetention
-from housefly.tasks.evidence.clip_store import ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_clock import ClockLook
+from housefly.evidence.clip_export import ClipExport, exported
+from housefly.evidence.clip_recovery import recover_clips
+from housefly.evidence.clip_retention import ClipRetention
+from housefly.evidence.clip_store import ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_values import (
+    ClipInfo,
+    ClipRefusal,
+    ClipsAnswer,
+    ClipsQuestion,
+    DeleteClip,
+    KeepClip,
+)
 
 
 class ClipIndex:
@@ -155,7 +160,7 @@ class ClipIndex:
     def _whole(self, name: str) -> ClipRow:
         rows = self._table.rows("id = ? AND whole", name)
         if not rows:
-            raise TaskError(f"there is no clip {name!r}", ReasonCode.BAD_PARAMETER.value)
+            raise TaskError(f"there is no clip {name!r}", ClipRefusal.NO_SUCH_CLIP.value)
         return rows[0]
 
     def _info(self, row: ClipRow) -> ClipInfo:

@@ -14,20 +14,19 @@ import pytest
 from numpy.typing import NDArray
 
 from housefly.clock import RealClock
+from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.drones.ardrone.video import VideoLink
+from housefly.evidence.camera_pose import CameraPose
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_values import ClipsQuestion, StartClip
+from housefly.evidence.frame_blanker import BLANK
+from housefly.evidence.zone_projection import ZoneProjector
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, VideoFrame
 from housefly.room.files import load_room
-from housefly.tasks.api.questions import ClipsQuestion
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.camera_pose import CameraPose
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
-from housefly.tasks.evidence.frame_blanker import BLANK
-from housefly.tasks.evidence.zone_projection import ZoneProjector
-from housefly.tasks.execution.values import StartClip
 from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.video_server import VideoServer
 from housefly.twin.camera.process import CameraProcess

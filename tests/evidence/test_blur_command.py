@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, HouseflyError
-from housefly.tasks.evidence.blur_command import BlurCommand
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.blur_command import BlurCommand
+from housefly.evidence.clip_recorder import ClipRecorder
 
 _READS = """
 import sys

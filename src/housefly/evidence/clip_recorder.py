@@ -13,28 +13,27 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from housefly.config.house_mode import HouseMode, may_record
 from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.camera_pose import CameraPose, CameraTrack
+from housefly.evidence.clip_clock import StepWatch
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_store import ClipRow, new_clip_row
+from housefly.evidence.clip_take import ClipTake
+from housefly.evidence.clip_values import ClipRefusal, StartClip, TakeSnapshot
+from housefly.evidence.clip_writer import CLIP_SUFFIX
+from housefly.evidence.face_blur import FaceBlur, face_blur_of
+from housefly.evidence.frame_blanker import FrameBlanker
+from housefly.evidence.picture_cover import FilmedFrame
+from housefly.evidence.picture_lateness import PictureLateness
+from housefly.evidence.ring_buffer import RingBuffer
+from housefly.evidence.snapshots import SNAPSHOT_SUFFIX, newest_picture, write_snapshot
+from housefly.evidence.writer_thread import WriterThread
+from housefly.evidence.zone_projection import zone_projectors
 from housefly.messages import DroneStatus, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.tasks.api.values import HouseMode, ReasonCode
-from housefly.tasks.evidence.camera_pose import CameraPose, CameraTrack
-from housefly.tasks.evidence.clip_clock import StepWatch
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
-from housefly.tasks.evidence.clip_store import ClipRow, new_clip_row
-from housefly.tasks.evidence.clip_take import ClipTake
-from housefly.tasks.evidence.clip_writer import CLIP_SUFFIX
-from housefly.tasks.evidence.face_blur import FaceBlur, face_blur_of
-from housefly.tasks.evidence.frame_blanker import FrameBlanker
-from housefly.tasks.evidence.picture_cover import FilmedFrame
-from housefly.tasks.evidence.picture_lateness import PictureLateness
-from housefly.tasks.evidence.ring_buffer import RingBuffer
-from housefly.tasks.evidence.snapshots import SNAPSHOT_SUFFIX, newest_picture, write_snapshot
-from housefly.tasks.evidence.writer_thread import WriterThread
-from housefly.tasks.evidence.zone_projection import zone_projectors
-from housefly.tasks.execution.values import StartClip, TakeSnapshot
-from housefly.tasks.rules.mode_table import may_record
 
 _LOG = logging.getLogger(__name__)
 _WAITING_MAX = 900
@@ -204,7 +203,7 @@ class ClipRecorder:
             if at is not None:
                 frames = self._shown(at)
             elif not frames or self._now - frames[-1].frame.received_at > _STATUS_AGE_MAX:
-                raise TaskError("no picture comes from the camera", ReasonCode.NOT_READY.value)
+                raise TaskError("no picture comes from the camera", ClipRefusal.NOT_NOW.value)
             row = replace(
                 new_clip_row("snapshot", self._unix_of(frames[-1].frame.received_at), origin),
                 place=action.place,
@@ -219,7 +218,7 @@ class ClipRecorder:
     def _shown(self, at: float) -> tuple[FilmedFrame, ...]:
         frames = self._ring.frames_until(at + _ROUNDING)
         if not frames or at - frames[-1].frame.received_at > _STATUS_AGE_MAX:
-            raise TaskError("that picture is not in memory any more", ReasonCode.NOT_READY.value)
+            raise TaskError("that picture is not in memory any more", ClipRefusal.NOT_NOW.value)
         return frames
 
     def flush(self, timeout: float = _FLUSH_TIMEOUT) -> bool:
@@ -245,9 +244,9 @@ class ClipRecorder:
     def _refuse_unless_filming(self) -> None:
         if not may_record(self._mode):
             words = f"nothing is recorded in the mode {self._mode.value}"
-            raise TaskError(words, ReasonCode.MODE.value)
+            raise TaskError(words, ClipRefusal.MODE.value)
         if not self._may_film(self._now):
-            raise TaskError("the camera records only in flight", ReasonCode.NOT_READY.value)
+            raise TaskError("the camera records only in flight", ClipRefusal.NOT_NOW.value)
 
     def _must_filter(self) -> bool:
         return bool(self._config.privacy_zones) or self._config.blur_faces

@@ -12,7 +12,7 @@ from filming import number_of, video
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from housefly.tasks.evidence.clip_writer import ClipWriter, duration_of, finish_leftover
+from housefly.evidence.clip_writer import ClipWriter, duration_of, finish_leftover
 
 
 @cache

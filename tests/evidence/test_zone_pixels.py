@@ -13,13 +13,14 @@ from matplotlib.path import Path as Outline
 from numpy.typing import NDArray
 from PIL import Image, ImageFilter
 
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone
+from housefly.evidence.camera_pose import CameraPose
+from housefly.evidence.frame_blanker import BLANK, blanked_picture
+from housefly.evidence.zone_projection import ZoneProjector, private_zones
 from housefly.geometry import Quaternion, Vec3, quaternion_from_euler, quaternion_product, rotate
 from housefly.messages import Pose
-from housefly.tasks.evidence.camera_pose import CameraPose
-from housefly.tasks.evidence.frame_blanker import BLANK, blanked_picture
-from housefly.tasks.evidence.zone_projection import ZoneProjector
-from housefly.tasks.vantage.camera import FRONT_CAMERA
+from housefly.room.level_camera import FRONT_CAMERA
 
 BED = PrivacyZone(
     name="bed", polygon=((9.2, 1.9), (11.2, 1.9), (11.2, 3.5), (9.2, 3.5)), z_min=0.0, z_max=1.2
@@ -223,3 +224,11 @@ def test_the_camera_of_the_zones_is_that_of_the_twin() -> None:
     assert (WIDTH, HEIGHT) == PICTURE_SIZE
     assert FRONT_CAMERA.width == pytest.approx(FRONT_FIELD_OF_VIEW)
     assert FRONT_CAMERA.ahead == pytest.approx(0.21)
+
+
+def test_a_zone_is_private_always_or_in_the_modes_that_it_names() -> None:
+    corners = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0))
+    bath = PrivacyZone(name="bath", polygon=corners)
+    bed = PrivacyZone(name="bed", polygon=corners, modes=("home", "night"))
+    assert private_zones(HouseMode.NIGHT, (bath, bed)) == (bath, bed)
+    assert private_zones(HouseMode.AWAY, (bath, bed)) == (bath,)

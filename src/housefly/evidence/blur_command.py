@@ -17,7 +17,7 @@ import time
 import numpy as np
 
 from housefly.errors import ConfigError, HouseflyError
-from housefly.tasks.evidence.picture_codec import Picture
+from housefly.evidence.picture_codec import Picture
 
 _TIMEOUT = 5.0
 """Longest time for one picture [s]."""
