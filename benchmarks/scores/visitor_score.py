@@ -22,7 +22,7 @@ from housefly.tasks.api.values import TaskStage
 from housefly.tasks.document.library import bind, load_library
 from housefly.tasks.execution.values import StopClip
 from housefly.twin.contracts import FlightState
-from housefly.twin.lively import lively_changes
+from housefly.twin.demo_site import demo_changes
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.world import SimulatedWorld
 
@@ -113,7 +113,7 @@ def _site_of(seed: int, dice: Random, among_people: bool) -> LoadedSite:
         "twin__battery": dice.uniform(0.5, 1.0),
     }
     if among_people:
-        changes["lasers"] = lively_changes()["lasers"]
+        changes["lasers"] = demo_changes()["lasers"]
     return open_site(read_site("bsen", hub__enabled=False, **changes))
 
 

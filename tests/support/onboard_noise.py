@@ -5,7 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from housefly.pilot.estimation.displacement import OdometryTolerance
+from housefly.pilot.estimation.displacement import (
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+    TrackRing,
+)
 from housefly.pilot.estimation.onboard_odometry import (
     FLOW_BIAS,
     FLOW_BIAS_TIME,
@@ -19,7 +24,6 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_at,
     odometry_headed,
 )
-from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE, TrackRing
 from housefly.pilot.estimation.track_windows import EMPTY_WINDOWS, windows_advanced
 
 TICK = 0.01

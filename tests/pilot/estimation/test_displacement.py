@@ -5,9 +5,8 @@ from math import atan2
 import numpy as np
 import pytest
 
-from housefly.pilot.estimation.displacement import predicted_bias
+from housefly.pilot.estimation.displacement import TRACK_ROW, keep_bias, predicted_bias
 from housefly.pilot.estimation.flow_bias import first_bias
-from housefly.pilot.estimation.track_row import TRACK_ROW, keep_bias
 
 
 def test_what_a_row_predicts_turns_with_the_drone() -> None:

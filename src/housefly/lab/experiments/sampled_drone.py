@@ -11,7 +11,14 @@ from numpy.typing import NDArray
 from housefly.lab.experiments.random import RandomState, normal
 from housefly.lab.experiments.tracking_noise import Camera, Frames, Stream, exposed
 from housefly.numeric import compiled
-from housefly.pilot.control.model import Beat, Constants, DroneState, beat_of, hover_tilt, moved
+from housefly.pilot.control.model import (
+    Constants,
+    DroneState,
+    TimeStep,
+    hover_tilt,
+    moved,
+    time_step,
+)
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
 
 LONGEST_STEP = 0.0125
@@ -48,8 +55,8 @@ class SampledDrone(NamedTuple):
 
     constants: Constants
     lag_ticks: int
-    early: Beat
-    late: Beat
+    early: TimeStep
+    late: TimeStep
     early_steps: int
     late_steps: int
     tilt_max: float
@@ -74,8 +81,8 @@ def sampled_drone(case: Any) -> SampledDrone:
     return SampledDrone(
         constants,
         lag_ticks,
-        beat_of(constants, early / max(early_steps, 1)),
-        beat_of(constants, late / late_steps),
+        time_step(constants, early / max(early_steps, 1)),
+        time_step(constants, late / late_steps),
         early_steps,
         late_steps,
         case.tilt_max,
@@ -116,14 +123,14 @@ def carried_on(
 ) -> tuple[DroneState, Stream]:
     """Return drone and tracking stream one tick of the pilot later."""
     wind = (air.wind_x + gust[0], air.wind_y + gust[1])
-    for step in range(air.early_steps + air.late_steps):
-        is_early = step < air.early_steps
-        beat = air.early if is_early else air.late
+    for n in range(air.early_steps + air.late_steps):
+        is_early = n < air.early_steps
+        step = air.early if is_early else air.late
         sent = tick - air.lag_ticks - (1 if is_early else 0)
         before = body
-        body = _pushed(body, sent, orders, wind, air, beat)
-        stream = exposed(stream, camera, frames, random, before, body, now, beat.dt)
-        now += beat.dt
+        body = _pushed(body, sent, orders, wind, air, step)
+        stream = exposed(stream, camera, frames, random, before, body, now, step.dt)
+        now += step.dt
     return body, stream
 
 
@@ -134,12 +141,12 @@ def _pushed(
     orders: Orders,
     wind: tuple[float, float],
     air: SampledDrone,
-    beat: Beat,
+    step: TimeStep,
 ) -> DroneState:
     order = orders[sent & (orders.size - 1)]
     if sent >= 0 and order.flying > 0:
         vz = order.vz if order.vz >= 0.0 else air.sink_gain * order.vz
         vz += air.climb_beside
-        return moved(body, order.theta, order.phi, vz, order.yaw_rate, wind, air.constants, beat)
+        return moved(body, order.theta, order.phi, vz, order.yaw_rate, wind, air.constants, step)
     theta, phi = hover_tilt(body, wind, air.tilt_max)
-    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, beat)
+    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, step)

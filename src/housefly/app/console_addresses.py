@@ -21,7 +21,7 @@ _ROLE = Role.FLY
 """What the phone of who sits at the terminal may do; the words say it."""
 
 
-class ConsoleDoor:
+class ConsoleAddresses:
     """Prints addresses of a run's console.
 
     Args:

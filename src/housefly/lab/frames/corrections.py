@@ -28,7 +28,7 @@ def snapped(angle: float) -> float:
     return right if right != 0.0 and abs(angle - right) < _RIGHT_ANGLE else angle
 
 
-def mended_keys(
+def corrected_keys(
     tracking: TrackingConfig, pad: Vec3, home: Vec2 | None, turn: float, nose: float, rise: float
 ) -> dict[str, float | str]:
     """Return the keys of [tracking] that take errors away.

@@ -13,7 +13,7 @@ import pytest
 from housefly.app.commands.shared import load
 from housefly.hub.things_of_room import catalogue_of
 from housefly.sites.loaded_site import load_site, read_site
-from housefly.twin.lively import lively_changes, lively_site
+from housefly.twin.demo_site import demo_changes, demo_site
 from housefly.twin.people import Act, load_scene
 
 _OWN = """
@@ -51,16 +51,16 @@ def own(tmp_path: Path) -> Path:
 
 
 def test_every_scanner_hangs_in_the_room_above_beds_and_chairs_and_below_the_drone() -> None:
-    loaded = load_site("bsen", **lively_changes())
+    loaded = load_site("bsen", **demo_changes())
     x_min, y_min, x_max, y_max = loaded.room.bounds
-    assert len(loaded.site.lasers) == len(lively_changes()["lasers"]) > 0
+    assert len(loaded.site.lasers) == len(demo_changes()["lasers"]) > 0
     for laser in loaded.site.lasers:
         assert x_min < laser.x < x_max and y_min < laser.y < y_max
         assert 0.8 < laser.z < loaded.site.map.flight_height
 
 
 def test_somebody_lives_there_and_the_broker_is_its_own() -> None:
-    site, words = lively_site(read_site("bsen"), has_broker=True)
+    site, words = demo_site(read_site("bsen"), has_broker=True)
     assert site.twin.scene == "demo"
     assert site.mqtt.start and site.mqtt.broker == "127.0.0.1"
     assert load_site("bsen").site.twin.scene == ""
@@ -85,25 +85,25 @@ def test_a_site_keeps_its_own_and_is_told_what_was_added(own: Path, capsys: Any)
 def test_a_scene_of_its_own_stays(own: Path) -> None:
     (own.parent / "scene.toml").write_text('name = "Nobody"\n')
     own.write_text('[twin]\nscene = "scene.toml"\n')
-    site, words = lively_site(read_site(str(own)), has_broker=True)
+    site, words = demo_site(read_site(str(own)), has_broker=True)
     assert site.twin.scene.endswith("scene.toml") and "scene.toml" in words
 
 
 def test_another_room_stays_empty_and_is_told_what_to_do(own: Path) -> None:
     own.write_text('[room]\nmodel = "cellar"\n')
-    site, words = lively_site(read_site(str(own)), has_broker=True)
+    site, words = demo_site(read_site(str(own)), has_broker=True)
     assert site == read_site(str(own))
     assert "'bsen'" in words and "'cellar'" in words and "[twin] scene" in words
 
 
 def test_a_site_with_real_hardware_stays_as_it_is(own: Path) -> None:
     own.write_text("[twin]\nenabled = false\n[drone]\naddress = '192.168.1.1'\n")
-    site, words = lively_site(read_site(str(own)), has_broker=True)
+    site, words = demo_site(read_site(str(own)), has_broker=True)
     assert site == read_site(str(own)) and "this room is real" in words
 
 
 def test_without_mosquitto_people_are_there_and_the_words_say_what_is_not() -> None:
-    site, words = lively_site(read_site("bsen"), has_broker=False)
+    site, words = demo_site(read_site("bsen"), has_broker=False)
     assert site.twin.scene == "demo" and site.lasers and not site.mqtt.broker
     assert "mosquitto is not installed" in words and "webhook" in words
 

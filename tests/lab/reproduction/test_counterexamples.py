@@ -7,10 +7,10 @@ import inspect
 
 import pytest
 
-from housefly.lab.reproduction import counter_changes, counter_worlds
+from housefly.lab.reproduction import changed_evidence, counterexamples
 from housefly.lab.reproduction.claims import CLAIMS, findings
-from housefly.lab.reproduction.counter_worlds import (
-    COUNTER_WORLDS,
+from housefly.lab.reproduction.counterexamples import (
+    COUNTEREXAMPLES,
     counter_finding,
     judged_elsewhere,
 )
@@ -46,10 +46,10 @@ MEASURING = {
 }
 
 
-@pytest.mark.parametrize("key", COUNTER_WORLDS)
+@pytest.mark.parametrize("key", COUNTEREXAMPLES)
 def test_in_its_counter_world_the_verdict_is_another_one(key: str, evidence: Evidence) -> None:
     here = finding_of(BY_KEY[key], evidence)
-    there = counter_finding(BY_KEY[key], COUNTER_WORLDS[key], evidence)
+    there = counter_finding(BY_KEY[key], COUNTEREXAMPLES[key], evidence)
     assert there.verdict is OVERTURNED.get(key, Verdict.HOLDS), there.evidence
     assert here.verdict not in (there.verdict, Verdict.NOT_TESTABLE), here.evidence
     assert any(letter.isdigit() for letter in there.evidence)
@@ -59,7 +59,7 @@ def test_every_claim_that_was_measured_has_its_counter_world(evidence: Evidence)
     measured = {
         finding.key for finding in findings(evidence) if finding.verdict is not Verdict.NOT_TESTABLE
     }
-    assert measured == set(COUNTER_WORLDS)
+    assert measured == set(COUNTEREXAMPLES)
 
 
 def unmeasured(source: str) -> list[str]:
@@ -91,8 +91,8 @@ def g(evidence):
     return replace(evidence, maps=replace(evidence.maps, unexpected=replace(found, hit=0)))
 """
     assert unmeasured(injecting) == ["f", "g"]
-    assert unmeasured(inspect.getsource(counter_changes)) == []
-    assert "replace(" not in inspect.getsource(counter_worlds).replace("replace(finding", "")
+    assert unmeasured(inspect.getsource(changed_evidence)) == []
+    assert "replace(" not in inspect.getsource(counterexamples).replace("replace(finding", "")
 
 
 def test_only_claims_with_a_counter_world_are_judged_elsewhere(evidence: Evidence) -> None:

@@ -7,12 +7,12 @@ from housefly.messages import DroneStatus, Order, OrderOutcome, Outputs, Phase, 
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.messages.words import UNSAID, Words
 
-STAND_DOWN_TIME = 5.0
+TAKE_OFF_PAUSE_TIME = 5.0
 """So long it takes no order that flies [s]; then it goes on, if nobody has ended it."""
 _REFUSAL = Words("the pilot starts again with the new map; order it anew in a moment")
 
 
-class StandDown:
+class TakeOffPause:
     """Whether the pilot stands down, and until when; used on the pilot's loop alone."""
 
     def __init__(self) -> None:
@@ -35,7 +35,7 @@ class StandDown:
         """
         objection = _objection(now, telemetry, outputs, waiting)
         if not objection:
-            self._until = now + STAND_DOWN_TIME
+            self._until = now + TAKE_OFF_PAUSE_TIME
         return objection
 
     def allowed(

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from math import inf
 
 
-class Sight:
+class SensorFreshness:
     """Remembers of each sensor when its newest believed scan or image was taken.
 
     Args:

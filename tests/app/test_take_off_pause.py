@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.app.stand_down import RISING_ORDERS, STAND_DOWN_TIME, StandDown
+from housefly.app.take_off_pause import RISING_ORDERS, TAKE_OFF_PAUSE_TIME, TakeOffPause
 from housefly.messages import (
     Action,
     Command,
@@ -29,11 +29,11 @@ def order(kind: OrderKind) -> Order:
 
 
 def test_while_it_stands_down_it_takes_every_order_but_those_that_fly() -> None:
-    word = StandDown()
+    word = TakeOffPause()
     every = tuple(order(kind) for kind in OrderKind)
     assert word.allowed(every, NOW) == (every, ())
     assert word.begin(NOW, drone(), IDLE, (order(OrderKind.STOP),)) == ""
-    passed, told = word.allowed(every, NOW + STAND_DOWN_TIME - 0.1)
+    passed, told = word.allowed(every, NOW + TAKE_OFF_PAUSE_TIME - 0.1)
     assert {one.kind for one in every} - {one.kind for one in passed} == RISING_ORDERS
     assert OrderKind.STOP in {one.kind for one in passed}
     assert len(told) == len(RISING_ORDERS)
@@ -41,10 +41,10 @@ def test_while_it_stands_down_it_takes_every_order_but_those_that_fly() -> None:
 
 
 def test_after_a_while_that_nobody_ended_it_flies_again() -> None:
-    word = StandDown()
+    word = TakeOffPause()
     word.begin(NOW, drone(), IDLE, ())
     every = (order(OrderKind.TAKE_OFF),)
-    assert word.allowed(every, NOW + STAND_DOWN_TIME) == (every, ())
+    assert word.allowed(every, NOW + TAKE_OFF_PAUSE_TIME) == (every, ())
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_after_a_while_that_nobody_ended_it_flies_again() -> None:
 def test_in_doubt_it_gives_no_word_and_flies_on(
     telemetry: Telemetry | None, outputs: Outputs | None, waiting: tuple[Order, ...], why: str
 ) -> None:
-    word = StandDown()
+    word = TakeOffPause()
     assert why in word.begin(NOW, telemetry, outputs, waiting)
     every = (order(OrderKind.TAKE_OFF),)
     assert word.allowed(every, NOW + 0.1) == (every, ())

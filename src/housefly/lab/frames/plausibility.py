@@ -26,7 +26,7 @@ LOST_TIME_MAX = 0.7
 """A longer hole in tracking is asked about [s]."""
 
 
-class DoubtKind(Enum):
+class CheckKind(Enum):
     """What is asked about; a person who stands by it is not asked about it again."""
 
     PAD_PLACE = "place on the pad"
@@ -44,20 +44,20 @@ class DoubtKind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Doubt:
+class FailedCheck:
     """What may be wrong with a step, in words."""
 
-    kind: DoubtKind
+    kind: CheckKind
     words: str
 
 
-def doubts(
+def failed_checks(
     plan: CarryPlan,
     before: tuple[FrameSample, ...],
     sample: FrameSample,
     track: CarryTrack,
     body: str,
-) -> tuple[Doubt, ...]:
+) -> tuple[FailedCheck, ...]:
     """Return what may be wrong with a step, the gravest first.
 
     Args:
@@ -81,14 +81,14 @@ def doubts(
     return tuple(found)
 
 
-def _way_doubts(points: tuple[TrackedPoint, ...], step: CarryStep) -> list[Doubt]:
-    """Return doubts about how it was carried."""
+def _way_doubts(points: tuple[TrackedPoint, ...], step: CarryStep) -> list[FailedCheck]:
+    """Return what failed about how it was carried."""
     found = []
     gap = max((b.at - a.at for a, b in pairwise(points)), default=0.0)
     if gap > LOST_TIME_MAX:
         found.append(
-            Doubt(
-                DoubtKind.LOST,
+            FailedCheck(
+                CheckKind.LOST,
                 f"Tracking lost it for {gap:.1f} s on the way. Do this step again, slowly, with"
                 " its markers free",
             )
@@ -97,7 +97,9 @@ def _way_doubts(points: tuple[TrackedPoint, ...], step: CarryStep) -> list[Doubt
     if speed > CARRY_SPEED_MAX or (step is CarryStep.TURN and rate > TURN_RATE_MAX):
         how = f"{speed:.1f} m/s" if speed > CARRY_SPEED_MAX else f"{degrees(rate):.0f} deg/s"
         found.append(
-            Doubt(DoubtKind.FAST, f"It was moved too fast ({how}). Do this step again, slowly")
+            FailedCheck(
+                CheckKind.FAST, f"It was moved too fast ({how}). Do this step again, slowly"
+            )
         )
     return found
 
@@ -116,13 +118,13 @@ def _fastest(points: tuple[TrackedPoint, ...]) -> tuple[float, float]:
     return speed, rate
 
 
-def _pad_doubts(plan: CarryPlan, sample: FrameSample) -> list[Doubt]:
+def _pad_doubts(plan: CarryPlan, sample: FrameSample) -> list[FailedCheck]:
     found, position = [], _position(sample)
     off = dist(position[:2], plan.home)
     if off > PLACE_DOUBT:
         found.append(
-            Doubt(
-                DoubtKind.PAD_PLACE,
+            FailedCheck(
+                CheckKind.PAD_PLACE,
                 f"Tracking sees it {off:.2f} m beside the pad of the map, at"
                 f" ({position[0]:.2f}, {position[1]:.2f}) m instead of ({plan.home[0]:.2f},"
                 f" {plan.home[1]:.2f}) m. Does it lie on the middle of its pad?",
@@ -131,8 +133,8 @@ def _pad_doubts(plan: CarryPlan, sample: FrameSample) -> list[Doubt]:
     angle = wrapped(sample.yaw - plan.heading)
     if abs(angle) > ANGLE_DOUBT:
         found.append(
-            Doubt(
-                DoubtKind.PAD_NOSE,
+            FailedCheck(
+                CheckKind.PAD_NOSE,
                 f"Tracking sees its nose {turned_words(angle)} of the pad's heading. Does its nose"
                 " point along it?",
             )
@@ -140,15 +142,15 @@ def _pad_doubts(plan: CarryPlan, sample: FrameSample) -> list[Doubt]:
     return found
 
 
-def _leg_doubts(plan: CarryPlan, last: FrameSample, sample: FrameSample) -> list[Doubt]:
+def _leg_doubts(plan: CarryPlan, last: FrameSample, sample: FrameSample) -> list[FailedCheck]:
     asked = plan.displacement(sample.step)
     x, y, z = seen = _between(last, sample)
     found = _unasked_turn(last, sample)
     if sample.step is CarryStep.LIFT:
         if not LIFT_DOUBT[0] <= z <= LIFT_DOUBT[1] or hypot(x, y) > PLACE_DOUBT:
             found.append(
-                Doubt(
-                    DoubtKind.LIFT,
+                FailedCheck(
+                    CheckKind.LIFT,
                     f"Tracking sees it {z:.2f} m higher and {hypot(x, y):.2f} m aside; asked was"
                     f" {LIFT_HEIGHT:g} m straight up",
                 )
@@ -158,14 +160,14 @@ def _leg_doubts(plan: CarryPlan, last: FrameSample, sample: FrameSample) -> list
     short, far = LENGTH_DOUBT
     if not short * true <= length <= far * true:
         found.append(
-            Doubt(
-                DoubtKind.LENGTH,
+            FailedCheck(
+                CheckKind.LENGTH,
                 f"Tracking sees a way of {length:.2f} m; asked was {true:g} m by the tape",
             )
         )
     off = wrapped(atan2(y, x) - atan2(asked[1], asked[0]))
     if length > 0.2 and (abs(off) > ANGLE_DOUBT or abs(z) > PLACE_DOUBT):
-        found.append(Doubt(DoubtKind.WAY, _way_words(plan, sample.step, seen)))
+        found.append(FailedCheck(CheckKind.WAY, _way_words(plan, sample.step, seen)))
     return found
 
 
@@ -174,7 +176,7 @@ def _way_words(plan: CarryPlan, step: CarryStep, seen: Vec3) -> str:
     return f"Asked was {asked}; on the map tracking sees it go {direction_words(plan, seen)}"
 
 
-def _unasked_turn(last: FrameSample, sample: FrameSample) -> list[Doubt]:
+def _unasked_turn(last: FrameSample, sample: FrameSample) -> list[FailedCheck]:
     """Return the doubt about a drone that was turned where it should not be."""
     turned = onboard_turn(last, sample)
     by = "its own gyros say" if turned is not None else "tracking sees"
@@ -182,33 +184,33 @@ def _unasked_turn(last: FrameSample, sample: FrameSample) -> list[Doubt]:
     if abs(turned) <= ANGLE_DOUBT:
         return []
     words = f"It should not be turned on this way; {by} {turned_words(turned)}"
-    return [Doubt(DoubtKind.NOSE, words)]
+    return [FailedCheck(CheckKind.NOSE, words)]
 
 
-def _turn_doubts(last: FrameSample, sample: FrameSample) -> list[Doubt]:
+def _turn_doubts(last: FrameSample, sample: FrameSample) -> list[FailedCheck]:
     seen, said = wrapped(sample.yaw - last.yaw), onboard_turn(last, sample)
     turned, by = (seen, "tracking sees") if said is None else (said, "its own gyros say")
     found = []
     if not radians(50.0) <= turned <= radians(130.0):
         words = turned_words(turned) if abs(turned) > 0.1 else "it was not turned"
-        found.append(Doubt(DoubtKind.TURN, f"Asked was a quarter to the left; {by} {words}"))
+        found.append(FailedCheck(CheckKind.TURN, f"Asked was a quarter to the left; {by} {words}"))
     x, y, _ = _between(last, sample)
     if hypot(x, y) > PLACE_DOUBT:
         words = f"It should turn on the spot; tracking sees it {hypot(x, y):.2f} m aside"
-        found.append(Doubt(DoubtKind.SPOT, words))
+        found.append(FailedCheck(CheckKind.SPOT, words))
     return found
 
 
-def _back_doubts(first: FrameSample, sample: FrameSample) -> list[Doubt]:
+def _back_doubts(first: FrameSample, sample: FrameSample) -> list[FailedCheck]:
     x, y, z = _between(first, sample)
     turned = wrapped(sample.yaw - first.yaw)
     found = []
     if dist((x, y, z), (0.0, 0.0, 0.0)) > PLACE_DOUBT:
         words = f"Tracking sees it {hypot(x, y):.2f} m from where it lay on the pad at first"
-        found.append(Doubt(DoubtKind.BACK_PLACE, words))
+        found.append(FailedCheck(CheckKind.BACK_PLACE, words))
     if abs(turned) > ANGLE_DOUBT:
         words = f"Its nose points {turned_words(turned)} of where it pointed at first"
-        found.append(Doubt(DoubtKind.BACK_NOSE, words))
+        found.append(FailedCheck(CheckKind.BACK_NOSE, words))
     return found
 
 

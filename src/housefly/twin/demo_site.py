@@ -11,7 +11,7 @@ _SCENE, _ROOM = "demo", "bsen"
 """The shipped scene, and the room in which its people do not walk through walls."""
 
 
-def lively_changes() -> dict[str, Any]:
+def demo_changes() -> dict[str, Any]:
     """Return what makes the demo lively: people, their things and devices, and what sees people.
 
     The scanners look at 0.85 m: over the headboard of the bed and the backs of chairs, at standing,
@@ -31,7 +31,7 @@ def lively_changes() -> dict[str, Any]:
     }
 
 
-def lively_site(site: Site, has_broker: bool) -> tuple[Site, str]:
+def demo_site(site: Site, has_broker: bool) -> tuple[Site, str]:
     """Return a site with what makes it lively beside what it has, and words that say what is whose.
 
     A site into which the shipped scene does not fit stays as it is.
@@ -44,7 +44,7 @@ def lively_site(site: Site, has_broker: bool) -> tuple[Site, str]:
 
     if words := _objection(site):
         return site, words
-    added, kept = lively_changes(), []
+    added, kept = demo_changes(), []
     if site.twin.scene:
         del added["twin__scene"]
         kept.append(f"the scene {site.twin.scene}")

@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 
 from housefly.app.certificates import make_certificate
+from housefly.app.console_addresses import ConsoleAddresses
 from housefly.app.console_answer import console_answers
-from housefly.app.console_door import ConsoleDoor
 from housefly.app.new_runtime import new_runtime
 from housefly.app.runtime import Runtime
 from housefly.clock import RealClock
@@ -87,7 +87,7 @@ def runtime(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Runtime:
 def test_a_phone_gets_a_link_of_its_own_that_flies_and_does_not_open_everything(
     runtime: Runtime, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    ConsoleDoor(runtime, "#tasks").print_address()
+    ConsoleAddresses(runtime, "#tasks").print_address()
     printed = capsys.readouterr().out.replace("\n", "")
     first = re.search(r"console: +https://192\.168\.4\.4:8080/\?token=([\w-]+)#tasks", printed)
     phone = re.search(r"phone: +https://192\.168\.4\.4:8080/\?token=([\w-]{44})", printed)
@@ -101,7 +101,7 @@ def test_where_no_phone_gets_in_nothing_is_said_of_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
-    door = ConsoleDoor(new_runtime(Site(), tmp_path))
+    door = ConsoleAddresses(new_runtime(Site(), tmp_path))
     door.print_address()
     door.print_asked_invitation()
     assert "phone" not in capsys.readouterr().out
