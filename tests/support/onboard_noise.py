@@ -6,7 +6,12 @@ import numpy as np
 from ardrone_flow import FLOW
 from numba import njit
 
-from housefly.pilot.estimation.displacement import OdometryTolerance
+from housefly.pilot.estimation.displacement import (
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+    TrackRing,
+)
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
     ONBOARD_MOTION,
@@ -17,7 +22,6 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_begun,
     odometry_headed,
 )
-from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE, TrackRing
 from housefly.pilot.estimation.track_windows import EMPTY_WINDOWS, windows_advanced
 
 TICK = 0.01

@@ -38,6 +38,7 @@ from housefly.config.environment import ROOM_KEY_VARIABLE
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
 from housefly.errors import HouseflyError, LinkError
+from housefly.evidence.camera_pose import camera_pose_of
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
@@ -53,7 +54,6 @@ from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.client.tasks_client import tasks_socket
-from housefly.tasks.evidence.camera_pose import camera_pose_of
 from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.rules.dry_run import event_of

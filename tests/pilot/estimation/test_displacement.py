@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 from ardrone_flow import FLOW
 
-from housefly.pilot.estimation.displacement import predicted_bias
+from housefly.pilot.estimation.displacement import TRACK_ROW, keep_bias, predicted_bias
 from housefly.pilot.estimation.flow_bias import first_bias
-from housefly.pilot.estimation.track_row import TRACK_ROW, keep_bias
 
 
 def test_what_a_row_predicts_turns_with_the_drone() -> None:

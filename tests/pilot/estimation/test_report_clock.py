@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
+from housefly.pilot.estimation.consistency import OFFSET_WINDOW, ReportClock
 from housefly.pilot.estimation.displacement import OdometryTolerance
-from housefly.pilot.estimation.report_clock import OFFSET_WINDOW, ReportClock
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
 from housefly.pilot.safety.tracking_rules import DRIFT_WARN
 from housefly.tracking.capture_clock import CaptureClock

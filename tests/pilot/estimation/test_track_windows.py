@@ -9,9 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from onboard_noise import flown
 
-from housefly.pilot.estimation.displacement import OdometryTolerance
+from housefly.pilot.estimation.displacement import (
+    ROW_PERIOD,
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+)
 from housefly.pilot.estimation.onboard_odometry import OdometryAt
-from housefly.pilot.estimation.track_row import ROW_PERIOD, TRACK_ROW, WINDOW_RING_SIZE
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     TrackWindows,

@@ -13,7 +13,14 @@ from housefly.lab.experiments.tracking_noise import Camera, Frames, Stream, expo
 from housefly.numeric import compiled
 from housefly.pilot.control.forms import FormCode
 from housefly.pilot.control.laws import acceleration, saturated_jointly, tilt
-from housefly.pilot.control.model import Beat, Constants, DroneState, beat_of, hover_tilt, moved
+from housefly.pilot.control.model import (
+    Constants,
+    DroneState,
+    TimeStep,
+    hover_tilt,
+    moved,
+    time_step,
+)
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
 
 LONGEST_STEP = 0.0125
@@ -54,8 +61,8 @@ class SampledDrone(NamedTuple):
 
     constants: Constants
     lag_ticks: int
-    early: Beat
-    late: Beat
+    early: TimeStep
+    late: TimeStep
     early_steps: int
     late_steps: int
     tilt_max: float
@@ -83,8 +90,8 @@ def sampled_drone(case: Any) -> SampledDrone:
     return SampledDrone(
         constants,
         lag_ticks,
-        beat_of(constants, early / max(early_steps, 1)),
-        beat_of(constants, late / late_steps),
+        time_step(constants, early / max(early_steps, 1)),
+        time_step(constants, late / late_steps),
         early_steps,
         late_steps,
         case.tilt_max,
@@ -128,14 +135,14 @@ def carried_on(
 ) -> tuple[DroneState, Stream]:
     """Return drone and tracking stream one tick of the pilot later."""
     wind = (air.wind_x + gust[0], air.wind_y + gust[1])
-    for step in range(air.early_steps + air.late_steps):
-        is_early = step < air.early_steps
-        beat = air.early if is_early else air.late
+    for n in range(air.early_steps + air.late_steps):
+        is_early = n < air.early_steps
+        step = air.early if is_early else air.late
         sent = tick - air.lag_ticks - (1 if is_early else 0)
         before = body
-        body = _pushed(body, sent, orders, wind, air, beat)
-        stream = exposed(stream, camera, frames, random, before, body, now, beat.dt)
-        now += beat.dt
+        body = _pushed(body, sent, orders, wind, air, step)
+        stream = exposed(stream, camera, frames, random, before, body, now, step.dt)
+        now += step.dt
     return body, stream
 
 
@@ -146,7 +153,7 @@ def _pushed(
     orders: Orders,
     wind: tuple[float, float],
     air: SampledDrone,
-    beat: Beat,
+    step: TimeStep,
 ) -> DroneState:
     order = orders[sent & (orders.size - 1)]
     if sent >= 0 and order.flying > 0:
@@ -157,9 +164,9 @@ def _pushed(
             theta, phi = _leaning(body, order, air)
         if air.form == FormCode.POSITION.value:
             vz = air.stiffness / air.constants.climb_lag * (order.z - body.z) + air.climb_beside
-        return moved(body, theta, phi, vz, order.yaw_rate, wind, air.constants, beat)
+        return moved(body, theta, phi, vz, order.yaw_rate, wind, air.constants, step)
     theta, phi = hover_tilt(body, wind, air.tilt_max)
-    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, beat)
+    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, step)
 
 
 @compiled

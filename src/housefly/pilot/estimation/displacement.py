@@ -8,10 +8,12 @@ from __future__ import annotations
 from math import exp, sqrt
 from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from housefly.numeric import compiled
 from housefly.pilot.estimation.flow_bias import FlowBias, bias_predicted, first_bias, parted_from
 from housefly.pilot.estimation.flow_model import FlowModel, flow_bias_variance
-from housefly.pilot.estimation.track_row import known_bias
 
 SIGMAS = 5.25
 """Displacements further apart than this many standard deviations disagree."""
@@ -27,6 +29,27 @@ MANOEUVRE_ROWS = 10
 """Whether the velocity changes is seen over so many rows."""
 MANOEUVRE_MIN, MANOEUVRE_USUAL = 0.085, 0.5
 """Velocities that differ by less are the flow's noise; usually they change by so much [m/s]."""
+
+ROW_PERIOD = 0.05
+"""Time between two rows [s]."""
+
+WINDOW_RING_SIZE = 512
+"""Rows kept: 25 s; a power of two."""
+TRACK_ROW = np.dtype(
+    [
+        (name, "f8")
+        for name in (
+            *("at", "px", "py", "ox", "oy", "vx", "vy", "way", "variance", "yaw", "psi"),
+            *("mean_vx", "mean_vy"),
+            *("bx", "by", "rate_x", "rate_y", "b_variance", "b_covariance", "b_rate_variance"),
+        )
+    ]
+)
+"""Time of capture [s], tracked place and odometry [m], its velocity [m/s], way [m] and variance
+[m^2], tracked and onboard heading, unwrapped [rad], the mean velocity of late [m/s], and the bias
+that is known after this row (``FlowBias``).
+"""
+TrackRing = NDArray[Any]
 
 
 class OdometryTolerance(NamedTuple):
@@ -167,3 +190,25 @@ def expected_bound(expected: FlowBias, way: float, tolerance: OdometryTolerance)
     """Return how far from it that may be [m], with a way that may be misjudged [m]."""
     noise = tolerance.position_noise
     return SIGMAS * sqrt(expected.variance + noise * noise) + tolerance.way_error * way
+
+
+@compiled
+def known_bias(row: Any) -> FlowBias:
+    """Return the bias that is known after a row."""
+    return FlowBias(
+        row.bx,
+        row.by,
+        row.rate_x,
+        row.rate_y,
+        row.b_variance,
+        row.b_covariance,
+        row.b_rate_variance,
+    )
+
+
+@compiled
+def keep_bias(row: Any, bias: FlowBias) -> None:
+    """Write the bias that is known after a row into it."""
+    row.bx, row.by, row.rate_x, row.rate_y = bias.x, bias.y, bias.rate_x, bias.rate_y
+    row.b_variance, row.b_covariance = bias.variance, bias.covariance
+    row.b_rate_variance = bias.rate_variance

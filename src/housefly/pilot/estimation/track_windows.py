@@ -19,9 +19,13 @@ from housefly.numeric import compiled, wrapped
 from housefly.pilot.estimation.displacement import (
     AGREE_AGAIN,
     MANOEUVRE_ROWS,
+    ROW_PERIOD,
     TIMING_ERROR,
     OdometryTolerance,
+    TrackRing,
     expected_bound,
+    keep_bias,
+    known_bias,
     learned_velocity,
     next_bias,
     parted,
@@ -33,7 +37,6 @@ from housefly.pilot.estimation.displacement import (
 from housefly.pilot.estimation.flow_bias import bias_updated, first_bias
 from housefly.pilot.estimation.flow_model import flow_bias_variance
 from housefly.pilot.estimation.onboard_odometry import OdometryAt
-from housefly.pilot.estimation.track_row import ROW_PERIOD, TrackRing, keep_bias, known_bias
 
 DRIFT_WINDOWS = (1.0, 2.5, 5.0, 7.0, 10.0, 15.0)
 """Windows over which displacements are compared [s]."""

@@ -15,15 +15,23 @@ from housefly.config.airframe import SonarConstants
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Sighting, Telemetry
 from housefly.numeric import wrapped
-from housefly.pilot.estimation.carrying import CarryDetector
 from housefly.pilot.estimation.climb_odometry import ClimbOdometry
-from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.estimation.consistency import (
+    CarryDetector,
+    LeanWatch,
+    ReportClock,
+    TrackingConsistency,
+)
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
-from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
+from housefly.pilot.estimation.displacement import (
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+    displacement_bound,
+)
 from housefly.pilot.estimation.flow_model import flow_bias_variance
 from housefly.pilot.estimation.flow_monitor import FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
-from housefly.pilot.estimation.lean_watch import LeanWatch
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
     ONBOARD_MOTION,
@@ -37,8 +45,6 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_begun,
     odometry_headed,
 )
-from housefly.pilot.estimation.report_clock import ReportClock
-from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     windows_advanced,
