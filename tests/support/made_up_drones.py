@@ -1,4 +1,7 @@
-"""Drones that nobody sells, one of each form of setpoints; their airframes lie beside this file."""
+"""Drones that nobody sells: one of each form of setpoints, and one with next to nothing.
+
+Their airframes lie beside this file.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from pathlib import Path
 from housefly.config import airframe
 
 FOLDER = Path(__file__).parent / "airframes"
-VELOCITY, POSITION = "glider", "homer"
+VELOCITY, POSITION, BARE = "glider", "homer", "bare"
 
 
 @contextmanager

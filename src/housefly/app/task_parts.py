@@ -68,7 +68,11 @@ def task_service(
     site, folder = loaded.site, tasks_folder(loaded.site)
     config = site.tasks
     own, has_drone = config.documents, site.drone.enabled
-    library = OpenLibrary(Path(own) if own else None, has_drone=has_drone)
+    library = OpenLibrary(
+        Path(own) if own else None,
+        has_drone=has_drone,
+        has_camera=site.drone.airframe.capabilities.camera is not None,
+    )
     rules, wrong_rules = _rules(config)
     rules = rules if has_drone else rules_without_flight(rules, library)
     rule_store = RuleStore(folder, HouseMode(config.mode))

@@ -7,13 +7,14 @@ its numbers, or each number as ``{ value = ..., source = "..." }``; a number wit
 from __future__ import annotations
 
 import tomllib
+from enum import Enum
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Self
 
 from pydantic import Field, ValidationError, model_validator
 
-from housefly.config.capabilities import Capabilities
+from housefly.config.capabilities import Capabilities, OwnMeasurement
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
 from housefly.geometry import stopping_distance
@@ -184,6 +185,17 @@ class LinkConstants(Section):
     )
 
 
+class Ability(Enum):
+    """What the pilot makes use of where a drone has it, and does without where it has not."""
+
+    HOVER = "a hover of its own"
+    HEIGHT = "its own height"
+    VELOCITY = "its own velocity"
+    ATTITUDE = "its own attitude"
+    TILT = "steering by tilt"
+    CAMERA = "a camera"
+
+
 class Airframe(Section):
     """One model of drone.
 
@@ -206,6 +218,30 @@ class Airframe(Section):
     sonar: SonarConstants | None = None
     flow: FlowConstants | None = None
     link: LinkConstants
+
+    @property
+    def lacks(self) -> frozenset[Ability]:
+        """What others of its kind have, and it has not."""
+        able = self.capabilities
+        has = {
+            Ability.HOVER: able.hovers,
+            Ability.HEIGHT: self.sonar is not None,
+            Ability.VELOCITY: self.flow is not None,
+            Ability.ATTITUDE: OwnMeasurement.ATTITUDE in able.measures,
+            Ability.TILT: able.form is SetpointForm.TILT_AND_CLIMB,
+            Ability.CAMERA: able.camera is not None,
+        }
+        return frozenset(ability for ability, is_had in has.items() if not is_had)
+
+    @model_validator(mode="after")
+    def _knows_what_it_measures(self) -> Self:
+        for part, own in (("sonar", OwnMeasurement.HEIGHT), ("flow", OwnMeasurement.VELOCITY)):
+            if (getattr(self, part) is not None) is not (own in self.capabilities.measures):
+                raise ValueError(
+                    f"{part} and {own.value!r} in capabilities.measures: one without the other;"
+                    " allowed: both, or neither"
+                )
+        return self
 
     @model_validator(mode="after")
     def _says_what_its_form_needs(self) -> Self:

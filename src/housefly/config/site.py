@@ -167,7 +167,8 @@ class Site(Section):
     def has_picture(self) -> bool:
         """Whether the drone shows what it sees."""
         shown = self.twin.video or not self.twin.enabled
-        return self.drone.enabled and self.drone.has_video and shown
+        has_camera = self.drone.airframe.capabilities.camera is not None
+        return self.drone.enabled and self.drone.has_video and has_camera and shown
 
     @property
     def flies_in_space(self) -> bool:

@@ -145,6 +145,7 @@ class Commander:
                 take_off_fault=fault,
                 sees_people=navigator.sees_people,
                 frames=self._frames,
+                lacks=self.airframe.lacks,
             )
         )
 
@@ -308,7 +309,7 @@ class Commander:
         What it shows is remembered, because a landing is tried; but for what the map shows.
         """
         if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
-            beam = self.airframe.sonar.beam_radius
+            beam = self.airframe.sonar.beam_radius if self.airframe.sonar else 0.0
             if not self._navigator.people.is_above_furniture(place, beam):
                 self.found.show(vehicle.position, vehicle.now)
             return self.sonar.words

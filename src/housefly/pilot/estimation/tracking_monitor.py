@@ -80,13 +80,15 @@ class TrackingMonitor:
     Args:
         tolerance: what tracking and odometry may be off by.
         drag: linear drag over mass of the drone [1/s].
-        sonar: what its own height is like.
+        sonar: what its own height is like; None where it tells none.
 
     Attributes:
         lean: whether the attitude that the drone reports stands still, and how it leans then.
     """
 
-    def __init__(self, tolerance: OdometryTolerance, drag: float, sonar: SonarConstants) -> None:
+    def __init__(
+        self, tolerance: OdometryTolerance, drag: float, sonar: SonarConstants | None
+    ) -> None:
         self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
         self._odometry = odometry_begun(tolerance.flow)
@@ -99,6 +101,7 @@ class TrackingMonitor:
         self._report: OnboardReport | None = None
         self._carry = CarryDetector()
         self._climb, self._climbed_then = ClimbOdometry(sonar), 0.0
+        self._has_sonar = sonar is not None
         self._airborne = False
         self._attitude_told = False
         self._height_told = False
@@ -124,7 +127,7 @@ class TrackingMonitor:
             self._leave_or_reach_ground(airborne)
         self._carry = self._carry.updated(telemetry, airborne)
         self._attitude_told |= any((telemetry.phi, telemetry.theta, telemetry.psi))
-        self._height_told = not airborne or telemetry.height > 0.0
+        self._height_told = not airborne or (self._has_sonar and telemetry.height > 0.0)
         forward, left, _ = telemetry.velocity
         report = OnboardReport(
             at=at,

@@ -374,6 +374,18 @@ export const DE_TOLD: Templates = {
   "put it on its pad; if it is there, compare the tracking system's origin with the map":
     "auf den Landeplatz stellen; steht sie dort, den Ursprung der Ortung mit der Karte " +
       "vergleichen",
+  "it has what others have": "sie hat, was andere haben",
+  "the drone lacks what others have": "der Drohne fehlt, was andere haben",
+  "steering by tilt": "Steuern durch Neigen",
+  "a camera": "eine Kamera",
+  "a hover of its own": "eigenes Schweben",
+  "its own height": "eigene Höhe",
+  "its own velocity": "eigene Geschwindigkeit",
+  "its own attitude": "eigene Lage",
+  "rules that need it do not count, and where tracking fails it sinks and lands":
+    "Regeln, die das brauchen, gelten nicht; fällt die Ortung aus, sinkt und landet sie",
+  "fly it where tracking is sure, and keep people away":
+    "nur fliegen, wo die Ortung sicher ist, und niemanden in die Nähe lassen",
   "a sensor sees people without markers": "ein Sensor sieht Personen ohne Marker",
   "people without markers are unseen": "Personen ohne Marker sieht sie nicht",
   "no sensor": "kein Sensor",

@@ -336,6 +336,18 @@ export const JA_TOLD: Templates = {
     "実際にパッドにあるなら位置計測と地図がずれていて、壁の位置も違います",
   "put it on its pad; if it is there, compare the tracking system's origin with the map":
     "パッドに置いてください。すでにあるなら、位置計測の原点を地図と比べてください",
+  "it has what others have": "ほかの機体にある機能がそろっています",
+  "the drone lacks what others have": "ほかの機体にある機能がありません",
+  "steering by tilt": "傾きでの操縦",
+  "a camera": "カメラ",
+  "a hover of its own": "自律ホバリング",
+  "its own height": "自身の高度",
+  "its own velocity": "自身の速度",
+  "its own attitude": "自身の姿勢",
+  "rules that need it do not count, and where tracking fails it sinks and lands":
+    "それを使う規則は働かず、位置計測が途切れると降下して着陸します",
+  "fly it where tracking is sure, and keep people away":
+    "位置計測が確かな所でだけ飛ばし、人を近づけないでください",
   "a sensor sees people without markers": "目印のない人もセンサーで見えます",
   "people without markers are unseen": "目印のない人は見えません",
   "no sensor": "センサーなし",
