@@ -56,7 +56,9 @@ class Asked:
 
     def holds(self, *rows: tuple[str, str, float, str, dict[str, Any]]) -> None:
         self.house.status.set_situations(
-            SituationAnswer(kind, thing, self.house.now - ago, 0.8, evidence, facts)
+            SituationAnswer(
+                kind, thing, self.house.now - ago, 0.8, evidence, facts, (evidence.split(":")[0],)
+            )
             for kind, thing, ago, evidence, facts in rows
         )
 

@@ -36,7 +36,7 @@ def encoded(topic: Topic[_Message], message: _Message) -> bytes:
     if topic.encoding is Encoding.CDR:
         return to_cdr(message)
     try:
-        return _json_adapter(topic.type).dump_json(message, warnings=False)
+        return _json_adapter(topic).dump_json(message, warnings=False)
     except PydanticSerializationError as error:
         raise WireError(f"{topic.type.__name__} cannot be encoded: {error}") from error
 
@@ -46,7 +46,7 @@ def decoded(topic: Topic[_Message], data: bytes) -> _Message:
     if topic.encoding is Encoding.CDR:
         return from_cdr(topic.type, data)
     try:
-        message: _Message = _json_adapter(topic.type).validate_json(data)
+        message: _Message = _json_adapter(topic).validate_json(data)
     except ValidationError as error:
         first = error.errors(include_url=False, include_context=False, include_input=False)[0]
         raise WireError(
@@ -56,8 +56,8 @@ def decoded(topic: Topic[_Message], data: bytes) -> _Message:
 
 
 @cache
-def _json_adapter(kind: type[Any]) -> TypeAdapter[Any]:
-    return TypeAdapter(kind)
+def _json_adapter(topic: Topic[Any]) -> TypeAdapter[Any]:
+    return TypeAdapter(topic.type)
 
 
 def to_cdr(message: object) -> bytes:

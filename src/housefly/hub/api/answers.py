@@ -194,7 +194,7 @@ class SensorsAnswer:
 @dataclass(frozen=True, slots=True)
 class SituationAnswer:
     """An active situation: since when [Unix time, s], confidence 0 to 1, evidence in words, and
-    the facts that last as long as it does.
+    the facts that last as long as it does; ids of the sources of the evidence.
     """
 
     kind: str
@@ -203,6 +203,7 @@ class SituationAnswer:
     confidence: float
     evidence: str
     facts: dict[str, _Scalar] = field(default_factory=dict)
+    sources: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from math import isfinite
 
 from housefly.geometry import Quaternion, Vec3
 from housefly.hub.store.database import Row
+from housefly.hub.store.old_facts import renewed
 from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Covariance, Facts, Observation, RoomEvent
 
@@ -85,7 +86,7 @@ def row_of_event(event: RoomEvent) -> Row:
 def event_from_row(row: Row) -> RoomEvent:
     """Return an event from the columns ``EVENT_COLUMNS``."""
     at, kind, thing, source, cause, confidence, facts = row
-    return RoomEvent(kind, thing, at, source, cause, confidence, _facts(facts))
+    return RoomEvent(kind, thing, at, source, cause, confidence, renewed(_facts(facts)))
 
 
 def row_of_thing(thing: Thing) -> Row:

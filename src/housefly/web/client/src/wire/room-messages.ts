@@ -112,6 +112,7 @@ export interface SituationAnswer {
   confidence: number;
   evidence: string;
   facts: Record<string, string | number | boolean>;
+  sources: string[];
 }
 
 export interface ObstacleAnswer {
@@ -162,6 +163,7 @@ export interface PersonAnswer {
   position: [number, number, number] | null;
   age: number | null;
   evidence: string;
+  sources: string[];
 }
 
 export interface PeopleAnswer {
