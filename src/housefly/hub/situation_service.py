@@ -9,6 +9,7 @@ from housefly.config.site import Site
 from housefly.hub.api.answers import SituationAnswer
 from housefly.hub.memory import RoomMemory
 from housefly.hub.room_status import RoomStatus
+from housefly.hub.said import situation_words
 from housefly.hub.situations import Layout, Situations
 from housefly.hub.situations.device_traits import device_traits_of
 from housefly.hub.situations.furniture import beds_of, entrance_of, seats_of
@@ -56,6 +57,7 @@ class SituationService:
                 evidence_words(s.evidence),
                 lasting_facts(s.facts),
                 sources_of(s.evidence),
+                situation_words(s.kind),
             )
             for s in self._situations.active()
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from housefly.hub.api.answers import SituationAnswer
+from housefly.hub.said import situation_words
 from housefly.hub.situations.kinds import BEGUN_BY
 from housefly.hub.situations.situation import SOURCE_PREFIX
 from housefly.messages import Facts, RoomEvent
@@ -33,6 +34,7 @@ def situations_at(events: Iterable[RoomEvent]) -> tuple[SituationAnswer, ...]:
             holds[event.thing, event.kind] = SituationAnswer(
                 event.kind, event.thing, event.at, event.confidence, str(facts.get("evidence", "")),
                 lasting_facts(event.facts), tuple(filter(None, sources.split(","))),
+                situation_words(event.kind),
             )  # fmt: skip
     return tuple(holds.values())
 

@@ -11,6 +11,7 @@ from housefly.hub.store.database import Row
 from housefly.hub.store.old_facts import renewed
 from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Covariance, Facts, Observation, RoomEvent
+from housefly.messages.words import from_tree, with_trees
 
 _NO_POSITION: Row = (None, None, None)
 _NO_ORIENTATION: Row = (None, None, None, None)
@@ -138,8 +139,12 @@ def _covariance(text: str) -> Covariance | None:
 
 
 def _text_of(facts: Facts) -> str:
-    return json.dumps(dict(facts)) if facts else ""
+    """Return facts as JSON; words keep their template, as a list (``messages.words.tree``)."""
+    return json.dumps(with_trees(facts)) if facts else ""
 
 
 def _facts(text: str) -> Facts:
-    return tuple(json.loads(text).items()) if text else ()
+    read = json.loads(text).items() if text else ()
+    return tuple(
+        (name, from_tree(value) if isinstance(value, list) else value) for name, value in read
+    )
