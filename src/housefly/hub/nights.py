@@ -8,10 +8,11 @@ from datetime import datetime, timedelta
 from itertools import zip_longest
 
 from housefly.hub.api.state_answers import NightAnswer, TimeUp
-from housefly.hub.person_status import is_bed, lasting_words
+from housefly.hub.person_status import is_bed
 from housefly.hub.situations.hysteresis import UNKNOWN
 from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations_at import MEMORY_STARTED
+from housefly.hub.things.words import lasting_words
 from housefly.messages import RoomEvent
 
 SHORTEST_TIME_UP = 30.0

@@ -14,7 +14,7 @@ from housefly.hub.situations.kinds import OF_PEOPLE, POSTURES, SituationKind
 from housefly.hub.situations.person import ON_FLOOR
 from housefly.hub.things.carrying import with_article
 from housefly.hub.things.thing import ThingKind
-from housefly.hub.things.words import age_words, seen_words
+from housefly.hub.things.words import age_words, lasting_words, seen_words
 from housefly.hub.things.world_model import WorldModel
 
 _SEAT = re.compile(r"\s+(seat|mattress)\b.*$")
@@ -186,12 +186,6 @@ def _sentence(
     spoken = "" if heard is None else f", {age_words(heard)}"
     sure = f"{100 * base.confidence:.0f} % sure"
     return f"{who} {does}{lasting_words(moment.at - base.since)} ({sure}; {base.evidence}{spoken})"
-
-
-def lasting_words(seconds: float) -> str:
-    """Return how long something lasts [s]: " for 12 s", " for 3 min"."""
-    words = age_words(max(seconds, 0.0))
-    return "" if words == "now" else f" for {words.removesuffix(' ago')}"
 
 
 def spoken_seat(on: str) -> str:

@@ -9,11 +9,11 @@ from housefly.hub.api.questions import StateQuestion
 from housefly.hub.api.state_answers import PersonAnswer, StateAnswer, Verdict
 from housefly.hub.device_reports import LastReport, reports_on, why_no_report, why_not_believed
 from housefly.hub.device_states import DEVICE_STATES, DeviceProperty
-from housefly.hub.person_status import RoomMoment, lasting_words, spoken_name
+from housefly.hub.person_status import RoomMoment, spoken_name
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
 from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.things.thing import Thing
-from housefly.hub.things.words import age_words
+from housefly.hub.things.words import age_words, lasting_words
 
 _DEVICE_CONFIDENCE, _DISPUTED_CONFIDENCE = 0.95, 0.825
 """Confidence in a device that reports, and in one that another contradicts."""

@@ -23,6 +23,7 @@ from housefly.messages import Facts, RoomEvent
         ("bed occupied ended", (("because", "not known any more"), ("lasted", 5.0)), (UNKNOWN,)),
         ("bed occupied ended", (("because", "bed: load 0.0 kg"), ("lasted", 5.0)), ()),
         ("person lying", (("evidence", "bed: load 58.0 kg"), ("sources", "bed-2")), ()),
+        ("a", (("refused", "open is 'ajar'; allowed: true"),), (("refused_key", "open"),)),
     ],
 )
 def test_what_stood_in_a_sentence_is_a_fact(

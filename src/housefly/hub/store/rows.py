@@ -64,7 +64,7 @@ def sample_from_row(row: Row) -> Observation:
         covariance=_covariance(covariance),
         inside=inside,
         valid=bool(valid),
-        facts=_facts(facts),
+        facts=renewed(_facts(facts)),
     )
 
 
