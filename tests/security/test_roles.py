@@ -31,8 +31,8 @@ from housefly.web.access.roles import (
     Role,
 )
 from housefly.web.access.users import UserBook
+from housefly.web.messages.client_messages import ClientMessage
 from housefly.web.server import create_app
-from housefly.web.sockets.client_messages import ClientMessage
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 PASSWORD = "correct horse battery"

@@ -26,7 +26,9 @@ class EstimatorBench:
         site = Site()
         params = estimator_parameters(False, site.drone, site.control)
         self.params = params._replace(kind=int(kind))
-        self._estimator = PoseEstimator(self.params, "ardrone", 0.0, site.drone.airframe.sonar)
+        self._estimator = PoseEstimator(
+            self.params, "ardrone", 0.0, site.drone.airframe.sonar, drag=site.drone.drag
+        )
 
     @property
     def rejected(self) -> dict[RejectionReason, int]:

@@ -39,9 +39,9 @@ from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import TaskQuestion
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStatus
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.drone_state import TakeOffReadiness
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.execution.step_inbox import StepInbox
-from housefly.tasks.live_obstacles import LiveObstacles
+from housefly.tasks.service.drone_state import TakeOffReadiness
 
 GOOD = RehearsalReport(True, ReasonCode.OK, "it can be flown", duration=40.0, took=0.1)
 _TICK = 1.0 / 15.0

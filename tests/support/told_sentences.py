@@ -44,9 +44,9 @@ from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.observer import FlightObservations
 from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.rules import SAFETY_RULES
-from housefly.web.control.order_objections import check_in_words
-from housefly.web.control.stop_latch import StopLatch
 from housefly.web.status.console_knowledge import ConsoleKnowledge
+from housefly.web.status.order_objections import check_in_words
+from housefly.web.status.stop_latch import StopLatch
 from housefly.web.status.verdict import console_verdict
 
 LIMITS = LimitsConfig()

@@ -45,6 +45,7 @@ from housefly.clock import RealClock
 from housefly.config.frame_check import frames_known
 from housefly.config.process_log import log_traceback
 from housefly.drones.contract import Drone
+from housefly.drones.pose_rate import PoseRate
 from housefly.errors import LinkError
 from housefly.messages import (
     Action,
@@ -127,6 +128,7 @@ class PilotShell:
         self._failure = UNSAID
         self._is_cut = False
         self._publisher = PilotPublisher(bus)
+        self._pose_rate: PoseRate | None = None
 
     async def run(self) -> None:
         """Fly until ``leave`` is called and the drone is down.
@@ -227,6 +229,7 @@ class PilotShell:
         self._sightings.clear()
         outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
         self._drone.send(outputs.command, None if self._failure else self.pilot.known_motion)
+        self._tell_pose()
         self._outputs = outputs
         if events or answers:
             told, answered = outputs.events + events, outputs.answers + answers
@@ -235,6 +238,17 @@ class PilotShell:
         self._sequence += 1
         self._queries.update(step)
         self._publisher.publish_step(step)
+
+    def _tell_pose(self) -> None:
+        """Tell a drone that wants to know where it is, as often as it wants."""
+        able = self._drone.capabilities
+        if able is None or able.external_pose_rate is None or self._failure:
+            return
+        if self._pose_rate is None:
+            self._pose_rate = PoseRate(able.external_pose_rate)
+        seen = self._pose_rate.due(self.pilot.external_pose)
+        if seen is not None:
+            self._drone.send_pose(seen)
 
     def _decide(self, now: float, inputs: Inputs) -> Outputs:
         try:

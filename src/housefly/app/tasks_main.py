@@ -53,13 +53,13 @@ from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.client.tasks_client import tasks_socket
-from housefly.tasks.drone_state import TakeOffReadiness
 from housefly.tasks.evidence.camera_pose import camera_pose_of
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.execution.step_inbox import StepInbox
-from housefly.tasks.live_obstacles import LiveObstacles
 from housefly.tasks.rules.dry_run import event_of
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
+from housefly.tasks.service.drone_state import TakeOffReadiness
 
 _log = logging.getLogger(__name__)
 

@@ -9,16 +9,19 @@ from __future__ import annotations
 import tomllib
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
 from housefly.config.capabilities import Capabilities
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
 from housefly.geometry import stopping_distance
+from housefly.messages.steering import SetpointForm
 
 FOLDER = Path(__file__).parent / "airframes"
+folders = [FOLDER]
+"""Where airframe files lie: ours, and what a program of one's own adds before it opens a site."""
 _SOURCED = {"value", "source"}
 
 
@@ -55,6 +58,25 @@ class ResponseConstants(Section):
         " estimation.lift_wander",
     )
     yaw_lag: float = quantity(..., 0.2, 50.0, "1/s", "pole of the yaw rate response")
+    hover_brake: float = quantity(
+        0.0, 0.0, 20.0, "1/s", "how quickly its own hover stops it, on top of drag"
+    )
+    velocity_lag: float | None = quantity(
+        None, 0.2, 50.0, "1/s", "pole of the velocity response, of a drone that takes velocities"
+    )
+    stiffness: float | None = quantity(
+        None,
+        0.1,
+        400.0,
+        "1/s^2",
+        "how hard it flies to a place that is asked for, per distance; of one that takes places",
+    )
+    damping: float | None = quantity(
+        None, 0.2, 50.0, "1/s", "how hard it brakes on the way there, per speed; climb_lag upwards"
+    )
+    speed_max: float | None = quantity(
+        None, 0.1, 20.0, "m/s", "fastest flight that it makes of a velocity or a place asked for"
+    )
 
 
 class BrakeConstants(Section):
@@ -174,16 +196,35 @@ class Airframe(Section):
     sonar: SonarConstants
     link: LinkConstants
 
+    @model_validator(mode="after")
+    def _says_what_its_form_needs(self) -> Self:
+        form = self.capabilities.form
+        for constant in _NEEDED.get(form, ()):
+            if getattr(self.response, constant) is None:
+                raise ValueError(
+                    f"response.{constant} is missing; a drone that is steered by {form.value}"
+                    " needs it"
+                )
+        return self
+
+
+_NEEDED: dict[SetpointForm, tuple[str, ...]] = {
+    SetpointForm.VELOCITY: ("velocity_lag", "speed_max"),
+    SetpointForm.POSITION: ("stiffness", "damping", "speed_max"),
+}
+"""Constants of the response that the pilot needs for a form of setpoints."""
+
 
 def airframe_names() -> tuple[str, ...]:
     """Return the models that are known, by the names of their files."""
-    return tuple(sorted(path.stem for path in FOLDER.glob("*.toml")))
+    return tuple(sorted(path.stem for folder in folders for path in folder.glob("*.toml")))
 
 
 @lru_cache
 def airframe_named(model: str) -> Airframe:
     """Return the airframe of a model; raises ConfigError as ``airframe_in`` does."""
-    return airframe_in(FOLDER / f"{model}.toml")
+    files = (folder / f"{model}.toml" for folder in folders)
+    return airframe_in(next(filter(Path.is_file, files), FOLDER / f"{model}.toml"))
 
 
 def airframe_in(path: Path) -> Airframe:

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from housefly.config.section import Section, quantity
+from housefly.messages.steering import SetpointForm
 
 TIME_MAX, RATE_MAX = 3600.0, 1000.0
-
-
-class SetpointForm(Enum):
-    """What a drone can be steered by while it flies."""
-
-    TILT_AND_CLIMB = "tilt and climb"
-    VELOCITY = "velocity"
-    POSITION = "position"
-    TRAJECTORY = "trajectory"
+FLOWN_FORMS = (SetpointForm.TILT_AND_CLIMB, SetpointForm.VELOCITY, SetpointForm.POSITION)
+"""Forms of setpoints that the pilot can make."""
 
 
 class OwnManoeuvre(Enum):
@@ -87,6 +82,23 @@ class Capabilities(Section):
     )
     camera: OnboardCamera | None = Field(default=None, description="its camera; left out: none")
     silence: Silence = Field(description="what it does by itself when it hears nothing")
+
+    @model_validator(mode="after")
+    def _can_be_flown(self) -> Self:
+        if not any(form in FLOWN_FORMS for form in self.setpoints):
+            told = ", ".join(form.value for form in FLOWN_FORMS)
+            raise ValueError(f"setpoints: none that the pilot makes; allowed: one of {told}")
+        if self.form is SetpointForm.POSITION and self.external_pose_rate is None:
+            raise ValueError(
+                "setpoints: a place in the room means nothing to a drone that is not told where it"
+                " is; allowed: with external_pose_rate only"
+            )
+        return self
+
+    @property
+    def form(self) -> SetpointForm:
+        """The form of setpoints that the pilot makes for it."""
+        return next(form for form in self.setpoints if form in FLOWN_FORMS)
 
     @property
     def hovers(self) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from housefly.config.capabilities import Capabilities
-from housefly.messages import Command, KnownMotion, Telemetry, VideoFrame
+from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
 
 
 class Drone(Protocol):
@@ -39,6 +39,14 @@ class Drone(Protocol):
             command: what the drone is to do.
             motion: how it moves, by which it is brought to rest should this be the last command;
                 None says nothing new.
+        """
+        ...
+
+    def send_pose(self, seen: Sighting) -> None:
+        """Hand over where tracking saw the drone, for one that wants to know; returns at once.
+
+        Its age is from ``captured_at`` to the moment at which it leaves for the drone. What no
+        drone asked for (``capabilities.external_pose_rate``) is not sent.
         """
         ...
 

@@ -18,24 +18,32 @@ from housefly.config.capabilities import Capabilities
 from housefly.errors import WireError
 from housefly.messages import (
     Action,
+    AnySetpoint,
     Command,
     DroneFault,
     DroneStatus,
     KnownMotion,
+    Pose,
+    PositionSetpoint,
     Setpoint,
+    Sighting,
     Telemetry,
+    VelocitySetpoint,
     VideoFrame,
 )
+from housefly.messages.steering import commanded, numbers_of
 
 _MAGIC = b"HFd1"
-_COMMAND = struct.Struct("<B5d???4d")
+_COMMAND = struct.Struct("<BBd4d???4d")
 _TELEMETRY = struct.Struct("<Bdd4d3d???3d?d")
 _LINK = struct.Struct("<??d")
 _LIGHT = struct.Struct("<?")
+_POSE = struct.Struct("<9d")
 _VIDEO = struct.Struct("<?HHIdd")
 _BODY_MAX = 1_100_000
 """Longest body accepted [bytes]: a picture of the largest size (``pave.MAX_PAYLOAD``)."""
 _ACTIONS, _STATES = tuple(Action), tuple(DroneStatus)
+_FORMS: tuple[type[AnySetpoint], ...] = (Setpoint, VelocitySetpoint, PositionSetpoint)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +86,14 @@ class DriverStatus:
     capabilities: Capabilities | None = None
 
 
-DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame | LightOrder
+@dataclass(frozen=True, slots=True)
+class PoseNews:
+    """Where tracking saw the drone, for one that wants to know."""
+
+    seen: Sighting
+
+
+DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame | LightOrder | PoseNews
 
 
 def encode_driver_message(message: DriverMessage) -> bytes:
@@ -111,28 +126,28 @@ def _decoded(kind: int, body: bytes) -> DriverMessage:
 
 
 def _command_bytes(timed: TimedCommand) -> bytes:
-    setpoint, motion = timed.command.setpoint, timed.motion or KnownMotion()
+    command, motion = timed.command, timed.motion or KnownMotion()
     is_tracked = motion.forward is not None and motion.left is not None
     return _COMMAND.pack(
-        _ACTIONS.index(timed.command.action),
+        *(_ACTIONS.index(command.action), _FORMS.index(type(command.asked))),
         timed.issued_at,
-        *(setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate),
+        *numbers_of(command.asked),
         *(timed.motion is not None, is_tracked, motion.hovers),
         *(motion.forward or 0.0, motion.left or 0.0, motion.theta, motion.phi),
     )
 
 
 def _command(body: bytes) -> TimedCommand:
-    action, issued_at, *numbers = _COMMAND.unpack(body)
-    theta, phi, vz, yaw_rate, has_motion, is_tracked, hovers, *motion_numbers = numbers
+    action, form, issued_at, *numbers = _COMMAND.unpack(body)
+    first, second, third, yaw_rate, has_motion, is_tracked, hovers, *motion_numbers = numbers
     if not isfinite(issued_at):
         raise ValueError("the time is not finite")
-    setpoint = Setpoint(theta, phi, vz, yaw_rate)
+    asked = _FORMS[form](first, second, third, yaw_rate)
     forward, left, against_theta, against_phi = motion_numbers
     if not is_tracked:
         forward = left = None
     motion = KnownMotion(forward, left, against_theta, against_phi, hovers) if has_motion else None
-    return TimedCommand(Command(_ACTIONS[action], setpoint), issued_at, motion)
+    return TimedCommand(commanded(_ACTIONS[action], asked), issued_at, motion)
 
 
 def _telemetry_bytes(report: Telemetry) -> bytes:
@@ -228,12 +243,28 @@ def _light(body: bytes) -> LightOrder:
     return LightOrder(*_LIGHT.unpack(body))
 
 
+def _pose_bytes(news: PoseNews) -> bytes:
+    seen = news.seen
+    numbers = seen.captured_at, seen.received_at, *seen.pose.position, *seen.pose.orientation
+    return _POSE.pack(*numbers) + seen.body.encode()
+
+
+def _pose(body: bytes) -> PoseNews:
+    captured_at, received_at, x, y, z, *orientation = numbers = _POSE.unpack_from(body)
+    if not all(map(isfinite, numbers)):
+        raise ValueError("a number is not finite")
+    qw, qx, qy, qz = orientation
+    pose = Pose((x, y, z), (qw, qx, qy, qz))
+    return PoseNews(Sighting(body[_POSE.size :].decode(), pose, captured_at, received_at))
+
+
 _KINDS: tuple[type[DriverMessage], ...] = (
     TimedCommand,
     Telemetry,
     DriverStatus,
     VideoFrame,
     LightOrder,
+    PoseNews,
 )
 _ENCODE: tuple[Callable[..., bytes], ...] = (
     _command_bytes,
@@ -241,6 +272,7 @@ _ENCODE: tuple[Callable[..., bytes], ...] = (
     _status_bytes,
     _video_bytes,
     _light_bytes,
+    _pose_bytes,
 )
 _DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (
     _command,
@@ -248,4 +280,5 @@ _DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (
     _status,
     _video,
     _light,
+    _pose,
 )

@@ -13,16 +13,19 @@ from enum import Enum
 from math import isfinite
 
 from housefly.config.airframe import Airframe
-from housefly.drones.brake import (
-    ON_FLOOR,
-    SINK_TIME_MAX,
-    AttitudeSpeed,
-    braking_setpoint,
-    sinking_setpoint,
+from housefly.drones.brake import ON_FLOOR, SINK_TIME_MAX, AttitudeSpeed
+from housefly.drones.standstill import standstill_of
+from housefly.messages import (
+    LEVEL,
+    Action,
+    AnySetpoint,
+    Command,
+    DroneStatus,
+    KnownMotion,
+    Telemetry,
 )
-from housefly.messages import LEVEL, Action, Command, DroneStatus, KnownMotion, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
-from housefly.messages.steering import Instruction
+from housefly.messages.steering import Instruction, flying, numbers_of
 
 HOVER_AFTER = 0.25
 """Silence of the pilot after which a flying drone brakes and hovers [s]."""
@@ -70,6 +73,8 @@ class Failsafe:
         self._braking_since: float | None = None
         self._sinking_since: float | None = None
         self._speed = AttitudeSpeed(airframe)
+        self._forms = frozenset(airframe.capabilities.setpoints)
+        self._standstill = standstill_of(airframe.capabilities.form, self._speed)
 
     def update(
         self,
@@ -81,8 +86,8 @@ class Failsafe:
         """Put a command in force; return whether its action differs from the one before.
 
         A command older than the one in force is ignored, and so is one that moves the drone and
-        comes later than ``HOVER_AFTER``, and a setpoint that is not numbers: to the watchdog a
-        pilot that sends nothing else is silent.
+        comes later than ``HOVER_AFTER``, and a setpoint that is not numbers or of a form that the
+        drone does not take: to the watchdog a pilot that sends nothing else is silent.
 
         Args:
             command: of the pilot.
@@ -92,10 +97,12 @@ class Failsafe:
         """
         at_time = now if issued_at is None else min(issued_at, now)
         is_late = now - at_time > HOVER_AFTER and command.action in _MOVES
-        if at_time < self._commanded_at or is_late or not _is_in_numbers(command):
+        if at_time < self._commanded_at or is_late or not self._can_be_flown(command):
             return False
         self._commanded_at = at_time
         self._is_gone = False
+        if command.action is Action.FLY:
+            self._standstill.ask(command.asked)
         self._speed.ask(command.setpoint if command.action is Action.FLY else LEVEL)
         if motion is not None:
             self._speed.know(motion, at_time)
@@ -105,6 +112,12 @@ class Failsafe:
             self._order, self._ordered_at = self._order + 1, now
             self._has_taken_off = False
         return changed
+
+    def _can_be_flown(self, command: Command) -> bool:
+        """Return whether a command can be flown; only to fly needs a setpoint."""
+        if command.action is not Action.FLY:
+            return True
+        return command.form in self._forms and all(map(isfinite, numbers_of(command.asked)))
 
     def abandon(self) -> None:
         """Note that the pilot is gone: its silence need not be waited for."""
@@ -158,9 +171,8 @@ class Failsafe:
         is_long = now - self._sinking_since > SINK_TIME_MAX
         if is_long or (is_low and now - self._sinking_since > 1.0):
             return Command(Action.LAND)
-        setpoint = sinking_setpoint(now, report, self._speed, self.tilt_max)
-        self._speed.ask(setpoint)
-        return Command(Action.FLY, setpoint)
+        setpoint = self._standstill.sinking(now, now - self._sinking_since, report, self.tilt_max)
+        return Command(Action.LAND) if setpoint is None else self._flown(setpoint)
 
     def _brake(self, now: float, report: Telemetry) -> Command:
         """Lean against the drone's own speed; once at rest, leave the rest of the silence to it."""
@@ -168,12 +180,16 @@ class Failsafe:
             self._braking_since = now
         setpoint = None
         if now - self._braking_since <= self._speed.brake.time_max:
-            setpoint = braking_setpoint(now, report, self._speed, self.tilt_max)
+            setpoint = self._standstill.braking(now, report, self.tilt_max)
         if setpoint is None:
             self._braking_since = float("-inf")
             return Command(Action.HOVER)
-        self._speed.ask(setpoint)
-        return Command(Action.FLY, setpoint)
+        return self._flown(setpoint)
+
+    def _flown(self, setpoint: AnySetpoint) -> Command:
+        command = flying(setpoint)
+        self._speed.ask(command.setpoint)
+        return command
 
     def _is_silent(self, now: float) -> bool:
         return self._watched and (self._is_gone or now - self._commanded_at > HOVER_AFTER)
@@ -223,14 +239,3 @@ class Failsafe:
             and not self._has_taken_off
         )
         return Action.TAKE_OFF if may_begin else Action.IDLE
-
-
-def _is_in_numbers(command: Command) -> bool:
-    """Return whether a command can be flown; only to fly needs a setpoint."""
-    asked = command.setpoint
-    return command.action is not Action.FLY or (
-        isfinite(asked.theta)
-        and isfinite(asked.phi)
-        and isfinite(asked.vz)
-        and isfinite(asked.yaw_rate)
-    )

@@ -18,11 +18,12 @@ from housefly.drones.driver_messages import (
     DriverStatus,
     LightOrder,
     MessageReader,
+    PoseNews,
     TimedCommand,
     encode_driver_message,
 )
 from housefly.errors import LinkError, WireError
-from housefly.messages import Command, KnownMotion, Telemetry, VideoFrame
+from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
 from housefly.messages.sensing import REPORT_AGE_MAX
 
 _CONNECT_TIMEOUT = 5.0
@@ -79,6 +80,10 @@ class RemoteDrone(asyncio.Protocol):
     def send(self, command: Command, motion: KnownMotion | None = None) -> None:
         """Hand over the command in force from now on, and how the drone moves; returns at once."""
         self._write(TimedCommand(command, self._clock.now(), motion))
+
+    def send_pose(self, seen: Sighting) -> None:
+        """Hand over where tracking saw the drone; returns at once."""
+        self._write(PoseNews(seen))
 
     @property
     def capabilities(self) -> Capabilities | None:
@@ -155,7 +160,7 @@ class RemoteDrone(asyncio.Protocol):
                     for handler in self._handlers:
                         handler(message)
 
-    def _write(self, message: TimedCommand | LightOrder) -> None:
+    def _write(self, message: TimedCommand | LightOrder | PoseNews) -> None:
         link = self._transport
         if link is not None and link.get_write_buffer_size() <= _BACKLOG_MAX:
             link.write(encode_driver_message(message))

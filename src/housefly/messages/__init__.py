@@ -41,6 +41,7 @@ from housefly.messages.sensing import (
 from housefly.messages.steering import (
     LEVEL,
     Action,
+    AnySetpoint,
     Behavior,
     Clearing,
     Command,
@@ -48,10 +49,13 @@ from housefly.messages.steering import (
     Path,
     PlanAnswer,
     PlannedTrajectory,
+    PositionSetpoint,
     Reference,
     SafetyMode,
     Setpoint,
+    SetpointForm,
     TrajectoryPoint,
+    VelocitySetpoint,
 )
 from housefly.messages.world import (
     Covariance,
@@ -65,6 +69,7 @@ from housefly.messages.world import (
 __all__ = [
     "LEVEL",
     "Action",
+    "AnySetpoint",
     "Behavior",
     "Clearing",
     "Command",
@@ -95,6 +100,7 @@ __all__ = [
     "PlanAnswer",
     "PlannedTrajectory",
     "Pose",
+    "PositionSetpoint",
     "PreflightCheck",
     "RecordingNews",
     "Reference",
@@ -103,11 +109,13 @@ __all__ = [
     "Scan",
     "SensorReport",
     "Setpoint",
+    "SetpointForm",
     "Severity",
     "SightNews",
     "Sighting",
     "Telemetry",
     "TrackedFrame",
     "TrajectoryPoint",
+    "VelocitySetpoint",
     "VideoFrame",
 ]

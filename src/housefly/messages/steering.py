@@ -85,9 +85,18 @@ class Reference:
     yaw: float
 
 
+class SetpointForm(Enum):
+    """What a drone can be steered by while it flies."""
+
+    TILT_AND_CLIMB = "tilt and climb"
+    VELOCITY = "velocity"
+    POSITION = "position"
+    TRAJECTORY = "trajectory"
+
+
 @dataclass(frozen=True, slots=True)
 class Setpoint:
-    """What control asks of the drone's inner loops.
+    """What control asks of the inner loops of a drone that takes tilt and climb.
 
     Attributes:
         theta: wanted pitch [rad], positive accelerates forward.
@@ -102,6 +111,38 @@ class Setpoint:
     yaw_rate: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class VelocitySetpoint:
+    """What control asks of a drone that flies velocities by itself.
+
+    Attributes:
+        forward, left: wanted velocity along the axes of the level drone [m/s].
+        vz: wanted climb rate [m/s].
+        yaw_rate: wanted yaw rate [rad/s], positive counter-clockwise.
+    """
+
+    forward: float = 0.0
+    left: float = 0.0
+    vz: float = 0.0
+    yaw_rate: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PositionSetpoint:
+    """What control asks of a drone that flies to a place by itself, told where it is.
+
+    Attributes:
+        x, y, z: wanted place in the world [m].
+        yaw_rate: wanted yaw rate [rad/s], positive counter-clockwise.
+    """
+
+    x: float
+    y: float
+    z: float
+    yaw_rate: float = 0.0
+
+
+AnySetpoint = Setpoint | VelocitySetpoint | PositionSetpoint
 LEVEL = Setpoint()
 
 
@@ -136,13 +177,69 @@ class KnownMotion:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
+    """One order to the drone driver; what is asked counts only for ``Action.FLY``.
 
     HOVER asks for the drone's own hover; FLY with LEVEL means level attitude, which drifts.
+
+    Attributes:
+        action: what kind of order it is.
+        setpoint: by tilt and climb, unless one of the others is given.
+        velocity, position: what is asked in its place of a drone of that form, or None.
     """
 
     action: Action
     setpoint: Setpoint = LEVEL
+    velocity: VelocitySetpoint | None = None
+    position: PositionSetpoint | None = None
+
+    @property
+    def asked(self) -> AnySetpoint:
+        """The setpoint in whichever form it is."""
+        return self.velocity or self.position or self.setpoint
+
+    @property
+    def form(self) -> SetpointForm:
+        """Which form that is."""
+        return form_of(self.asked)
+
+
+_FORMS: dict[type[AnySetpoint], SetpointForm] = {
+    Setpoint: SetpointForm.TILT_AND_CLIMB,
+    VelocitySetpoint: SetpointForm.VELOCITY,
+    PositionSetpoint: SetpointForm.POSITION,
+}
+
+
+def form_of(asked: AnySetpoint) -> SetpointForm:
+    """Return the form of a setpoint."""
+    return _FORMS[type(asked)]
+
+
+def numbers_of(asked: AnySetpoint) -> tuple[float, float, float, float]:
+    """Return the four numbers of a setpoint, in the order of its fields."""
+    match asked:
+        case VelocitySetpoint(forward, left, vz, yaw_rate):
+            return forward, left, vz, yaw_rate
+        case PositionSetpoint(x, y, z, yaw_rate):
+            return x, y, z, yaw_rate
+        case Setpoint(theta, phi, vz, yaw_rate):
+            return theta, phi, vz, yaw_rate
+
+
+def commanded(action: Action, asked: AnySetpoint) -> Command:
+    """Return the command of an action with a setpoint of any form."""
+    match asked:
+        case VelocitySetpoint():
+            return Command(action, velocity=asked)
+        case PositionSetpoint():
+            return Command(action, position=asked)
+        case Setpoint():
+            return Command(action, asked)
+
+
+def flying(asked: AnySetpoint) -> Command:
+    """Return the command that flies a setpoint of any form."""
+    return commanded(Action.FLY, asked)
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from housefly.messages.sensing import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.behavior.mission import longest_silence
 from housefly.pilot.behavior.mission_manager import MissionManager
 from housefly.pilot.contracts import Maneuver, PilotSettings
+from housefly.pilot.control.forms import FormCode, FormModel
 from housefly.pilot.navigator import RoomNavigator
 from housefly.pilot.pilot import Pilot
 from housefly.pilot.safety.gate import Gate
@@ -48,6 +49,9 @@ def make_pilot(
     """
     is_paper = site.mode == "paper"
     params = pilot_parameters(is_paper, site.drone, site.control, site.limits, site.estimation)
+    ceiling = min(site.limits.height_max + CEILING_SLACK, room.height - CEILING_CLEARANCE)
+    fence = Geofence(extent_of(grid), ceiling)
+    params = params._replace(form=fenced(params.form, fence))
     settings = PilotSettings(
         parameters=params,
         airframe=site.drone.airframe,
@@ -55,6 +59,7 @@ def make_pilot(
         home=room.home,
         flight_height=site.map.flight_height,
         facing_tolerance=site.control.epsilon_yaw,
+        drag=site.drone.drag,
         odometry_error=site.odometry_error,
         guarded=guarded,
         sinks_to=site.limits.landing_height - site.limits.landing_lead,
@@ -69,11 +74,19 @@ def make_pilot(
     missions = MissionManager(
         site.limits, navigator, site.drone.airframe, params.tolerances.position, is_paper, frames
     )
-    ceiling = min(site.limits.height_max + CEILING_SLACK, room.height - CEILING_CLEARANCE)
-    fence = Geofence(extent_of(grid), ceiling)
     rules = SAFETY_RULES if guarded else ORDER_RULES
     gate = Gate(site.limits, fence, site.drone.airframe, rules)
     return Pilot(settings, navigator, missions, gate, maneuver)
+
+
+def fenced(form: FormModel, fence: Geofence) -> FormModel:
+    """Return a form of which no place outside the fence is asked; of a tilt there is none."""
+    if form.form != FormCode.POSITION:
+        return form
+    x_min, y_min, x_max, y_max = map(float, fence.bounds)
+    return form._replace(
+        x_min=x_min, y_min=y_min, x_max=x_max, y_max=y_max, z_max=float(fence.ceiling)
+    )
 
 
 _WARM_UP_TICKS = 200

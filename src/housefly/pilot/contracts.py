@@ -38,6 +38,7 @@ class PilotSettings:
         home: the pad [m].
         flight_height: z_ref [m].
         facing_tolerance: the heading is the wanted one when nearer than this [rad].
+        drag: of the air on the drone, over its mass [1/s].
         odometry_error: share of a way by which the drone's own odometry may misjudge it.
         guarded: tracking is held against what the drone feels; without it only in negative
             controls.
@@ -53,6 +54,7 @@ class PilotSettings:
     home: Vec2
     flight_height: float
     facing_tolerance: float
+    drag: float
     odometry_error: float = TWIN_ODOMETRY_ERROR
     guarded: bool = True
     sinks_to: float = LAST_HEIGHT

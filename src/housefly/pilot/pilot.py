@@ -110,7 +110,7 @@ class Pilot:
         self._profile: PathProfile = NO_PATH
         self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
-        self._reported, self._sent = ReportedStatus(), Command(Action.IDLE)
+        self._reported, self._sent, self._climb = ReportedStatus(), Command(Action.IDLE), 0.0
         self._now = -inf
         self._refused: set[Words] = set()
         self._vehicle: VehicleStatus | None = None
@@ -126,6 +126,7 @@ class Pilot:
         self._held = False
         self._reckoned_height: ReckonedHeight | None = None
         self._motion: KnownMotion | None = None
+        self._seen: Sighting | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -149,6 +150,11 @@ class Pilot:
     def known_motion(self) -> KnownMotion | None:
         """How the drone moves, as of the last step, should this pilot fall silent; or None."""
         return self._motion
+
+    @property
+    def external_pose(self) -> Sighting | None:
+        """Where tracking saw the drone last, for one that wants to be told; None if in doubt."""
+        return self._seen
 
     @property
     def origin_confirmed(self) -> bool:
@@ -226,6 +232,7 @@ class Pilot:
             settings.body,
             now,
             settings.airframe.sonar,
+            drag=settings.drag,
             odometry_error=settings.odometry_error,
             trusting=not settings.guarded,
         )
@@ -295,7 +302,7 @@ class Pilot:
         (x, y, z), gains, told = reckoned.position, self._params.gains, self._telemetry
         height = self._reckoned_height = (before or ReckonedHeight(now, z)).advanced(
             now,
-            self._sent.setpoint.vz,
+            self._climb,
             gains.climb_lag,
             gains.sink_gain,
             told.height + self._gate.standing_height if told else nan,
@@ -341,8 +348,10 @@ class Pilot:
         self._target = output.target if guidance.active else None
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         action = Action.FLY if blind else self._action(output, guidance)
-        verdict = released(action, output.command, assessment)
+        verdict = released(action, output.command, assessment, output.formed)
+        self._climb = output.command.vz if verdict.command.action is Action.FLY else 0.0
         self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
+        self._seen = self._estimator.accepted if assessment.knows_place else None
         is_off = assessment.held or assessment.waits
         self._held = is_off or not is_flown_in(self._stepped.gate)
         self._maneuvering, self._height = override.active and not blind, output.target.z
@@ -528,7 +537,7 @@ class Pilot:
             reference=self._reference() if is_tracking and not self._params.is_paper else None,
             flight_height=self._height,
             height_follows=self._in_space,
-            flown=self._sent.setpoint if self._is_flown else None,
+            flown=self._sent.asked if self._is_flown else None,
             telemetry=vehicle.telemetry,
             consistency=vehicle.consistency,
             late=late,

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from housefly.config.control import ControlConfig
 from housefly.config.drone import DroneConfig
 from housefly.config.estimation import ONLY_LEVEL_PUSHES, EstimationConfig
 from housefly.config.limits import LimitsConfig
+from housefly.errors import ConfigError
+from housefly.messages.steering import SetpointForm
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES, Tolerances
+from housefly.pilot.control.forms import TILTS, FormCode, FormModel
 from housefly.pilot.control.steering import Gains
 from housefly.pilot.estimation.climb_axis import ClimbModel
 from housefly.pilot.estimation.estimator import axis_model
@@ -15,6 +20,7 @@ from housefly.pilot.estimation.estimator_state import (
     EstimatorParameters,
 )
 from housefly.pilot.safety.limits import CommandLimits
+from housefly.pilot.safety.motion_rules import speed_bound
 from housefly.pilot.step import PilotParameters
 
 
@@ -27,7 +33,17 @@ def pilot_parameters(
 ) -> PilotParameters:
     """Return the parameters of a mode, a drone, its control, its limits and its estimation; mode
     paper has none of the last.
+
+    Raises:
+        ConfigError: mode paper, and a drone that is not steered by tilt.
     """
+    form = drone.airframe.capabilities.form
+    if is_paper and form is not SetpointForm.TILT_AND_CLIMB:
+        raise ConfigError(
+            "mode",
+            f"is 'paper', which steers by tilt and climb; the drone ({drone.kind}) takes"
+            f" {form.value}",
+        )
     estimation = ONLY_LEVEL_PUSHES if is_paper else estimation
     return PilotParameters(
         is_paper=is_paper,
@@ -40,7 +56,41 @@ def pilot_parameters(
             yaw_rate_max=limits.yaw_rate_max,
         ),
         speed=limits.speed,
+        form=form_model(drone, limits),
     )
+
+
+def form_model(drone: DroneConfig, limits: LimitsConfig) -> FormModel:
+    """Return how a drone answers the form of setpoints that is made for it."""
+    response, form = drone.airframe.response, drone.airframe.capabilities.form
+    if form is SetpointForm.TILT_AND_CLIMB:
+        return TILTS
+    return FormModel(
+        form=int(FORM_CODES[form]),
+        gain=drone.attitude_gain,
+        pull=_pull(drone),
+        stiffness=response.stiffness or 1.0,
+        climb_pull=drone.climb_lag,
+        speed_max=min(speed_bound(limits), response.speed_max or inf),
+    )
+
+
+FORM_CODES = {
+    SetpointForm.TILT_AND_CLIMB: FormCode.TILT_AND_CLIMB,
+    SetpointForm.VELOCITY: FormCode.VELOCITY,
+    SetpointForm.POSITION: FormCode.POSITION,
+}
+
+
+def _pull(drone: DroneConfig) -> float:
+    """Return what brings a drone to rest to which nothing is asked [1/s]: ``control.forms``."""
+    response = drone.airframe.response
+    pulls = {
+        SetpointForm.VELOCITY: response.velocity_lag,
+        SetpointForm.POSITION: response.damping,
+    }
+    pull = pulls.get(drone.airframe.capabilities.form)
+    return drone.drag if pull is None else pull
 
 
 def estimator_parameters(
@@ -57,10 +107,10 @@ def estimator_parameters(
         model=axis_model(
             drone.attitude_lag,
             drone.attitude_gain,
-            drone.drag,
+            _pull(drone),
             noise,
             estimation.disturbance_wander,
-        ),
+        )._replace(hover_drag=drone.drag + drone.airframe.response.hover_brake),
         delay=_delay(drone, estimation),
         acceleration_noise=noise,
         position_noise=control.position_noise,
@@ -91,7 +141,7 @@ def gains_of(
         climb_max=limits.vertical_speed_max,
         turn_max=limits.yaw_rate_max,
         gain=drone.attitude_gain,
-        drag=drone.drag,
+        drag=_pull(drone),
         delay=_delay(drone, estimation),
         wraps=True,
         lag=drone.attitude_lag,

@@ -45,6 +45,15 @@ from housefly.pilot.behavior.yaw_reference import (
     yaw_reference_advanced,
 )
 from housefly.pilot.control.feed_forward import feed_forward_reference, tilt_lead
+from housefly.pilot.control.forms import (
+    NOT_FORMED,
+    TILTS,
+    FormCode,
+    FormedCommand,
+    FormModel,
+    position_command,
+    velocity_command,
+)
 from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
     AT_REST,
@@ -78,6 +87,7 @@ class PilotParameters(NamedTuple):
         gains: of the control laws.
         limits: of the last gate.
         speed: wanted along a path [m/s].
+        form: how the drone is steered.
     """
 
     is_paper: bool
@@ -86,6 +96,7 @@ class PilotParameters(NamedTuple):
     gains: Gains
     limits: CommandLimits
     speed: float
+    form: FormModel = TILTS
 
 
 class StepState(NamedTuple):
@@ -148,12 +159,14 @@ class StepOutput(NamedTuple):
         asked: by control.
         flying: control flies the drone; else it leaves it to its own hover.
         command: what leaves the gate.
+        formed: the same as a drone is asked for it that is not steered by tilt.
     """
 
     target: TrajectorySetpoint
     asked: ControlOutput
     flying: bool
     command: GatedCommand
+    formed: FormedCommand
 
 
 class StepReport(NamedTuple):
@@ -250,7 +263,20 @@ def step_commanded(
         flying = True
     command = gated(asked, flying, mode, airborne, params.limits)
     heading = here.yaw + lead * command.yaw_rate
-    ux, uy = acceleration(command.theta, command.phi, heading)
+    formed = NOT_FORMED
+    if params.form.form == FormCode.TILT_AND_CLIMB.value:
+        ux, uy = acceleration(command.theta, command.phi, heading)
+    else:
+        formed = _formed(command, asked, estimator, history, params, here, heading, now)
+        command = GatedCommand(
+            mode=command.mode,
+            flown=formed.flown,
+            theta=0.0,
+            phi=0.0,
+            vz=command.vz,
+            yaw_rate=command.yaw_rate,
+        )
+        ux, uy = formed.ux, formed.uy
     estimator = estimator_commanded(
         estimator, history, params.estimator, ux, uy, command.flown, command.vz
     )
@@ -261,7 +287,33 @@ def step_commanded(
         gate=command.mode,
         scale=state.scale,
     )
-    return state, estimator, StepOutput(target, asked, flying, command)
+    return state, estimator, StepOutput(target, asked, flying, command, formed)
+
+
+@compiled
+def _formed(
+    command: GatedCommand,
+    asked: ControlOutput,
+    estimator: EstimatorState,
+    history: CommandHistory,
+    params: PilotParameters,
+    here: PoseEstimate,
+    heading: float,
+    now: float,
+) -> FormedCommand:
+    """Return what left the gate as a drone is asked for it that is not steered by tilt.
+
+    A place is asked only of a drone that was seen, and nothing of one that is not flown.
+    """
+    is_place = params.form.form == FormCode.POSITION.value
+    if not command.flown or (is_place and not estimator.gate.initialized):
+        return NOT_FORMED
+    is_asked = isfinite(asked.ax) and isfinite(asked.ay)
+    ax, ay = (asked.ax, asked.ay) if is_asked else (0.0, 0.0)
+    if is_place:
+        ahead = control_state(estimator, history, params.estimator, here, now)
+        return position_command(ax, ay, command.vz, ahead, params.form)
+    return velocity_command(ax, ay, heading, params.form)
 
 
 @compiled_with_arrays

@@ -22,6 +22,7 @@ from housefly.messages import (
     Setpoint,
     Severity,
     Telemetry,
+    VelocitySetpoint,
     VideoFrame,
 )
 from housefly.room.grid import Cell, OccupancyGrid
@@ -74,13 +75,17 @@ def odometry(estimate: Estimate) -> Any:
     )
 
 
-def velocity_command(at: float, setpoint: Setpoint) -> Any:
+def velocity_command(at: float, setpoint: Setpoint | VelocitySetpoint) -> Any:
     """Return geometry_msgs/TwistStamped of a setpoint.
 
-    The drone takes angles, not speeds: linear.x is theta [rad] (positive forward), linear.y is -phi
-    [rad] (positive left), linear.z the climb rate [m/s], angular.z the yaw rate [rad/s].
+    Where the drone takes angles, not speeds, linear.x is theta [rad] (positive forward), linear.y
+    is -phi [rad] (positive left); linear.z is the climb rate [m/s], angular.z the yaw rate [rad/s].
     """
-    twist = _twist((setpoint.theta, -setpoint.phi, setpoint.vz), (0.0, 0.0, setpoint.yaw_rate))
+    if isinstance(setpoint, VelocitySetpoint):
+        ahead, left = setpoint.forward, setpoint.left
+    else:
+        ahead, left = setpoint.theta, -setpoint.phi
+    twist = _twist((ahead, left, setpoint.vz), (0.0, 0.0, setpoint.yaw_rate))
     return _new("geometry_msgs/msg/TwistStamped", _header(at, _DRONE_FRAME), twist)
 
 

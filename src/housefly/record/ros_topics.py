@@ -6,7 +6,14 @@ import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from housefly.messages import Path, PilotStep, Telemetry
+from housefly.messages import (
+    AnySetpoint,
+    Path,
+    PilotStep,
+    Pose,
+    PositionSetpoint,
+    Telemetry,
+)
 from housefly.record import ros_messages
 
 
@@ -38,7 +45,7 @@ class StepTopics:
             yield Sample(f"/sighting/{_topic_part(sighting.body)}", now, stamped)
         if outputs.estimate is not None:
             yield Sample("/odom", now, ros_messages.odometry(outputs.estimate))
-        yield Sample("/cmd_vel", now, ros_messages.velocity_command(now, outputs.command.setpoint))
+        yield ros_command(now, outputs.command.asked)
         if telemetry is not None and (
             self._telemetry is None or telemetry.battery != self._telemetry.battery
         ):
@@ -51,6 +58,15 @@ class StepTopics:
             )
         for event in outputs.events:
             yield Sample("/events", now, ros_messages.log_message(event))
+
+
+def ros_command(now: float, asked: AnySetpoint) -> Sample:
+    """Return what is asked of the drone at a time [s], on the topic of its form."""
+    if isinstance(asked, PositionSetpoint):
+        return Sample(
+            "/cmd_pose", now, ros_messages.pose_stamped(now, Pose((asked.x, asked.y, asked.z)))
+        )
+    return Sample("/cmd_vel", now, ros_messages.velocity_command(now, asked))
 
 
 def _topic_part(name: str) -> str:

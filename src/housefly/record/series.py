@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot, nan
 
 import numpy as np
 from numpy.typing import NDArray
 
 from housefly.messages import (
+    Action,
     Behavior,
     DroneStatus,
     Event,
@@ -20,6 +21,7 @@ from housefly.messages import (
     SafetyMode,
     TrajectoryPoint,
 )
+from housefly.messages.steering import SetpointForm, numbers_of
 from housefly.numeric import FloatArray
 
 IntArray = NDArray[np.int64]
@@ -42,7 +44,8 @@ class FlightSeries:
     Attributes:
         time: of each step [s], shape (n,).
         estimate, reference: x, y, z [m] and yaw [rad], shape (n, 4).
-        setpoint: theta, phi [rad], climb rate [m/s], yaw rate [rad/s], shape (n, 4).
+        setpoint: its numbers in the order of its fields, shape (n, 4).
+        form: of the setpoints.
         phase, behavior, safety: states, shape (n,).
         status: the drone's own state, shape (n,).
         battery: charge 0 to 1, shape (n,).
@@ -82,6 +85,7 @@ class FlightSeries:
     missing_steps: int
     speed: FloatArray
     position_std: FloatArray
+    form: SetpointForm = SetpointForm.TILT_AND_CLIMB
 
     def during(self, *phases: Phase) -> NDArray[np.bool_]:
         """Return which steps are in one of the phases, shape (n,)."""
@@ -103,7 +107,7 @@ def collect(
     paths: list[Path] = []
     events: list[Event] = []
     goals: list[str] = []
-    missing, last = 0, None
+    missing, last, form = 0, None, SetpointForm.TILT_AND_CLIMB
     for index, step in enumerate(steps):
         if last is not None:
             missing += max(0, step.sequence - last - 1)
@@ -116,19 +120,21 @@ def collect(
                 seen.append((index, sighting.captured_at, *sighting.pose.position))
         events.extend(step.outputs.events)
         goals.append(step.outputs.goal_name)
+        if step.outputs.command.action is Action.FLY:
+            form = step.outputs.command.form
     in_space = {tuple(point.position[:2] for point in one.points): one.points for one in planned}
     known = tuple(in_space.get(path.waypoints, ()) for path in paths)
-    return _series(rows, seen, paths, known, events, goals, missing)
+    return replace(_series(rows, seen, paths, known, events, goals, missing), form=form)
 
 
 def _row(step: PilotStep, path: int) -> tuple[float, ...]:
     outputs, telemetry = step.outputs, step.inputs.telemetry
-    estimate, reference, setpoint = outputs.estimate, outputs.reference, outputs.command.setpoint
+    estimate, reference = outputs.estimate, outputs.reference
     return (
         step.now,
         *((*estimate.position, estimate.yaw) if estimate else (*_NOWHERE, nan)),
         *((*reference.position, reference.yaw) if reference else (*_NOWHERE, nan)),
-        *(setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate),
+        *numbers_of(outputs.command.asked),
         PHASES.index(outputs.phase),
         BEHAVIORS.index(outputs.behavior),
         SAFETY_MODES.index(outputs.safety),

@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from housefly.config.limits import LimitsConfig
 from housefly.config.site import Site
-from housefly.messages import SafetyMode
+from housefly.messages import SafetyMode, SetpointForm
 from housefly.numeric import FloatArray
 from housefly.record import svg
 from housefly.record.series import (
@@ -67,22 +68,31 @@ def position_svg(flight: FlightSeries) -> str:
 
 def commands_svg(flight: FlightSeries, site: Site) -> str:
     """Return the setpoints between their limits."""
-    limits = site.limits
-    strips = (
-        ("pitch \u03b8 [rad], forward is positive", limits.tilt_max),
-        ("roll \u03c6 [rad], right is positive", limits.tilt_max),
-        ("climb rate [m/s]", limits.vertical_speed_max),
-        ("yaw rate [rad/s], counter-clockwise is positive", limits.yaw_rate_max),
-    )
+    strips = _strips_of(flight.form, site.limits)
     with svg.drawing("commands"):
         figure, rows = _strips(flight, 4)
         for column, (axes, (name, limit)) in enumerate(zip(rows, strips, strict=True)):
             axes.set_title(name)
             axes.plot(_elapsed(flight), flight.setpoint[:, column], color=svg.ACCENT, linewidth=1.0)
+            if limit is None:
+                continue
             for bound in (-limit, limit):
                 axes.axhline(bound, color=svg.WARN, linewidth=1.0, linestyle=(0, (1, 2)))
             axes.set_ylim(-1.25 * limit, 1.25 * limit)
         return svg.to_svg(figure, "Commands over time, between their limits")
+
+
+def _strips_of(form: SetpointForm, limits: LimitsConfig) -> tuple[tuple[str, float | None], ...]:
+    """Return what each number of a setpoint is, and its limit where it has one."""
+    climb = ("climb rate [m/s]", limits.vertical_speed_max)
+    turn = ("yaw rate [rad/s], counter-clockwise is positive", limits.yaw_rate_max)
+    strips: dict[SetpointForm, tuple[tuple[str, float | None], ...]] = {
+        SetpointForm.VELOCITY: (("forward [m/s]", None), ("left [m/s]", None), climb, turn),
+        SetpointForm.POSITION: (("x [m]", None), ("y [m]", None), ("z [m]", None), turn),
+    }
+    tilt = limits.tilt_max
+    leaning = ("pitch \u03b8 [rad], forward is positive", tilt)
+    return strips.get(form, (leaning, ("roll \u03c6 [rad], right is positive", tilt), climb, turn))
 
 
 def states_svg(flight: FlightSeries) -> str:

@@ -12,7 +12,7 @@ from enum import Enum
 from typing import Protocol
 
 from housefly.geometry import Vec3
-from housefly.messages import Pose
+from housefly.messages import AnySetpoint, Pose
 from housefly.wires.ardrone.conversions import Stick
 
 AWAY_Z = -30.0
@@ -166,6 +166,14 @@ class TwinWorld(Protocol):
 
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""
+        ...
+
+    def steer(self, asked: AnySetpoint) -> None:
+        """Pass on a setpoint to a drone that takes no sticks; late as ``set_stick``."""
+        ...
+
+    def tell_pose(self, pose: Pose, captured_at: float) -> None:
+        """Tell the drone where it was at a time [s]; late as ``set_stick``."""
         ...
 
     def keep_alive(self) -> None:

@@ -15,12 +15,12 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.errors import WireError
 from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, yaw_of
-from housefly.messages import DepthImage, Pose
+from housefly.messages import AnySetpoint, DepthImage, Pose
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
 from housefly.twin.ardrone.battery import Battery, BatteryGauge
 from housefly.twin.ardrone.body import DRONE_MASS, STANDING_HEIGHT
-from housefly.twin.ardrone.firmware import WATCHDOG_AFTER, Firmware
+from housefly.twin.ardrone.firmware import WATCHDOG_AFTER
 from housefly.twin.ardrone.leds import Leds
 from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.ardrone.onboard_sensors import OnboardSensors
@@ -50,6 +50,7 @@ from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
 from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
+from housefly.twin.setpoint_firmware import firmware_of
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, Wrench
 from housefly.twin.sonar_beam import SonarBeam
 from housefly.wires.ardrone.conversions import Stick
@@ -90,7 +91,7 @@ class SimulatedWorld:
             movables,
         )
         self._sensors = OnboardSensors(sensing, SonarBeam(self._physics).height)
-        self._firmware, self._leds = Firmware(site.drone), Leds()
+        self._firmware, self._leds = firmware_of(site.drone), Leds()
         self._battery = Battery(site.twin.battery)
         self._gauge = BatteryGauge(self._battery)
         cameras = MocapCameras(room.cameras, self._physics.model, self._physics.data)
@@ -136,6 +137,14 @@ class SimulatedWorld:
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""
         self._delay_call(lambda: self._firmware.set_stick(stick))
+
+    def steer(self, asked: AnySetpoint) -> None:
+        """Pass on a setpoint to a drone that takes no sticks; late as ``set_stick``."""
+        self._delay_call(lambda: self._firmware.steer(asked))
+
+    def tell_pose(self, pose: Pose, captured_at: float) -> None:
+        """Tell the drone where it was at a time [s]; late as ``set_stick``."""
+        self._delay_call(lambda: self._firmware.tell_pose(pose, self._now - captured_at))
 
     def keep_alive(self) -> None:
         """Any command arrived: feed the firmware's communication watchdogs."""

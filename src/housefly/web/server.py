@@ -36,6 +36,8 @@ from housefly.config.tracking import DRONE_BODY
 from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.logins import Logins
+from housefly.web.access.page_routes import page_routes
+from housefly.web.access.reading_pace import ReadingPace
 from housefly.web.access.refused_changes import RefusedChanges
 from housefly.web.access.role_guard import RoleGuard
 from housefly.web.access.security import LOOPBACK_NAMES, HostGuard
@@ -59,12 +61,10 @@ from housefly.web.control.restart_objection import restart_objection
 from housefly.web.flights.flight_book import FlightBook
 from housefly.web.flights.flight_log_writer import FlightLogWriter
 from housefly.web.flights.flight_routes import flight_routes
-from housefly.web.http.page_routes import page_routes
-from housefly.web.http.reading_pace import ReadingPace
+from housefly.web.messages.server_messages import EventView
 from housefly.web.sockets.broadcast import Broadcast
 from housefly.web.sockets.console import Console
 from housefly.web.sockets.console_routes import console_routes
-from housefly.web.sockets.server_messages import EventView
 from housefly.web.status.console_memory import ConsoleMemory
 from housefly.web.status.state_feed import StateFeed
 from housefly.web.status.task_feed import TaskFeed

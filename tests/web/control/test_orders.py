@@ -13,7 +13,7 @@ from housefly.clock import RealClock
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.web.control.orders import ORDER_WORDS, order_in_words, order_objection, to_order
 from housefly.web.control.pilot_link import PilotLink
-from housefly.web.sockets.client_messages import OrderRequest
+from housefly.web.messages.client_messages import OrderRequest
 
 ROOM = example_room()
 

@@ -13,7 +13,6 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse
 
 from housefly.web.access.logins import WRONG
-from housefly.web.access.role import Role
 from housefly.web.http.error_pages import (
     came_from_elsewhere,
     link_used,
@@ -26,6 +25,7 @@ from housefly.web.http.error_pages import (
 )
 from housefly.web.http.page_language import PageLanguage, accepted_languages, page_language
 from housefly.web.http.page_words import PAGE_WORDS
+from housefly.web.messages.role import Role
 
 EN, JA, DE = PageLanguage.ENGLISH, PageLanguage.JAPANESE, PageLanguage.GERMAN
 PAGES: dict[str, Callable[[PageLanguage], HTMLResponse]] = {

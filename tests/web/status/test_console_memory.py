@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from housefly.messages import Severity
-from housefly.web.sockets.server_messages import EventView
+from housefly.web.messages.server_messages import EventView
 from housefly.web.status.console_memory import ConsoleMemory, KeptControl, KnownTab
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]

@@ -29,15 +29,15 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.messages.words import literal
-from housefly.web.status.console_knowledge import ConsoleKnowledge
-from housefly.web.status.verdict import console_verdict, says_the_same
-from housefly.web.status.verdict_message import (
+from housefly.web.messages.verdict_message import (
     ConsoleVerdict,
     HeadlineShape,
     Standing,
     StopProgress,
     StopView,
 )
+from housefly.web.status.console_knowledge import ConsoleKnowledge
+from housefly.web.status.verdict import console_verdict, says_the_same
 
 NOW = 100.0
 ROOM = example_room()

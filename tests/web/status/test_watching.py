@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from housefly.messages import LinkStatus, OrderKind
+from housefly.web.messages.verdict_message import HeadlineShape
 from housefly.web.status.console_knowledge import ConsoleKnowledge
 from housefly.web.status.verdict import console_verdict
-from housefly.web.status.verdict_message import HeadlineShape
 
 KNOWN = ConsoleKnowledge(
     now=100.0, link=LinkStatus(at=99.8, notes=("connected, but silent",)), has_drone=False

@@ -25,7 +25,14 @@ from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
 from housefly.drones.failsafe import Failsafe, Permit
 from housefly.errors import LinkError
-from housefly.messages import Command, DroneStatus, KnownMotion, Telemetry, VideoFrame
+from housefly.messages import (
+    Command,
+    DroneStatus,
+    KnownMotion,
+    Sighting,
+    Telemetry,
+    VideoFrame,
+)
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.config import VideoChannel
@@ -138,6 +145,9 @@ class ArDrone:
         action_changed = self._failsafe.update(command, now, issued_at, motion)
         if action_changed or now - self._sent_at >= self._config.airframe.link.interval_min:
             self._transmit(now)
+
+    def send_pose(self, seen: Sighting) -> None:
+        """It wants none."""
 
     def abandon(self) -> None:
         """Note that the pilot is gone: a flying drone brakes now and lands soon."""

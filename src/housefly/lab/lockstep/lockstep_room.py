@@ -8,25 +8,26 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import replace
 from math import inf, isfinite, nan
+from typing import Any
 
 from housefly.config.site import Site
 from housefly.drones.failsafe import Failsafe
+from housefly.drones.pose_rate import PoseRate
 from housefly.errors import ConfigError
+from housefly.lab.lockstep.lockstep_wires import lockstep_wire, onboard_limits
 from housefly.messages import (
     Command,
     DroneFault,
     DroneStatus,
     KnownMotion,
-    Setpoint,
     Sighting,
     Telemetry,
 )
+from housefly.messages.steering import commanded
 from housefly.twin.contracts import (
     FlightState,
     MocapFrame,
-    OnboardLimits,
     OnboardState,
     TwinWorld,
 )
@@ -36,10 +37,6 @@ from housefly.twin.faults.onboard_stream import not_numbers
 from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone import at
-from housefly.wires.ardrone.command_encoder import CommandEncoder
-from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
-from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
 FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
     FlightState.LANDED: DroneStatus.LANDED,
@@ -60,7 +57,7 @@ _FAULTS: tuple[tuple[DroneFault, Callable[[OnboardState], bool]], ...] = (
 )
 
 
-_Datagram = tuple[int, tuple[at.AtCommand, ...]]
+_Datagram = tuple[int, tuple[Any, ...]]
 """Sequence number and commands of what would be one datagram."""
 _COMMANDS: PacketCodec[_Datagram] = PacketCodec(
     garbled=lambda fault, datagram, number: None, repeated=lambda old, new: (new[0], old[1])
@@ -72,11 +69,10 @@ _REPORTS: PacketCodec[OnboardState] = PacketCodec(
 """Reports that stand still are written anew, with old content."""
 _Step = tuple[float, Command, KnownMotion | None]
 """When the pilot gave a command [s], the command, and how the drone moved then."""
-_NO_NUMBERS = Setpoint(nan, nan, nan, nan)
 _STEPS: PacketCodec[_Step] = PacketCodec(
     garbled=lambda fault, step, number: (
         step[0],
-        replace(step[1], setpoint=_NO_NUMBERS),
+        commanded(step[1].action, type(step[1].asked)(nan, nan, nan, nan)),
         step[2],
     ),
     repeated=lambda old, new: (new[0], *old[1:]),
@@ -107,23 +103,15 @@ class LockstepRoom:
         *,
         guarded: bool = True,
     ) -> None:
-        limits = site.limits
         self._world = world
         self.faults = FaultInjector(site) if faults is None else faults
-        world.set_limits(
-            OnboardLimits(
-                limits.tilt_max,
-                limits.full_climb,
-                limits.yaw_rate_max,
-                limits.onboard_height_max,
-                COM_WATCHDOG_TIME,
-            )
+        world.set_limits(onboard_limits(site))
+        self._failsafe = Failsafe(
+            world.now, site.limits.tilt_max, site.drone.airframe, watched=guarded
         )
-        maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
-        self._failsafe = Failsafe(world.now, limits.tilt_max, site.drone.airframe, watched=guarded)
-        self._encoder = CommandEncoder(maxima)
+        self._wire = lockstep_wire(site)
+        self._pose_rate = PoseRate(site.drone.airframe.capabilities.external_pose_rate)
         self._sent_at, self._link = world.now, site.drone.airframe.link
-        self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
         self._downlink = PacketStream(FaultComponent.TELEMETRY, _REPORTS)
         self._pilot_link = PacketStream(FaultComponent.PILOT, _STEPS)
@@ -194,6 +182,12 @@ class LockstepRoom:
         while self._steps_under_way and self._steps_under_way[0][0] <= now + _ROUNDING:
             self._hear(*self._steps_under_way.popleft()[1])
 
+    def send_pose(self, seen: Sighting | None) -> None:
+        """Hand over where tracking saw the drone, to one that wants to know."""
+        due = self._pose_rate.due(seen)
+        if due is not None:
+            self._world.tell_pose(due.pose, due.captured_at)
+
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
         action_changed = self._failsafe.update(command, self.now, issued_at, motion)
@@ -212,7 +206,7 @@ class LockstepRoom:
         self._number += 1
         report = self.telemetry()
         told = self._failsafe.decide(self.now, report)
-        commands = self._encoder.encoded(told, self.now, report)
+        commands = self._wire.encoded(told, self.now, report)
         datagram = (self._number, commands)
         self._commands_under_way.extend(self._uplink.sent(datagram, self.faults.schedule, self.now))
         self._deliver()
@@ -229,24 +223,7 @@ class LockstepRoom:
             self._heard_number = number
             self._world.keep_alive()
             for command in commands:
-                self._obey(command)
-
-    def _obey(self, command: at.AtCommand) -> None:
-        """Obey a command as the drone does; the emergency bit acts on its rising edge."""
-        match command:
-            case at.Pcmd():
-                self._world.set_stick(stick_from_pcmd(command))
-            case at.FlatTrim():
-                self._world.flat_trim()
-            case at.Ref(bits):
-                emergency = at.RefBits.EMERGENCY in bits
-                if emergency and not self._emergency_held:
-                    self._world.toggle_emergency()
-                self._emergency_held = emergency
-                if at.RefBits.TAKE_OFF in bits:
-                    self._world.request_take_off()
-                else:
-                    self._world.request_land()
+                self._wire.obey(self._world, command)
 
 
 def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Telemetry:

@@ -49,6 +49,7 @@ class PilotLoop:
         """Let the pilot decide, and hand its command to the drone."""
         outputs = self.pilot.step(self.now, inputs)
         self.room.send(outputs.command, self.pilot.known_motion)
+        self.room.send_pose(self.pilot.external_pose)
         step = PilotStep(self._sequence, self.now, inputs, outputs)
         self._sequence += 1
         return step

@@ -6,14 +6,26 @@ for what a person was told.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from math import hypot, inf, isfinite
 
 import numpy as np
 
+from housefly.config.limits import LimitsConfig
 from housefly.config.site import Site
 from housefly.geometry import Vec2, Vec3, stopping_distance
-from housefly.messages import Action, DroneStatus, Phase, PilotStep, SafetyMode, Severity
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    Phase,
+    PilotStep,
+    SafetyMode,
+    SetpointForm,
+    Severity,
+)
+from housefly.messages.steering import numbers_of
+from housefly.pilot.safety.motion_rules import speed_bound
 from housefly.record.places import distances_to_path
 from housefly.room.model import Room
 from housefly.twin.clearance import Clearance
@@ -45,6 +57,16 @@ STOOD_TIME = 20.0
 _LOOK_PERIOD = 0.05
 """How often clearances are taken [s]."""
 _COMMAND_SLACK = 1e-9
+_COMMAND_BOUNDS: dict[SetpointForm, Callable[[LimitsConfig], tuple[float, ...]]] = {
+    SetpointForm.TILT_AND_CLIMB: lambda limits: (
+        *(limits.tilt_max, limits.tilt_max, limits.full_climb, limits.yaw_rate_max),
+    ),
+    SetpointForm.VELOCITY: lambda limits: (
+        *(speed_bound(limits), speed_bound(limits), limits.full_climb, limits.yaw_rate_max),
+    ),
+    SetpointForm.POSITION: lambda limits: (inf, inf, inf, limits.yaw_rate_max),
+}
+"""Of each number of a setpoint, by its form; where a place may be, I2 watches."""
 
 
 @dataclass(slots=True)
@@ -134,11 +156,11 @@ class Oracle:
 
     def _watch_command(self, step: PilotStep) -> None:
         """I3: finite, and within the limits."""
-        limits, s = self.site.limits, step.outputs.command.setpoint
-        if not all(map(isfinite, (s.theta, s.phi, s.vz, s.yaw_rate))):
+        limits, command = self.site.limits, step.outputs.command
+        asked = numbers_of(command.asked)
+        if not all(map(isfinite, asked)):
             self._break("I3", "a command was not a number")
-        bounds = (limits.tilt_max, limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
-        asked = (s.theta, s.phi, s.vz, s.yaw_rate)
+        bounds = _COMMAND_BOUNDS[command.form](limits)
         if any(abs(a) > b + _COMMAND_SLACK for a, b in zip(asked, bounds, strict=True)):
             self._break("I3", "a command was above its limit")
         self._cut_ordered |= step.outputs.command.action is Action.CUT

@@ -55,6 +55,8 @@ class PoseEstimator:
         params: of the compiled estimator.
         body: name of the drone in the tracking system.
         now: [s].
+        sonar: of the drone.
+        drag: of the air on it, over mass [1/s].
         odometry_error: share of a way by which the drone's own odometry may misjudge it.
         trusting: what tracking says is not held against what the drone feels; for negative
             controls.
@@ -73,6 +75,7 @@ class PoseEstimator:
         now: float,
         sonar: SonarConstants,
         *,
+        drag: float,
         odometry_error: float = TWIN_ODOMETRY_ERROR,
         trusting: bool = False,
     ) -> None:
@@ -85,7 +88,7 @@ class PoseEstimator:
         self.box: CompiledBox[EstimatorState] = boxed(estimator_created(self.history, params, now))
         self.accepted: Sighting | None = None
         tolerance = OdometryTolerance(params.position_noise, odometry_error)
-        self.monitor = TrackingMonitor(tolerance, params.model.drag, sonar)
+        self.monitor = TrackingMonitor(tolerance, drag, sonar)
 
     @property
     def state(self) -> EstimatorState:

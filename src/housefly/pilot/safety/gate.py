@@ -16,9 +16,20 @@ from housefly.geometry import Vec2
 from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
-from housefly.messages.steering import Action, Clearing, Command, SafetyMode, Setpoint
+from housefly.messages.steering import (
+    Action,
+    Clearing,
+    Command,
+    PositionSetpoint,
+    SafetyMode,
+    Setpoint,
+    SetpointForm,
+    VelocitySetpoint,
+    flying,
+)
 from housefly.messages.words import UNSAID, Words, joined
 from housefly.numeric import clipped
+from housefly.pilot.control.forms import NOT_FORMED, FormedCommand
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
@@ -112,6 +123,7 @@ class GateAssessment:
         knows_place: tracking is believed.
         knows_speed: the drone's own hover is.
         missing_lean: as in ``GateInputs``, within ``tilt_max``, the largest tilt [rad].
+        form: of the setpoints that the drone is steered by.
     """
 
     mode: SafetyMode
@@ -126,6 +138,7 @@ class GateAssessment:
     knows_speed: bool = True
     missing_lean: Vec2 | None = None
     tilt_max: float = 0.0
+    form: SetpointForm = SetpointForm.TILT_AND_CLIMB
 
     @property
     def airborne(self) -> bool:
@@ -282,6 +295,7 @@ class Gate:
             knows_speed=inputs.consistency.flow_believed,
             missing_lean=inputs.missing_lean,
             tilt_max=self._limits.tilt_max,
+            form=self._airframe.capabilities.form,
         )
 
     def _means(self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool) -> Means:
@@ -368,20 +382,26 @@ def _once_it_can(why: Words, below: Words) -> Words:
     return Words("{why}, once it can: {what}", why=why, what=below)
 
 
-def released(action: Action, gated: GatedCommand, assessment: GateAssessment) -> GateVerdict:
+def released(
+    action: Action,
+    gated: GatedCommand,
+    assessment: GateAssessment,
+    formed: FormedCommand = NOT_FORMED,
+) -> GateVerdict:
     """Return the verdict on one step.
 
     Args:
         action: what the pilot wants.
         gated: the numbers that left the compiled gate.
         assessment: what the rules found in this step.
+        formed: the same as a drone is asked for it that is not steered by tilt.
     """
     mode, code, reason = assessment.mode, assessment.code, assessment.words
     motion = assessment.motion
     is_finite = gated.mode == assessment.severity
     is_ours = assessment.steered or assessment.kept or assessment.waits
     if is_ours and action is Action.FLY and is_finite and gated.flown:
-        return GateVerdict(_flown(gated, assessment), mode, code, reason, assessment.broken)
+        return GateVerdict(_flown(gated, formed, assessment), mode, code, reason, assessment.broken)
     if not (is_finite or is_ours):
         mode = motion = SafetyMode.HOLD
         code = EventCode.NOT_FINITE
@@ -390,10 +410,16 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
     broken = assessment.broken
     if allowed is not Action.FLY:
         return GateVerdict(Command(allowed), mode, code, reason, broken)
-    return GateVerdict(_flown(gated, assessment), mode, code, reason, broken)
+    return GateVerdict(_flown(gated, formed, assessment), mode, code, reason, broken)
 
 
-def _flown(gated: GatedCommand, assessment: GateAssessment) -> Command:
+def _flown(gated: GatedCommand, formed: FormedCommand, assessment: GateAssessment) -> Command:
+    """Return the command that flies the numbers in the form that the drone takes."""
+    if assessment.form is SetpointForm.VELOCITY:
+        return flying(VelocitySetpoint(formed.forward, formed.left, gated.vz, gated.yaw_rate))
+    if assessment.form is SetpointForm.POSITION:
+        place = PositionSetpoint(formed.x, formed.y, formed.z, gated.yaw_rate)
+        return flying(place) if formed.flown else Command(Action.LAND)
     theta, phi, tilt_max = gated.theta, gated.phi, assessment.tilt_max
     missing = assessment.missing_lean
     if missing is not None and all(map(isfinite, missing)):

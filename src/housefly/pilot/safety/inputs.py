@@ -9,7 +9,7 @@ from housefly.config.airframe import BrakingConstants
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneFault, DroneStatus, Telemetry
-from housefly.messages.steering import Reference, Setpoint
+from housefly.messages.steering import AnySetpoint, Reference
 from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.mission import NO_SILENCE, PeopleSilence
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -64,7 +64,7 @@ class GateInputs:
     reference: Reference | None = None
     flight_height: float = nan
     height_follows: bool = False
-    flown: Setpoint | None = None
+    flown: AnySetpoint | None = None
     telemetry: Telemetry | None = None
     consistency: TrackingConsistency = NOTHING_KNOWN
     late: float = 0.0

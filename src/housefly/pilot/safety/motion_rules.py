@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees, hypot, isfinite
 
+from housefly.config.limits import LimitsConfig
 from housefly.geometry import GRAVITY
 from housefly.messages.event_code import EventCode
 from housefly.messages.steering import Clearing, SafetyMode
@@ -98,9 +99,9 @@ def level_speed(c: RuleContext) -> float:
     return hypot(*c.now.velocity[:2]) if c.now.velocity else 0.0
 
 
-def speed_bound(c: RuleContext) -> float:
+def speed_bound(limits: LimitsConfig) -> float:
     """Return the speed in the plane that no flight of this site needs [m/s]."""
-    return max(c.limits.speed, EVASION_SPEED) + SPEED_SLACK
+    return max(limits.speed, EVASION_SPEED) + SPEED_SLACK
 
 
 def _is_stuck(c: RuleContext) -> bool:
@@ -359,12 +360,12 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="faster than it cruises and makes way, plus slack",
-        broken=lambda c: level_speed(c) > speed_bound(c),
+        broken=lambda c: level_speed(c) > speed_bound(c.limits),
         words=lambda c: held(
             Words(
                 "flies at {d} m/s (limit {m} m/s)",
                 d=figure(level_speed(c), ".1f"),
-                m=figure(speed_bound(c), ".1f"),
+                m=figure(speed_bound(c.limits), ".1f"),
             )
         ),
         after=0.2,

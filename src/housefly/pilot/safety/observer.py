@@ -9,6 +9,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import GRAVITY, Vec2
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import DroneStatus
+from housefly.messages.steering import Setpoint
 from housefly.numeric import running_sum
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget, EnergyMonitor
 from housefly.pilot.safety.inputs import GateInputs
@@ -192,7 +193,7 @@ class FlightObserver:
         return self._climbing.update(inputs.cruising and is_same, inputs.now)
 
     def _tilt(self, inputs: GateInputs, dt: float) -> None:
-        if inputs.flown is None:
+        if not isinstance(inputs.flown, Setpoint):
             self._asked = None
             return
         theta, phi = inputs.flown.theta, inputs.flown.phi

@@ -11,6 +11,7 @@ from math import acos, cos, radians
 
 from housefly.config.drone import DroneConfig
 from housefly.geometry import GRAVITY
+from housefly.messages import AnySetpoint, Pose
 from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, FORCED_LANDING_VOLTAGE, LOW_VOLTAGE
 from housefly.twin.ardrone.body import DRONE_MASS
 from housefly.twin.ardrone.inner_loops import InnerLoops, LoopReferences
@@ -78,6 +79,12 @@ class Firmware:
     def set_stick(self, stick: Stick) -> None:
         """Set the newest movement command."""
         self._stick = stick
+
+    def steer(self, asked: AnySetpoint) -> None:
+        """Ignore it: this one takes sticks."""
+
+    def tell_pose(self, pose: Pose, age: float) -> None:
+        """Ignore it: this one wants no pose."""
 
     def request_take_off(self) -> None:
         """REF bit 9 set: counts on the ground, upright, and with some charge."""

@@ -11,8 +11,7 @@ from typing import Any
 from housefly.hub.api.endpoints import API_PREFIX
 from housefly.messages import OrderKind
 from housefly.messages.words import UNSAID, Words
-from housefly.web.access.role import Role as Role
-from housefly.web.sockets.client_messages import (
+from housefly.web.messages.client_messages import (
     Hello,
     InviteRequest,
     LeaseRequest,
@@ -22,6 +21,7 @@ from housefly.web.sockets.client_messages import (
     PlanQuestion,
     StopRequest,
 )
+from housefly.web.messages.role import Role as Role
 
 ROLE_OF_MESSAGE: dict[type, Role] = {
     Hello: Role.WATCH,

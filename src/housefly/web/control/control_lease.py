@@ -10,11 +10,11 @@ from housefly.messages.words import UNSAID, Words, figure
 from housefly.web.access.roles import Role
 from housefly.web.access.session_auth import SessionAuth
 from housefly.web.control.lease import LEASE_TIMEOUT, Lease
-from housefly.web.sockets.client_messages import LeaseRequest
-from housefly.web.sockets.server_messages import ViewersMessage, ViewerView, to_text
-from housefly.web.sockets.viewer import Viewer
-from housefly.web.sockets.viewers import Viewers
+from housefly.web.messages.client_messages import LeaseRequest
+from housefly.web.messages.server_messages import ViewersMessage, ViewerView, to_text
 from housefly.web.status.state_feed import StateFeed
+from housefly.web.viewers.viewer import Viewer
+from housefly.web.viewers.viewers import Viewers
 
 
 class ControlLease:

@@ -9,7 +9,7 @@ from housefly.messages import Order, OrderKind
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.messages.words import UNSAID, Words, literal
 from housefly.room.model import unknown_place
-from housefly.web.sockets.client_messages import OrderRequest
+from housefly.web.messages.client_messages import OrderRequest
 
 ORDERS_WITHOUT_CONTROL = frozenset({OrderKind.STOP, OrderKind.LAND})
 """Orders that need no control: they only make the drone safer."""

@@ -6,8 +6,8 @@ from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest
 from housefly.messages.words import Words
 from housefly.web.control.pilot_link import PilotLink
-from housefly.web.sockets.server_messages import PlanReply, RefusedReply
-from housefly.web.sockets.viewer import Viewer
+from housefly.web.messages.server_messages import PlanReply, RefusedReply
+from housefly.web.viewers.viewer import Viewer
 
 
 async def answer_plans(viewer: Viewer, link: PilotLink) -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from housefly.tasks.api.values import TaskStage
-from housefly.web.sockets.server_messages import TasksMessage
-from housefly.web.status.verdict_message import ConsoleVerdict
+from housefly.web.messages.server_messages import TasksMessage
+from housefly.web.messages.verdict_message import ConsoleVerdict
 
 _UNDER_WAY = frozenset({TaskStage.RUNNING, TaskStage.PAUSED, TaskStage.SUSPENDED})
 

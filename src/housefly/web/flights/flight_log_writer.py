@@ -32,7 +32,7 @@ from housefly.web.flights.flight_log import (
     LoggedStage,
     line_text,
 )
-from housefly.web.sockets.server_messages import PathMessage
+from housefly.web.messages.server_messages import PathMessage
 
 _LOG = logging.getLogger(__name__)
 _SETTLING = 2.0

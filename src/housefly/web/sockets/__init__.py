@@ -1,1 +1,1 @@
-"""The open consoles: what they send, and what all of them are sent."""
+"""The WebSocket of a console: what each message does, and what all are sent."""

@@ -8,17 +8,17 @@ import logging
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
 from housefly.web.access.session_watch import LOOK_PERIOD
-from housefly.web.sockets.console import Console
-from housefly.web.sockets.server_messages import (
+from housefly.web.messages.server_messages import (
     LinkMessage,
     PreflightMessage,
     RoomMessage,
     TasksMessage,
     to_text,
 )
+from housefly.web.messages.verdict_message import ConsoleVerdict
+from housefly.web.sockets.console import Console
 from housefly.web.status.task_feed import BOARD_PERIOD, TaskFeed
 from housefly.web.status.verdict import says_the_same
-from housefly.web.status.verdict_message import ConsoleVerdict
 
 _LOG = logging.getLogger(__name__)
 

@@ -17,14 +17,12 @@ from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import Order, OrderKind, Severity
 from housefly.messages.words import UNSAID, Words, figure, literal
 from housefly.web.access.audit_log import AuditLog
-from housefly.web.access.guest_links import GuestLinks
 from housefly.web.access.refusal_log import RefusalLog
 from housefly.web.access.roles import Role, role_for_message, role_objection
 from housefly.web.access.session_auth import SessionAuth
 from housefly.web.access.session_watch import CLOSE_SESSION_OVER
 from housefly.web.control.control_lease import ControlLease
 from housefly.web.control.nudges import LATE_MAX, NEW_TIME, nudge_order
-from housefly.web.control.order_objections import order_objection_now
 from housefly.web.control.orders import (
     ORDER_WORDS,
     ORDERS_WITHOUT_CONTROL,
@@ -35,9 +33,8 @@ from housefly.web.control.orders import (
 from housefly.web.control.pilot_link import PilotLink
 from housefly.web.control.plan_answers import answer_plans
 from housefly.web.control.stop_button import StopButton
-from housefly.web.control.stop_latch import StopLatch
 from housefly.web.http.seats import Seats
-from housefly.web.sockets.client_messages import (
+from housefly.web.messages.client_messages import (
     CLIENT_MESSAGE,
     Hello,
     InviteRequest,
@@ -48,7 +45,7 @@ from housefly.web.sockets.client_messages import (
     PlanQuestion,
     StopRequest,
 )
-from housefly.web.sockets.server_messages import (
+from housefly.web.messages.server_messages import (
     AcceptedReply,
     PongReply,
     PreflightMessage,
@@ -57,16 +54,19 @@ from housefly.web.sockets.server_messages import (
     Welcome,
     to_text,
 )
-from housefly.web.sockets.tab_numbers import TabNumbers
-from housefly.web.sockets.viewer import Viewer
-from housefly.web.sockets.viewers import Viewers
+from housefly.web.messages.verdict_message import ConsoleVerdict
 from housefly.web.status.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.status.console_memory import ConsoleMemory, KeptConsole, KeptControl
 from housefly.web.status.goal_words import subject_of_task
+from housefly.web.status.order_objections import order_objection_now
 from housefly.web.status.state_feed import StateFeed
+from housefly.web.status.stop_latch import StopLatch
 from housefly.web.status.task_feed import TaskFeed
 from housefly.web.status.verdict import console_verdict
-from housefly.web.status.verdict_message import ConsoleVerdict
+from housefly.web.viewers.guest_links import GuestLinks
+from housefly.web.viewers.tab_numbers import TabNumbers
+from housefly.web.viewers.viewer import Viewer
+from housefly.web.viewers.viewers import Viewers
 
 _LOG = logging.getLogger(__name__)
 

@@ -13,7 +13,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from housefly.web.access.session import Session
 from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol
 from housefly.web.sockets.console import Console
-from housefly.web.sockets.viewer import Viewer
+from housefly.web.viewers.viewer import Viewer
 
 
 def console_routes(console: Console, auth: SessionAuth) -> list[BaseRoute]:

@@ -11,8 +11,8 @@ from housefly.messages import DroneStatus, Estimate, LinkStatus, PilotStep, Safe
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.messages.words import Number, Words, figure
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX
+from housefly.web.messages.verdict_message import Standing, StopView
 from housefly.web.status.last_status import TELEMETRY_AGE_MAX, LastStatus
-from housefly.web.status.verdict_message import Standing, StopView
 
 PILOT_TIMEOUT = 2.0
 """A pilot that was not heard for longer may have ended [s]."""

@@ -20,7 +20,7 @@ from pydantic import TypeAdapter
 
 from housefly.config.durable import append_lines
 from housefly.messages.words import with_trees
-from housefly.web.sockets.server_messages import EventView
+from housefly.web.messages.server_messages import EventView
 
 _LOG = logging.getLogger(__name__)
 _FILE = "console.jsonl"

@@ -9,14 +9,14 @@ from math import dist
 
 from housefly.messages import DroneStatus, Phase, SafetyMode
 from housefly.messages.words import UNSAID, Words, figure, joined
-from housefly.web.status.console_knowledge import ConsoleKnowledge, last_seen, place_in_words
-from housefly.web.status.lost_contact import NOBODY_TOLD, goal_title
-from housefly.web.status.verdict_message import (
+from housefly.web.messages.verdict_message import (
     FlightObjection,
     HeadlineShape,
     Standing,
     StopProgress,
 )
+from housefly.web.status.console_knowledge import ConsoleKnowledge, last_seen, place_in_words
+from housefly.web.status.lost_contact import NOBODY_TOLD, goal_title
 
 
 @dataclass(frozen=True, slots=True)

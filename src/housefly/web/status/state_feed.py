@@ -28,17 +28,17 @@ from housefly.messages import (
 )
 from housefly.messages.words import Words
 from housefly.room.tracked import footprint_of
-from housefly.web.control.hand_motion import moved_by
-from housefly.web.control.stop_latch import StopLatch
 from housefly.web.flights.flight_log_writer import FlightListener
-from housefly.web.sockets.server_messages import (
+from housefly.web.messages.server_messages import (
     EventView,
     LinkMessage,
     OtherBody,
     PathMessage,
     StateMessage,
 )
+from housefly.web.status.hand_motion import moved_by
 from housefly.web.status.last_status import LastStatus
+from housefly.web.status.stop_latch import StopLatch
 
 _REFUSALS_KEPT = 100
 _EVENTS_KEPT = 300

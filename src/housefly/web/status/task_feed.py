@@ -17,7 +17,7 @@ from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import BoardQuestion
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.api.values import HouseMode
-from housefly.web.sockets.server_messages import TasksMessage
+from housefly.web.messages.server_messages import TasksMessage
 
 _LOG = logging.getLogger(__name__)
 

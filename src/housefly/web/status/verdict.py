@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 
 from housefly.messages.words import UNSAID, Words, figure, literal, parts_of, said
-from housefly.web.control.next_order import next_order
-from housefly.web.control.order_objections import (
+from housefly.web.messages.verdict_message import ConsoleVerdict
+from housefly.web.status.console_knowledge import ConsoleKnowledge, place_in_words
+from housefly.web.status.headline import headline
+from housefly.web.status.lost_contact import if_page_is_lost, without_word
+from housefly.web.status.next_order import next_order
+from housefly.web.status.order_objections import (
     check_in_words,
     order_objections,
     take_off_objections,
 )
-from housefly.web.status.console_knowledge import ConsoleKnowledge, place_in_words
-from housefly.web.status.headline import headline
-from housefly.web.status.lost_contact import if_page_is_lost, without_word
-from housefly.web.status.verdict_message import ConsoleVerdict
 from housefly.web.status.watching import watching_verdict
 
 

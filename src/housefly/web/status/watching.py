@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from housefly.messages import OrderKind
 from housefly.messages.words import UNSAID, Words
-from housefly.web.status.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
-from housefly.web.status.verdict_message import (
+from housefly.web.messages.verdict_message import (
     ConsoleVerdict,
     HeadlineShape,
     OrderObjection,
     Standing,
 )
+from housefly.web.status.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 
 _NO_DRONE = Words("This room has no drone.")
 

@@ -1,0 +1,111 @@
+"""What stands between a driver and its drone in lock step, where there are no bytes."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from housefly.config.site import Site
+from housefly.messages import Action, Command, Setpoint, Telemetry
+from housefly.messages.steering import Instruction
+from housefly.twin.contracts import OnboardLimits, TwinWorld
+from housefly.wires.ardrone import at
+from housefly.wires.ardrone.command_encoder import CommandEncoder
+from housefly.wires.ardrone.conversions import Maxima, Stick, pcmd_from_setpoint, stick_from_pcmd
+
+
+class LockstepWire(Protocol):
+    """Encodes what the failsafe decides, and lets the drone obey it."""
+
+    def encoded(self, told: Instruction, now: float, report: Telemetry | None) -> tuple[Any, ...]:
+        """Return what would be one datagram, now [s], given the drone's newest report."""
+        ...
+
+    def obey(self, world: TwinWorld, command: Any) -> None:
+        """Let the drone of a world obey one command of a datagram."""
+        ...
+
+
+class ArDroneWire:
+    """The AR.Drone's own commands.
+
+    Args:
+        maxima: what a full stick means.
+    """
+
+    def __init__(self, maxima: Maxima) -> None:
+        self._encoder = CommandEncoder(maxima)
+        self._emergency_held = False
+
+    def encoded(self, told: Instruction, now: float, report: Telemetry | None) -> tuple[Any, ...]:
+        """Return AT commands."""
+        return self._encoder.encoded(told, now, report)
+
+    def obey(self, world: TwinWorld, command: at.AtCommand) -> None:
+        """Obey a command as the drone does; the emergency bit acts on its rising edge."""
+        match command:
+            case at.Pcmd():
+                world.set_stick(stick_from_pcmd(command))
+            case at.FlatTrim():
+                world.flat_trim()
+            case at.Ref(bits):
+                emergency = at.RefBits.EMERGENCY in bits
+                if emergency and not self._emergency_held:
+                    world.toggle_emergency()
+                self._emergency_held = emergency
+                if at.RefBits.TAKE_OFF in bits:
+                    world.request_take_off()
+                else:
+                    world.request_land()
+
+
+class PlainWire:
+    """Commands as they are: of a drone whose bytes nobody simulates.
+
+    Args:
+        maxima: what a full stick means.
+    """
+
+    def __init__(self, maxima: Maxima) -> None:
+        self._maxima = maxima
+        self._was_cutting = False
+
+    def encoded(self, told: Instruction, now: float, report: Telemetry | None) -> tuple[Any, ...]:
+        """Return the command."""
+        return (told.command,)
+
+    def obey(self, world: TwinWorld, command: Command) -> None:
+        """Obey a command; cutting the motors and ending an emergency are one button."""
+        presses = command.action in (Action.CUT, Action.RESET)
+        if presses and not self._was_cutting:
+            world.toggle_emergency()
+        self._was_cutting = presses
+        match command.action, command.asked:
+            case Action.TAKE_OFF, _:
+                world.request_take_off()
+            case ((Action.LAND | Action.IDLE), _):
+                world.request_land()
+            case Action.HOVER, _:
+                world.set_stick(Stick())
+            case Action.FLY, Setpoint() as tilted:
+                world.set_stick(stick_from_pcmd(pcmd_from_setpoint(tilted, self._maxima)))
+            case Action.FLY, asked:
+                world.steer(asked)
+
+
+def lockstep_wire(site: Site) -> LockstepWire:
+    """Return the wire of a site's drone."""
+    limits = site.limits
+    maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
+    return ArDroneWire(maxima) if site.drone.kind == "ardrone" else PlainWire(maxima)
+
+
+def onboard_limits(site: Site) -> OnboardLimits:
+    """Return what a driver would write into a site's drone."""
+    limits = site.limits
+    return OnboardLimits(
+        limits.tilt_max,
+        limits.full_climb,
+        limits.yaw_rate_max,
+        limits.onboard_height_max,
+        site.drone.airframe.capabilities.silence.after,
+    )
