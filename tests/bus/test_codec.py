@@ -28,6 +28,7 @@ from housefly.messages import (
     Estimate,
     Event,
     EventCode,
+    Fact,
     Inputs,
     LinkStatus,
     Order,
@@ -62,6 +63,8 @@ PLAIN[Words] = st.one_of(
 def values_of(hint: Any) -> st.SearchStrategy[Any]:
     """Return a strategy for every valid value of an annotation, dataclasses field by field."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if hint == Fact:
+        return st.one_of([values_of(choice) for choice in (*typing.get_args(hint), Words)])
     if hint in PLAIN:
         return PLAIN[hint]
     if origin in (typing.Union, types.UnionType):
