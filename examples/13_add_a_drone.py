@@ -28,6 +28,7 @@ from housefly import (
     RealClock,
     RemoteDrone,
     Setpoint,
+    Sighting,
     Telemetry,
     VideoFrame,
     airframe_in,
@@ -86,6 +87,9 @@ class KiteDriver(asyncio.DatagramProtocol):
         """Put a command in force; one of another kind leaves at once."""
         if self._failsafe.update(command, self._clock.now(), issued_at, motion):
             self._transmit()
+
+    def send_pose(self, seen: Sighting) -> None:
+        """It wants none."""
 
     def abandon(self) -> None:
         """Note that the pilot is gone."""

@@ -29,6 +29,7 @@ def event(
         (
             event(
                 "object taken", "cup", "person-1", weight=0.21, evidence="cabinet: reports it",
+                sources="cabinet",
                 **{"from": "cabinet"}, **FOR_PROGRAMS,
             ),
             "the resident took the cup from the cabinet, 0.21 kg  (95 % sure, cabinet)",
@@ -39,7 +40,10 @@ def event(
         ),
         (event("object put", "cup"), "somebody put the cup down  (95 % sure)"),
         (
-            event("person sitting", "person-1", on="sofa seat 0", evidence="floor-1: on seat"),
+            event(
+                "person sitting", "person-1", on="sofa seat 0", evidence="floor-1: on seat",
+                sources="floor-1",
+            ),
             "the resident sits on the sofa  (95 % sure, floor-1)",
         ),
         (event("appliance on", "stove", power=1420.4), "the stove is on, 1420 W  (95 % sure)"),
@@ -66,7 +70,7 @@ def test_a_sentence_shows_no_key_and_no_id_of_a_known_thing() -> None:
 def test_what_another_line_says_better_is_left_out() -> None:
     told = [
         event("object taken", "cup", source="cabinet"),
-        event("object taken", "cup", "person-1", evidence="cabinet: reports it"),
+        event("object taken", "cup", "person-1", evidence="cabinet: reports it", sources="cabinet"),
         event("person standing ended", "person-1"),
         event("person walking", "person-1", evidence="floor-1: moves"),
         event("door opened", "refrigerator", source="refrigerator"),

@@ -16,7 +16,7 @@ from housefly.config.state import database_file, edits_folder, tasks_folder
 from housefly.errors import ConfigError, LinkError
 from housefly.hub.store.lock import reserved_store
 from housefly.sites.loaded_site import read_site
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
 
 
 @pytest.fixture(autouse=True)
@@ -25,7 +25,7 @@ def _own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def demo(**changes: object) -> Site:
-    return changed(lively_site(read_site("bsen"), has_broker=True)[0], **changes)
+    return changed(demo_site(read_site("bsen"), has_broker=True)[0], **changes)
 
 
 def owned(site: Site) -> set[str]:

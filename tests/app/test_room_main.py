@@ -29,7 +29,7 @@ from housefly.messages import PlanAnswer, Pose, Sighting
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.remote_tracker import RemoteTracker
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
 
 TOPICS = DroneTopics()
 
@@ -118,7 +118,7 @@ async def test_a_pilot_hears_each_frame_also_when_the_bus_takes_none(
 
 
 def test_no_drone_is_asked_for_started_or_given_a_port(tmp_path: Path) -> None:
-    site = changed(lively_site(site_at(tmp_path), has_broker=True)[0], drone__enabled=False)
+    site = changed(demo_site(site_at(tmp_path), has_broker=True)[0], drone__enabled=False)
     names = [spec.name for spec in processes_of(new_runtime(site, tmp_path))]
     assert names[0] == "room" and not {"pilot", "driver"} & set(names)
     assert not any("drone" in need.name for need in port_needs(site, web=True))

@@ -21,6 +21,7 @@ from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, site_from_tree
 from housefly.errors import LinkError, TaskError
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.geometry import Vec2
 from housefly.hub.api.answers import EventAnswer
 from housefly.hub.client.room_client import RoomClient
@@ -28,7 +29,7 @@ from housefly.messages import DroneStatus, Phase, PilotStep
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record.truth import TrueFlight, read_truth
 from housefly.room.files import load_room
-from housefly.tasks.api.questions import ClipsQuestion, Sentence
+from housefly.tasks.api.questions import Sentence
 from housefly.tasks.api.values import ENDED, ReasonCode, TaskStage, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
 

@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
+from housefly.bus.codec import from_cdr, to_cdr
+from housefly.hub.api.answers import EventsAnswer
+from housefly.hub.api.json import answer_from_json, answer_to_json
+from housefly.hub.api.questions import EventsQuestion
 from housefly.hub.flight_facts import FlightFacts
+from housefly.hub.query_handler import event_answer
+from housefly.hub.store.open import open_store
 from housefly.messages import (
     Action,
     Command,
@@ -21,6 +30,7 @@ from housefly.messages import (
     Severity,
     Sighting,
 )
+from housefly.messages.words import Words, figure
 
 ZERO = 1_000_000.0
 
@@ -92,3 +102,28 @@ def test_what_the_pilot_says_to_people_is_remembered() -> None:
     )
     assert (event.kind, event.at) == ("tracking lost", ZERO + 1.5)
     assert dict(event.facts) == {"severity": "warning", "words": "unseen for 2 s"}
+
+
+def test_what_the_pilot_says_keeps_its_template_in_the_memory(tmp_path: Path) -> None:
+    text = Words("{d} m left", d=figure(3.2, ".1f"))
+    event = Event(2.0, Severity.INFO, EventCode.GOING_ON, text)
+    flown = replace(step(1), outputs=Outputs(Command(Action.IDLE), events=(event,)))
+    (kept,) = told(FlightFacts("ardrone", "vicon", {}), flown)
+    store = open_store(tmp_path / "room.db")
+    store.write((), [kept])
+    (read,) = store.events(0.0, 2.0 * ZERO)
+    store.close()
+    assert event_answer(read).words.template == text.template
+    assert from_cdr(RoomEvent, to_cdr(read)) == read
+    assert (
+        answer_from_json(EventsQuestion(), answer_to_json(EventsAnswer((event_answer(read),))))
+        .events[0]
+        .words.values
+        == text.values
+    )
+
+
+def test_of_what_0_2_0_kept_and_of_devices_the_text_is_said() -> None:
+    old = RoomEvent("going on", "drone", 1.0, "pilot", facts=(("words", "going on: 2 m"),))
+    assert event_answer(old).words == "going on: 2 m"
+    assert event_answer(replace(old, source="bell", kind="bell pressed")).words == "bell pressed"

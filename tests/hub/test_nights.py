@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.hub.nights import SHORTEST_TIME_UP, NightWindow, night_of, stays_of
-from housefly.hub.situations.hysteresis import NOT_KNOWN
+from housefly.hub.situations.hysteresis import NOT_KNOWN, UNKNOWN
 from housefly.messages import RoomEvent
 
 EVENING = datetime(2026, 11, 20, 22, 0).timestamp()
@@ -26,7 +26,7 @@ def begin(at: float, thing: str = "bed", kind: str = "bed occupied", on: str = "
 def end(
     at: float, thing: str = "bed", kind: str = "bed occupied", because: str = "load 0 kg"
 ) -> RoomEvent:
-    facts = (("because", because),)
+    facts = (("because", because), *((UNKNOWN,) if because == NOT_KNOWN else ()))
     return RoomEvent(kind + " ended", thing, EVENING + at, "situations/beds", facts=facts)
 
 

@@ -56,7 +56,9 @@ class Asked:
 
     def holds(self, *rows: tuple[str, str, float, str, dict[str, Any]]) -> None:
         self.house.status.set_situations(
-            SituationAnswer(kind, thing, self.house.now - ago, 0.8, evidence, facts)
+            SituationAnswer(
+                kind, thing, self.house.now - ago, 0.8, evidence, facts, (evidence.split(":")[0],)
+            )
             for kind, thing, ago, evidence, facts in rows
         )
 
@@ -150,7 +152,13 @@ def test_a_window_is_open_or_closed_and_is_asked_for_with_or_without_article(ask
 
 def test_a_window_whose_contact_is_not_understood_is_neither_open_nor_closed(asked: Asked) -> None:
     asked.says("kitchen-window", 5.0, ("open", True), ("kind", "contact"))
-    at, refused = asked.house.now - 3.0, (("refused", "contact is 'ajar'; allowed: true"),)
+    at, refused = (
+        asked.house.now - 3.0,
+        (
+            ("refused", "contact is 'ajar'; allowed: true"),
+            ("refused_key", "contact"),
+        ),
+    )
     asked.house.memory.add(
         Observation("kitchen-window", "kitchen-window", at, at, valid=False, facts=refused)
     )

@@ -93,7 +93,7 @@ class RememberedRoom(RoomQueries):
     def holds(self, *rows: tuple[str, str, float, dict[str, Any]]) -> None:
         """Have situations hold since a time."""
         self.status.set_situations(
-            SituationAnswer(kind, thing, since, 0.9, "floor-1: seen", facts)
+            SituationAnswer(kind, thing, since, 0.9, "floor-1: seen", facts, ("floor-1",))
             for kind, thing, since, facts in rows
         )
 

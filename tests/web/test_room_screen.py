@@ -22,6 +22,7 @@ from housefly.hub.api.answers import ObstacleAnswer, SituationAnswer
 from housefly.hub.hub import Hub
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, OrderKind, RoomEvent
+from housefly.messages.words import literal
 from housefly.sensors.contracts import SensorHealth
 from housefly.web.api.coverage_layer import CoverageView
 
@@ -252,7 +253,16 @@ async def test_an_event_is_listed_filtered_and_shows_its_moment(page: Page, room
 
 async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, room: Room) -> None:
     room.hub.status.set_situations(
-        [SituationAnswer("lies on the floor", "person-1", time.time(), 0.84, "low for 12 s")]
+        [
+            SituationAnswer(
+                "lies on the floor",
+                "person-1",
+                time.time(),
+                0.84,
+                "low for 12 s",
+                words=literal("lies on the floor"),
+            )
+        ]
     )
     room.hub.status.set_obstacles(
         [ObstacleAnswer("o-1", 4.0, 3.5, 0.3, 0.5, 0.0, 0.9, 0.0, "laser-1")]

@@ -21,6 +21,7 @@ from housefly.hub.api.answers import SituationAnswer
 from housefly.hub.hub import Hub
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation
+from housefly.messages.words import literal
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -95,7 +96,14 @@ async def test_who_was_seen_long_ago_is_pale_and_says_so(house: House) -> None:
 
 
 async def test_doubt_is_in_the_words_of_the_plan(house: House) -> None:
-    lies = SituationAnswer("lies on the floor", "person-1", time.time(), 0.84, "low for 12 s")
+    lies = SituationAnswer(
+        "lies on the floor",
+        "person-1",
+        time.time(),
+        0.84,
+        "low for 12 s",
+        words=literal("lies on the floor"),
+    )
     house.hub.status.set_situations([lies])
     await expect(house.name("person-1")).to_contain_text("△ lies on the floor, 84 %")
 

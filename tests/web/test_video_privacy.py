@@ -15,7 +15,10 @@ from numpy.typing import NDArray
 
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import DroneTopics
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
+from housefly.evidence.frame_blanker import BLANK
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.messages import (
     LEVEL,
     Action,
@@ -28,9 +31,6 @@ from housefly.messages import (
     Telemetry,
     VideoFrame,
 )
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.frame_blanker import BLANK
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.camera.video import FRAME_HEADER, VideoRelay
 
 TOPICS = DroneTopics()

@@ -14,7 +14,7 @@ from housefly.clock import Clock
 from housefly.messages import DepthImage, SensorReport
 from housefly.perception.depth_tracker import DepthTracker
 from housefly.perception.laser_tracker import OwnFootprint
-from housefly.perception.sight import Sight
+from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.tracked import untracked
 from housefly.sensors.message_rate import MessageRate
 from housefly.sites.loaded_site import LoadedSite
@@ -42,7 +42,7 @@ class DepthService:
             untracked(loaded.room, site), site.depth_cameras, (height - half, height + half)
         )
         names = [camera.name for camera in site.depth_cameras]
-        self.sight = Sight(names)
+        self.sight = SensorFreshness(names)
         self._lock = threading.Lock()
         self._rates = {name: MessageRate() for name in names}
         self._refused = dict.fromkeys(["", *names], ("", -inf))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from housefly.hub.person_status import evidence_sources, spoken_name, spoken_seat
+from housefly.hub.person_status import spoken_name, spoken_seat
+from housefly.hub.situations.kinds import OF_PEOPLE, POSTURES, SituationKind
 from housefly.hub.situations.situation import SOURCE_PREFIX
 
 if TYPE_CHECKING:
@@ -13,7 +14,6 @@ if TYPE_CHECKING:
 
 _SAME_MOMENT = 2.0
 """A device's word and what was concluded from it come within this time [s]."""
-_OVER = " ended"
 
 _SENTENCES: dict[str, str] = {
     "object taken": "{who} took {thing}{from}",
@@ -59,12 +59,12 @@ _SENTENCES: dict[str, str] = {
     "rule fired": "the rule {rule}: {words}",
 }
 """One sentence a kind of event; what it has no fact for is said without."""
-_POSTURES = ("person sitting", "person lying", "person standing", "person walking")
+_POSTURES_OVER = frozenset(SituationKind(kind).ended for kind in POSTURES)
 _FOR_PROGRAMS = frozenset({
     "noticed_at", "sigma", "lasted", "because", "by_distance", "by_confidence", "evidence",
-    "code", "severity", "speed", "signs", "candidates", "descent", "open_since", "limit",
-    "last_seen", "taken_by", "clip", "late", "from", "into", "on", "task", "title", "by",
-    "words", "service", "outcome", "goal", "place", "thing", "rule", "x", "y", "z",
+    "sources", "known", "code", "severity", "speed", "signs", "candidates", "descent",
+    "open_since", "limit", "last_seen", "taken_by", "clip", "late", "from", "into", "on", "task",
+    "title", "by", "words", "service", "outcome", "goal", "place", "thing", "rule", "x", "y", "z",
 })  # fmt: skip
 """Facts that a sentence says already, or that are for programs."""
 _UNITS: dict[str, Callable[[float], str]] = {
@@ -98,7 +98,7 @@ class EventWords:
         if form is None and event.cause:
             facts.append(f"by {self.name(event.cause)}")
         doubts = [f"{100 * event.confidence:.0f} % sure"] if event.confidence < 0.995 else []
-        sources = evidence_sources(str(event.facts.get("evidence", ""))) or (event.source,)
+        sources = str(event.facts.get("sources") or event.source).split(",")
         heard = [one for one in sources if not one.startswith(SOURCE_PREFIX)]
         said_by = f"  ({', '.join([*doubts, *heard])})" if doubts or heard else ""
         return f"{', '.join(facts)}{said_by}"
@@ -123,7 +123,7 @@ class EventWords:
 
     def _facts(self, event: EventAnswer) -> Iterator[str]:
         facts = event.facts
-        has_place = event.kind.startswith("person ") or bool({"from", "into", "on"} & facts.keys())
+        has_place = event.kind in OF_PEOPLE or bool({"from", "into", "on"} & facts.keys())
         if not has_place and isinstance(x := facts.get("x"), float):
             yield f"at ({x:.1f}, {float(facts.get('y', 0.0)):.1f}) m"
         for key, value in facts.items():
@@ -157,7 +157,7 @@ def worth_reading(events: Sequence[EventAnswer]) -> list[EventAnswer]:
 
 
 def _is_said_better(event: EventAnswer, concluded: list[tuple[str, str, float]]) -> bool:
-    if event.kind.removesuffix(_OVER) in _POSTURES and event.kind.endswith(_OVER):
+    if event.kind in _POSTURES_OVER:
         return True
     if "evidence" in event.facts:
         return False

@@ -10,8 +10,8 @@ from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 
+from housefly.app.console_addresses import ConsoleAddresses
 from housefly.app.console_answer import console_answers
-from housefly.app.console_door import ConsoleDoor
 from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
@@ -57,7 +57,7 @@ _NO_FLIGHT = "Open the address: who and what is where, and what happened. Ctrl-C
 class _Teller:
     """Prints each death of a process once, and where the console is when it answers."""
 
-    def __init__(self, launcher: Launcher, door: ConsoleDoor) -> None:
+    def __init__(self, launcher: Launcher, door: ConsoleAddresses) -> None:
         self.launcher = launcher
         self._door = door
         self._told = 0
@@ -123,7 +123,7 @@ def run_interactively(
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         renewal = RoomRenewal(launcher, bus, is_recorded=record is not None)
         stack.callback(bus.answer(USE_EDITS_QUERY, renewal.answer, _WISHES).close)
-        teller = _Teller(launcher, ConsoleDoor(runtime, first.value))
+        teller = _Teller(launcher, ConsoleAddresses(runtime, first.value))
         try:
             _introduce(runtime, bus, teller, started, first)
             for name, recorder in recorders.items():

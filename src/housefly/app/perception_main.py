@@ -23,7 +23,7 @@ from housefly.config.text import without_numbers
 from housefly.lab.lockstep.lockstep_perception import own_footprints
 from housefly.messages import DroneStatus, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker, OwnFootprint
-from housefly.perception.sight import Sight
+from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import LaserClient
 from housefly.sensors.message_rate import MessageRate
@@ -43,7 +43,7 @@ class PerceptionProcess:
         self._tracker = LaserTracker(untracked(loaded.room, loaded.site), loaded.site.lasers)
         self._clients = {laser.name: LaserClient(laser, clock) for laser in loaded.site.lasers}
         self._rates = {name: MessageRate() for name in self._clients}
-        self._sight = Sight(self._clients)
+        self._sight = SensorFreshness(self._clients)
         self._depth = DepthService(loaded, bus, clock)
         self._own: dict[str, tuple[OwnFootprint, ...]] = dict.fromkeys(self._site.drone_names, ())
         self._doubts: dict[str, str] = {}

@@ -29,7 +29,7 @@ from housefly.app.pilot_publisher import PilotPublisher
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.app.refused_orders import answers_to
-from housefly.app.stand_down import StandDown
+from housefly.app.take_off_pause import TakeOffPause
 from housefly.bus.bus import Bus
 from housefly.bus.rate import Rate
 from housefly.bus.topics import OBSTACLE_TOPIC, SIGHT_TOPIC, DroneTopics
@@ -99,7 +99,7 @@ class PilotShell:
         self._origin = origin or OriginMemory(loaded.site)
         self._disks = disks_of(loaded.site)
         self._load = machine_load()
-        self._stand_down = StandDown()
+        self._stand_down = TakeOffPause()
         self._outputs: Outputs | None = None
         self._body = loaded.site.tracking.body
         self._people_note = people_note(loaded.site)

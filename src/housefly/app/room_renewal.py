@@ -15,7 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from housefly.app.launcher import Launcher, pilot_process
-from housefly.app.stand_down import STAND_DOWN_TIME
+from housefly.app.take_off_pause import TAKE_OFF_PAUSE_TIME
 from housefly.bus.bus import Bus
 from housefly.bus.topics import DroneTopics
 from housefly.config.site import Site
@@ -34,7 +34,7 @@ _ANSWER_PAUSE = 0.5
 """Before the pilot is ended, through which the answer goes [s]."""
 _PATIENCE = 2.0
 """How long the pilot may take to give its word [s]."""
-_WORD_HOLDS = STAND_DOWN_TIME - _PATIENCE
+_WORD_HOLDS = TAKE_OFF_PAUSE_TIME - _PATIENCE
 """So long after it was asked its word is relied on [s]."""
 
 

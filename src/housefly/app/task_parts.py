@@ -6,14 +6,15 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from housefly.app.live_task_room import LiveTaskRoom
+from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.config.state import clips_folder, tasks_folder
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError
+from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.hub.api.questions import Question
 from housefly.hub.client.room_queries import AskedRoom
 from housefly.sites.loaded_site import LoadedSite
-from housefly.tasks.api.values import HouseMode
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import TaskDocument
 from housefly.tasks.engine.task_actions import TaskActions
@@ -22,7 +23,6 @@ from housefly.tasks.engine.task_engine import TaskEngine
 from housefly.tasks.engine.task_outlet import TaskOutlet, TaskRehearser
 from housefly.tasks.engine.task_rehearsals import TaskRehearsals
 from housefly.tasks.engine.task_runs import TaskRuns
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.task_run import HOLD_PERIOD
 from housefly.tasks.intents.names import names_of_room
 from housefly.tasks.rules.room_facts import AskedRoomFacts
@@ -66,7 +66,9 @@ def task_service(
     site, folder = loaded.site, tasks_folder(loaded.site)
     config = site.tasks
     own, has_drone = config.documents, bool(site.drone_names)
-    library = OpenLibrary(Path(own) if own else None, has_drone=has_drone)
+    library = OpenLibrary(
+        Path(own) if own else None, has_drone=has_drone, has_camera=site.has_camera
+    )
     rules, wrong_rules = _rules(config)
     rules = rules if has_drone else rules_without_flight(rules, library)
     rule_store = RuleStore(folder, HouseMode(config.mode))

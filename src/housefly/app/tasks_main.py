@@ -36,6 +36,7 @@ from housefly.config.environment import ROOM_KEY_VARIABLE
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
 from housefly.errors import HouseflyError, LinkError
+from housefly.evidence.camera_pose import camera_pose_of
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
@@ -54,7 +55,6 @@ from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.client.tasks_client import tasks_socket
 from housefly.tasks.engine.drone_state import TakeOffReadiness
 from housefly.tasks.engine.task_drones import TaskDrone
-from housefly.tasks.evidence.camera_pose import camera_pose_of
 from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.rules.dry_run import event_of
 from housefly.tasks.rules.mqtt_link import MqttLink

@@ -12,14 +12,14 @@ from rosbags.typesys.store import Typestore
 from housefly.bus.interfaces import ros_name
 from housefly.errors import WireError
 from housefly.messages import Fact
-from housefly.messages.words import Words
+from housefly.messages.words import UNSAID, Words
 
 TUPLES = {
     "geometry_msgs/msg/Point": ("x", "y", "z"),
     "geometry_msgs/msg/Vector3": ("x", "y", "z"),
     "geometry_msgs/msg/Quaternion": ("w", "x", "y", "z"),
     ros_name("Point2"): ("x", "y"),
-    ros_name("Fact"): ("name", "form", "text", "number"),
+    ros_name("Fact"): ("name", "form", "text", "number", "words"),
 }
 """The types that our messages hold as tuples, and the fields in the order of the tuple."""
 
@@ -44,25 +44,27 @@ def fields_of(kind: type[Any], store: Typestore) -> list[tuple[str, Any, EnumCod
     return [(field, of, _enumerated(field, of, hints[field], numbers)) for field, of in written]
 
 
-def fact_fields(fact: tuple[str, Fact]) -> tuple[str, int, str, float]:
-    """Return name, form, text and number of a named value; raises TypeError for another form."""
+def fact_fields(fact: tuple[str, Fact]) -> tuple[str, int, str, float, Words]:
+    """Return a named value field by field; raises TypeError for another form."""
     name, value = fact
+    if isinstance(value, Words):
+        return name, _WORDS, "", 0.0, value
     if isinstance(value, str):
-        return name, _TEXT, value, 0.0
+        return name, _TEXT, value, 0.0, UNSAID
     if not isinstance(value, bool | float | int):
         raise TypeError(f"the fact {name!r} is neither text nor number nor boolean")
-    return name, _BOOLEAN if isinstance(value, bool) else _NUMBER, "", value
+    return name, _BOOLEAN if isinstance(value, bool) else _NUMBER, "", value, UNSAID
 
 
-def fact_of(name: str, form: int, text: str, number: float) -> tuple[str, Fact]:
+def fact_of(name: str, form: int, text: str, number: float, words: Words) -> tuple[str, Fact]:
     """Return a named value; raises ValueError for a form that there is not."""
-    values: tuple[Fact, ...] = (text, number, number != 0.0)
+    values: tuple[Fact, ...] = (text, number, number != 0.0, words)
     if form >= len(values):
         raise ValueError(f"the fact {name!r} has the form {form}")
     return name, values[form]
 
 
-_TEXT, _NUMBER, _BOOLEAN = range(3)
+_TEXT, _NUMBER, _BOOLEAN, _WORDS = range(4)
 
 
 def was_plain_text(kind: type[Any], field: str, description: Any) -> bool:

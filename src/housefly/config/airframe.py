@@ -7,13 +7,14 @@ its numbers, or each number as ``{ value = ..., source = "..." }``; a number wit
 from __future__ import annotations
 
 import tomllib
+from enum import Enum
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Self
 
 from pydantic import Field, ValidationError, model_validator
 
-from housefly.config.capabilities import Capabilities
+from housefly.config.capabilities import Capabilities, OwnMeasurement
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
 from housefly.geometry import stopping_distance
@@ -144,6 +145,15 @@ class BatteryConstants(Section):
     endurance: float = quantity(..., 30.0, 7200.0, "s", "flight time of a full battery, as rated")
 
 
+class FlowConstants(Section):
+    """Its own measurement of its velocity over the ground."""
+
+    delay: float = quantity(..., 0.0, 0.5, "s", "velocity and height of a report are this old")
+    noise: float = quantity(..., 0.0, 1.0, "m/s", "white noise of a velocity, one sigma")
+    bias: float = quantity(..., 0.0, 0.5, "m/s", "slowly wandering bias, one sigma")
+    bias_time: float = quantity(..., 0.1, 1000.0, "s", "correlation time of that bias")
+
+
 class SonarConstants(Section):
     """Its own measurement of the height above what is below."""
 
@@ -175,13 +185,25 @@ class LinkConstants(Section):
     )
 
 
+class Ability(Enum):
+    """What the pilot makes use of where a drone has it, and does without where it has not."""
+
+    HOVER = "a hover of its own"
+    HEIGHT = "its own height"
+    VELOCITY = "its own velocity"
+    ATTITUDE = "its own attitude"
+    TILT = "steering by tilt"
+    CAMERA = "a camera"
+
+
 class Airframe(Section):
     """One model of drone.
 
     Attributes:
         name: as its maker calls it.
         capabilities: what it can do.
-        body, response, braking, brake, take_off, landing, battery, sonar, link: its constants.
+        body, response, braking, brake, take_off, landing, battery, link: its constants.
+        sonar, flow: its own measurements of height and velocity; None where it has none.
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
@@ -193,8 +215,33 @@ class Airframe(Section):
     take_off: TakeOffConstants
     landing: LandingConstants
     battery: BatteryConstants
-    sonar: SonarConstants
+    sonar: SonarConstants | None = None
+    flow: FlowConstants | None = None
     link: LinkConstants
+
+    @property
+    def lacks(self) -> frozenset[Ability]:
+        """What others of its kind have, and it has not."""
+        able = self.capabilities
+        has = {
+            Ability.HOVER: able.hovers,
+            Ability.HEIGHT: self.sonar is not None,
+            Ability.VELOCITY: self.flow is not None,
+            Ability.ATTITUDE: OwnMeasurement.ATTITUDE in able.measures,
+            Ability.TILT: able.form is SetpointForm.TILT_AND_CLIMB,
+            Ability.CAMERA: able.camera is not None,
+        }
+        return frozenset(ability for ability, is_had in has.items() if not is_had)
+
+    @model_validator(mode="after")
+    def _knows_what_it_measures(self) -> Self:
+        for part, own in (("sonar", OwnMeasurement.HEIGHT), ("flow", OwnMeasurement.VELOCITY)):
+            if (getattr(self, part) is not None) is not (own in self.capabilities.measures):
+                raise ValueError(
+                    f"{part} and {own.value!r} in capabilities.measures: one without the other;"
+                    " allowed: both, or neither"
+                )
+        return self
 
     @model_validator(mode="after")
     def _says_what_its_form_needs(self) -> Self:

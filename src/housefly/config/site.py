@@ -175,7 +175,12 @@ class Site(Section):
         """Whether the drone shows what it sees; of several that have not one in focus, any."""
         ours = [drone for drone in self.all_drones if drone.name == self.drone.name]
         shown = self.twin.video or not self.twin.enabled
-        return shown and any(one.enabled and one.has_video for one in ours or self.all_drones)
+        return shown and any(one.has_video and one.has_camera for one in ours or self.all_drones)
+
+    @property
+    def has_camera(self) -> bool:
+        """Whether a drone that is flown has a camera."""
+        return any(drone.has_camera for drone in self.all_drones)
 
     @property
     def flies_in_space(self) -> bool:

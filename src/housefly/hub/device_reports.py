@@ -17,11 +17,11 @@ from housefly.hub.device_states import (
     tells,
     weakest_fact,
 )
-from housefly.hub.person_status import RoomMoment, lasting_words, spoken_name
+from housefly.hub.person_status import RoomMoment, spoken_name
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
 from housefly.hub.situations.situation import is_undated
 from housefly.hub.things.thing import Thing
-from housefly.hub.things.words import age_words
+from housefly.hub.things.words import age_words, lasting_words
 from housefly.messages import Observation
 
 _MISSED_BEATS = 2.0
@@ -128,7 +128,8 @@ def _report(
     sample = next((s for s in moment.world.latest_observations(device) if s.source == device), None)
     facts = dict(sample.facts) if sample is not None else {}
     refused, fact = str(facts.get("refused", "")), telling_fact(wanted, facts)
-    if sample is not None and not fact and refused_property(refused) is wanted:
+    refused_key = str(facts.get("refused_key", ""))
+    if sample is not None and not fact and refused_property(refused_key) is wanted:
         return LastReport(sample, NO_VERDICT, weakest_fact(wanted), None, False, False, refused)
     if sample is None or not sample.valid or not fact:
         return None

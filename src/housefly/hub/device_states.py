@@ -98,9 +98,8 @@ _HEARTBEATS = {
 """Longest time between two reports of a fact [s], where the site file does not say."""
 
 
-def refused_property(refusal: str) -> DeviceProperty | None:
-    """Return the property that a refused key of a device would have told of: "open is 'ajar'"."""
-    key = refusal.split(" ", 1)[0].split(".")[-1]
+def refused_property(key: str) -> DeviceProperty | None:
+    """Return the property that a refused key of a device would have told of."""
     return _KEYS.get(key)
 
 

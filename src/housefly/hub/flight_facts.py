@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from housefly.messages import Estimate, Observation, Phase, PilotStep, RoomEvent, Sighting
 
-_PILOT = "pilot"
+PILOT = "pilot"
 """Source of what the pilot reports."""
 _PHASE_EVENTS = {
     Phase.TAKING_OFF: "flight started",
@@ -41,9 +41,9 @@ class FlightFacts:
             yield self._estimated(estimate, unix)
         yield from self._phases(step, unix)
         for event in step.outputs.events:
-            facts = (("severity", event.severity.value), ("words", event.text[:200]))
+            facts = (("severity", event.severity.value), ("words", event.text))
             kind = event.code.replace("_", " ")
-            yield RoomEvent(kind, self._drone, unix + event.at, _PILOT, facts=facts)
+            yield RoomEvent(kind, self._drone, unix + event.at, PILOT, facts=facts)
 
     def seen(self, sighting: Sighting, unix: float) -> Observation:
         """Return a sighting as an observation; ``unix`` as above."""
@@ -60,7 +60,7 @@ class FlightFacts:
         variance = estimate.position_std**2
         at = unix + estimate.at
         covariance = (variance, 0.0, 0.0, variance, 0.0, variance)
-        return Observation(self._drone, _PILOT, at, at, estimate.position, covariance=covariance)
+        return Observation(self._drone, PILOT, at, at, estimate.position, covariance=covariance)
 
     def _phases(self, step: PilotStep, unix: float) -> Iterator[RoomEvent]:
         phase, before = step.outputs.phase, self._phase
@@ -70,5 +70,5 @@ class FlightFacts:
         facts = (("goal", step.outputs.goal_name),) if step.outputs.goal_name else ()
         sender = next((order.sender for order in step.inputs.orders), "")
         yield RoomEvent(
-            _PHASE_EVENTS[phase], self._drone, unix + step.now, _PILOT, sender, facts=facts
+            _PHASE_EVENTS[phase], self._drone, unix + step.now, PILOT, sender, facts=facts
         )

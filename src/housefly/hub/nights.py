@@ -8,11 +8,11 @@ from datetime import datetime, timedelta
 from itertools import zip_longest
 
 from housefly.hub.api.state_answers import NightAnswer, TimeUp
-from housefly.hub.person_status import is_bed, lasting_words
-from housefly.hub.situations.bed import BED_OCCUPIED
-from housefly.hub.situations.hysteresis import ENDED_SUFFIX, NOT_KNOWN
-from housefly.hub.situations.posture import LYING, SITTING
+from housefly.hub.person_status import is_bed
+from housefly.hub.situations.hysteresis import UNKNOWN
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations_at import MEMORY_STARTED
+from housefly.hub.things.words import lasting_words
 from housefly.messages import RoomEvent
 
 SHORTEST_TIME_UP = 30.0
@@ -62,7 +62,7 @@ def stays_of(thing: str, events: Iterable[RoomEvent], until: float) -> tuple[Sta
     begin: float | None = None
     for event in events:
         if begin is not None and _ends(thing, event):
-            left = event.kind != MEMORY_STARTED and ("because", NOT_KNOWN) not in event.facts
+            left = event.kind != MEMORY_STARTED and UNKNOWN not in event.facts
             stays.append(Stay(begin, event.at, left))
             begin = None
         elif begin is None and _begins(thing, event):
@@ -111,16 +111,24 @@ def nothing_kept(thing: str, window: tuple[float, float]) -> NightAnswer:
     return NightAnswer(thing, begin, end, (), None, 0.0, end - begin, words)
 
 
+_UP = {
+    SituationKind.BED_OCCUPIED.ended,
+    SituationKind.PERSON_LYING.ended,
+    SituationKind.PERSON_SITTING.ended,
+}
+
+
 def _begins(thing: str, event: RoomEvent) -> bool:
     if event.thing != thing:
         return False
-    in_bed = event.kind in (LYING, SITTING) and is_bed(dict(event.facts).get("on"))
-    return event.kind == BED_OCCUPIED or in_bed
+    in_bed = event.kind in (SituationKind.PERSON_LYING, SituationKind.PERSON_SITTING) and is_bed(
+        dict(event.facts).get("on")
+    )
+    return event.kind == SituationKind.BED_OCCUPIED or in_bed
 
 
 def _ends(thing: str, event: RoomEvent) -> bool:
-    ends = {kind + ENDED_SUFFIX for kind in (BED_OCCUPIED, LYING, SITTING)}
-    return event.kind == MEMORY_STARTED or (event.thing == thing and event.kind in ends)
+    return event.kind == MEMORY_STARTED or (event.thing == thing and event.kind in _UP)
 
 
 def _joined(stays: Sequence[Stay]) -> Iterator[Stay]:

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from math import hypot
 
 from housefly.geometry import Vec3
 from housefly.hub.api.answers import SituationAnswer
 from housefly.hub.api.state_answers import PersonAnswer, Verdict
-from housefly.hub.situations.fall import FALLEN
-from housefly.hub.situations.person import ON_FLOOR, PRESENT
-from housefly.hub.situations.posture import LYING, SITTING, STANDING, WALKING
+from housefly.hub.situations.kinds import OF_PEOPLE, POSTURES, SituationKind
+from housefly.hub.situations.person import ON_FLOOR
 from housefly.hub.things.carrying import with_article
 from housefly.hub.things.thing import ThingKind
-from housefly.hub.things.words import age_words, seen_words
+from housefly.hub.things.words import age_words, lasting_words, seen_words
 from housefly.hub.things.world_model import WorldModel
 
 _SEAT = re.compile(r"\s+(seat|mattress)\b.*$")
-_POSTURES = (LYING, SITTING, STANDING, WALKING)
 _CARRIES = 0.5
 """Less sure than this, nobody is said to carry a thing."""
 _BESIDE = 1.0
@@ -58,9 +56,9 @@ def person_answer(moment: RoomMoment, person: str, gone: bool) -> PersonAnswer:
     world = moment.world
     thing, found = world.thing(person), world.where(person)
     holds = {held.kind: held for held in moment.situations if held.thing == person}
-    posture = next((holds[kind] for kind in _POSTURES if kind in holds), None)
-    fallen = holds.get(FALLEN)
-    base = fallen or posture or holds.get(PRESENT)
+    posture = next((holds[kind] for kind in POSTURES if kind in holds), None)
+    fallen = holds.get(SituationKind.PERSON_FALLEN)
+    base = fallen or posture or holds.get(SituationKind.PERSON_PRESENT)
     present: Verdict = "yes" if base is not None else "no" if gone else "unknown"
     carries = tuple(
         one.id
@@ -68,8 +66,8 @@ def person_answer(moment: RoomMoment, person: str, gone: bool) -> PersonAnswer:
         if world.where(one.id).inside == person and moment.confidence_in(one.id) >= _CARRIES
     )
     activity = _activity(world, posture, fallen, found.position)
-    told = base.evidence if base else ""
-    heard = None if base is None else evidence_age(world, told, person, moment.at)
+    sources = base.sources if base else ()
+    heard = evidence_age(world, sources, person, moment.at)
     words = _sentence(moment, person, base, activity, present, heard)
     if carries and present == "yes":
         words += f"; carries {' and '.join(world.thing(one).name for one in carries)}"
@@ -78,7 +76,7 @@ def person_answer(moment: RoomMoment, person: str, gone: bool) -> PersonAnswer:
         thing.name,
         words,
         present,
-        posture.kind.removeprefix("person ") if posture else "",
+        POSTURES[posture.kind] if posture else "",
         activity or ("away" if present == "no" else ""),
         fallen.confidence if fallen else 0.0,
         carries,
@@ -86,19 +84,15 @@ def person_answer(moment: RoomMoment, person: str, gone: bool) -> PersonAnswer:
         posture.confidence if posture else 0.0,
         found.position if found.seen_at is not None else None,
         heard if base is not None else found.age(moment.at),
-        told,
+        base.evidence if base else "",
+        sources,
     )
 
 
-def evidence_sources(evidence: str) -> tuple[str, ...]:
-    """Return the ids of the sources in a situation's evidence: "bed: load 58 kg; ..."."""
-    heads = (part.partition(":") for part in evidence.split("; "))
-    return tuple(dict.fromkeys(head for head, colon, _ in heads if colon and " " not in head))
-
-
-def evidence_age(world: WorldModel, evidence: str, thing: str, now: float) -> float | None:
-    """Return how long ago the sources of an evidence last spoke [s]; None if they never did."""
-    sources = evidence_sources(evidence)
+def evidence_age(
+    world: WorldModel, sources: Collection[str], thing: str, now: float
+) -> float | None:
+    """Return how long ago sources last spoke of themselves or a thing [s]; None for never."""
     known = {one.id for one in world.things}
     times = [
         seen.captured_at
@@ -113,7 +107,7 @@ def evidence_age(world: WorldModel, evidence: str, thing: str, now: float) -> fl
 def people_of(moment: RoomMoment) -> tuple[str, ...]:
     """Return the ids of everybody: in the catalogue, or found by the detectors."""
     listed = {thing.id for thing in moment.world.of_kind(ThingKind.PERSON)}
-    found = {held.thing for held in moment.situations if held.kind.startswith("person ")}
+    found = {held.thing for held in moment.situations if held.kind in OF_PEOPLE}
     known = {thing.id for thing in moment.world.things}
     return tuple(sorted(listed | (found & known)))
 
@@ -135,9 +129,17 @@ def _activity(
         return ""
     on = posture.facts.get("on", "")
     if on:
-        return "in bed" if is_bed(on) and posture.kind == LYING else f"on {spoken_seat(str(on))}"
-    beside = _beside(world, position) if posture.kind == STANDING and position else ""
-    return f"at {beside}" if beside else posture.kind.removeprefix("person ")
+        return (
+            "in bed"
+            if is_bed(on) and posture.kind == SituationKind.PERSON_LYING
+            else f"on {spoken_seat(str(on))}"
+        )
+    beside = (
+        _beside(world, position)
+        if posture.kind == SituationKind.PERSON_STANDING and position
+        else ""
+    )
+    return f"at {beside}" if beside else POSTURES[posture.kind]
 
 
 def _beside(world: WorldModel, position: Vec3) -> str:
@@ -151,7 +153,12 @@ def _beside(world: WorldModel, position: Vec3) -> str:
     return spoken_name(name) if distance < _BESIDE else ""
 
 
-_VERBS = {LYING: "lies", SITTING: "sits", STANDING: "stands", WALKING: "walks"}
+_VERBS: dict[str, str] = {
+    SituationKind.PERSON_LYING: "lies",
+    SituationKind.PERSON_SITTING: "sits",
+    SituationKind.PERSON_STANDING: "stands",
+    SituationKind.PERSON_WALKING: "walks",
+}
 
 
 def _sentence(
@@ -169,9 +176,9 @@ def _sentence(
         if present == "no":
             return f"{who} is not here, {seen}"
         return f"{who} was {seen}" if found.seen_at is None else f"{who} is not seen now, {seen}"
-    if base.kind == FALLEN:
+    if base.kind == SituationKind.PERSON_FALLEN:
         does = "may have fallen and lies on the floor"
-    elif base.kind == PRESENT:
+    elif base.kind == SituationKind.PERSON_PRESENT:
         does = "is here"
     else:
         place = activity if activity.split()[0] in ("in", "on", "at") else ""
@@ -179,12 +186,6 @@ def _sentence(
     spoken = "" if heard is None else f", {age_words(heard)}"
     sure = f"{100 * base.confidence:.0f} % sure"
     return f"{who} {does}{lasting_words(moment.at - base.since)} ({sure}; {base.evidence}{spoken})"
-
-
-def lasting_words(seconds: float) -> str:
-    """Return how long something lasts [s]: " for 12 s", " for 3 min"."""
-    words = age_words(max(seconds, 0.0))
-    return "" if words == "now" else f" for {words.removesuffix(' ago')}"
 
 
 def spoken_seat(on: str) -> str:

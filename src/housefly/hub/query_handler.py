@@ -40,6 +40,7 @@ from housefly.hub.api.questions import (
 from housefly.hub.memory import RoomMemory
 from housefly.hub.recall import recall
 from housefly.hub.room_status import RoomStatus
+from housefly.hub.said import event_words
 from housefly.hub.situations.device_traits import DeviceTraits
 from housefly.hub.state_handler import StateHandler
 from housefly.hub.things.beliefs import Beliefs
@@ -231,8 +232,10 @@ def _where_answer(world: WorldModel, beliefs: Beliefs, words: str, now: float) -
 
 def event_answer(event: RoomEvent) -> EventAnswer:
     """Return an event in the form of an answer."""
-    h = event
-    return EventAnswer(h.kind, h.thing, h.at, h.source, h.cause, h.confidence, dict(h.facts))
+    h, facts = event, dict(event.facts)
+    return EventAnswer(
+        h.kind, h.thing, h.at, h.source, h.cause, h.confidence, facts, event_words(event)
+    )
 
 
 def placed_thing(

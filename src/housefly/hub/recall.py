@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from housefly.geometry import Vec3
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.store.store import Store
-from housefly.hub.things.beliefs import LYING, LYING_ENDED, Beliefs
+from housefly.hub.things.beliefs import Beliefs
 from housefly.hub.things.world_model import WorldModel
 
 _LONGEST_WAY = 7200.0
@@ -36,7 +37,7 @@ def recall(beliefs: Beliefs, world: WorldModel, store: Store, at: float) -> None
         beliefs.retrace(world, thing, _filled(way))
     rests = [
         event
-        for kind in (LYING, LYING_ENDED)
+        for kind in (SituationKind.PERSON_LYING, SituationKind.PERSON_LYING.ended)
         for event in store.events(at - _LONGEST_REST, at, kind=kind)
     ]
     for event in sorted(rests, key=lambda rest: rest.at):

@@ -9,9 +9,12 @@ from housefly.config.site import Site
 from housefly.hub.api.answers import SituationAnswer
 from housefly.hub.memory import RoomMemory
 from housefly.hub.room_status import RoomStatus
+from housefly.hub.said import situation_words
 from housefly.hub.situations import Layout, Situations
 from housefly.hub.situations.device_traits import device_traits_of
 from housefly.hub.situations.furniture import beds_of, entrance_of, seats_of
+from housefly.hub.situations.kinds import SituationKind
+from housefly.hub.situations.situation import evidence_words, sources_of
 from housefly.hub.situations_at import lasting_facts
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, RoomEvent
@@ -39,7 +42,7 @@ class SituationService:
             items, self._waiting = self._waiting, []
         for event in self._situations.update(items, now):
             self._memory.add(event)
-            if event.kind == "object taken" and event.cause:
+            if event.kind == SituationKind.OBJECT_TAKEN and event.cause:
                 # It is with whoever took it, until a sensor says where it was put.
                 at = event.at
                 self._memory.add(
@@ -47,12 +50,14 @@ class SituationService:
                 )
         holds = (
             SituationAnswer(
-                s.kind,
+                s.kind.value,
                 s.thing,
                 s.since,
                 s.confidence,
-                "; ".join(s.evidence),
+                evidence_words(s.evidence),
                 lasting_facts(s.facts),
+                sources_of(s.evidence),
+                situation_words(s.kind),
             )
             for s in self._situations.active()
         )

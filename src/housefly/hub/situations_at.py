@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from housefly.hub.api.answers import SituationAnswer
-from housefly.hub.situations.hysteresis import ENDED_SUFFIX
+from housefly.hub.said import situation_words
+from housefly.hub.situations.kinds import BEGUN_BY
 from housefly.hub.situations.situation import SOURCE_PREFIX
 from housefly.messages import Facts, RoomEvent
 
 MEMORY_STARTED = "memory started"
 """The event before which nobody knows what happened to what held."""
 _PASSING = frozenset(
-    {"x", "y", "sigma", "speed", "load", "power", "open_for", "evidence", "noticed_at"}
+    {"x", "y", "sigma", "speed", "load", "power", "open_for", "evidence", "sources", "noticed_at"}
 )
 """Facts that change while a situation holds, and those that are told elsewhere."""
 
@@ -25,13 +26,15 @@ def situations_at(events: Iterable[RoomEvent]) -> tuple[SituationAnswer, ...]:
             holds.clear()
         elif not event.source.startswith(SOURCE_PREFIX):
             continue
-        elif event.kind.endswith(ENDED_SUFFIX):
-            holds.pop((event.thing, event.kind.removesuffix(ENDED_SUFFIX)), None)
+        elif (over := BEGUN_BY.get(event.kind)) is not None:
+            holds.pop((event.thing, over), None)
         else:
-            evidence = next((str(value) for key, value in event.facts if key == "evidence"), "")
+            facts = dict(event.facts)
+            sources = str(facts.get("sources", ""))
             holds[event.thing, event.kind] = SituationAnswer(
-                event.kind, event.thing, event.at, event.confidence, evidence,
-                lasting_facts(event.facts),
+                event.kind, event.thing, event.at, event.confidence, str(facts.get("evidence", "")),
+                lasting_facts(event.facts), tuple(filter(None, sources.split(","))),
+                situation_words(event.kind),
             )  # fmt: skip
     return tuple(holds.values())
 

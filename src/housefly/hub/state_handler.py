@@ -13,11 +13,9 @@ from housefly.hub.memory import RoomMemory
 from housefly.hub.nights import NightWindow, night_of, nothing_kept, stays_of
 from housefly.hub.person_status import RoomMoment, people_of, person_answer
 from housefly.hub.room_status import RoomStatus
-from housefly.hub.situations.appliance import APPLIANCE_ON
-from housefly.hub.situations.bed import BED_OCCUPIED
 from housefly.hub.situations.device_traits import DeviceTraits
-from housefly.hub.situations.hysteresis import ENDED_SUFFIX, NOT_KNOWN
-from housefly.hub.situations.person import PRESENT
+from housefly.hub.situations.hysteresis import UNKNOWN
+from housefly.hub.situations.kinds import BEGUN_BY, SituationKind
 from housefly.hub.situations_at import situations_at
 from housefly.hub.state_queries import device_answer, person_state_answer
 from housefly.hub.things.beliefs import Beliefs
@@ -27,7 +25,7 @@ from housefly.messages import RoomEvent
 
 _LOOK_BACK = 86_400.0
 """What began longer ago than this and never ended is not looked for [s]."""
-_LEFT = PRESENT + ENDED_SUFFIX
+_LEFT = SituationKind.PERSON_PRESENT.ended
 _Answered = TypeVar("_Answered")
 
 
@@ -58,7 +56,7 @@ class StateHandler:
     def state(self, question: StateQuestion) -> StateAnswer:
         """Answer whether a thing or person is in a state; raises ThingError, WireError."""
         now = self._now(question.at)
-        switched = self._events(now, APPLIANCE_ON, APPLIANCE_ON + ENDED_SUFFIX)
+        switched = self._events(now, SituationKind.APPLIANCE_ON, SituationKind.APPLIANCE_ON.ended)
         left = self._events(now, _LEFT)
 
         def answer(moment: RoomMoment) -> StateAnswer:
@@ -149,7 +147,7 @@ class StateHandler:
 
 def in_order(events: Iterable[RoomEvent]) -> tuple[RoomEvent, ...]:
     """Return events by time; of those at one time the ends first, as one posture gives another."""
-    return tuple(sorted(events, key=lambda e: (e.at, not e.kind.endswith(ENDED_SUFFIX))))
+    return tuple(sorted(events, key=lambda e: (e.at, e.kind not in BEGUN_BY)))
 
 
 def _named(world: WorldModel, words: str) -> Thing:
@@ -169,16 +167,18 @@ def _confidence_by(beliefs: Beliefs, world: WorldModel, now: float) -> Callable[
 def _gone(left: Iterable[RoomEvent]) -> frozenset[str]:
     """Return who left, by what ended that they were present."""
     last = {event.thing: event for event in left}
-    return frozenset(t for t, event in last.items() if ("because", NOT_KNOWN) not in event.facts)
+    return frozenset(t for t, event in last.items() if UNKNOWN not in event.facts)
 
 
 def _was_on(switched: Iterable[RoomEvent], thing: str) -> bool | None:
     """Return whether a thing was on when that was last decided; None when it never was."""
     last = [event for event in switched if event.thing == thing][-1:]
-    if not last or ("because", NOT_KNOWN) in last[0].facts:
+    if not last or UNKNOWN in last[0].facts:
         return None
-    return last[0].kind == APPLIANCE_ON
+    return last[0].kind == SituationKind.APPLIANCE_ON
 
 
 def _beds(events: Iterable[RoomEvent]) -> tuple[str, ...]:
-    return tuple(sorted({event.thing for event in events if event.kind == BED_OCCUPIED}))
+    return tuple(
+        sorted({event.thing for event in events if event.kind == SituationKind.BED_OCCUPIED})
+    )

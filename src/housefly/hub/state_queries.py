@@ -9,11 +9,11 @@ from housefly.hub.api.questions import StateQuestion
 from housefly.hub.api.state_answers import PersonAnswer, StateAnswer, Verdict
 from housefly.hub.device_reports import LastReport, reports_on, why_no_report, why_not_believed
 from housefly.hub.device_states import DEVICE_STATES, DeviceProperty
-from housefly.hub.person_status import RoomMoment, evidence_sources, lasting_words, spoken_name
-from housefly.hub.situations.appliance import APPLIANCE_ON, CONTACT_OPEN
+from housefly.hub.person_status import RoomMoment, spoken_name
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.things.thing import Thing
-from housefly.hub.things.words import age_words
+from housefly.hub.things.words import age_words, lasting_words
 
 _DEVICE_CONFIDENCE, _DISPUTED_CONFIDENCE = 0.95, 0.825
 """Confidence in a device that reports, and in one that another contradicts."""
@@ -89,7 +89,6 @@ def person_state_answer(question: StateQuestion, who: PersonAnswer) -> StateAnsw
     Whoever lies on the floor without a fall that was seen may have fallen all the same.
     """
     state = _plain(question.state)
-    sources = evidence_sources(who.evidence)
     if state in _PRESENCE:
         verdict = _verdict_of_presence(who.present, _PRESENCE[state])
     elif state in PERSON_STATES:
@@ -104,7 +103,7 @@ def person_state_answer(question: StateQuestion, who: PersonAnswer) -> StateAnsw
     confidence = 0.0 if verdict == "unknown" else (who.fallen or who.confidence or 0.9)
     return StateAnswer(
         who.person, who.name, question.state, verdict, f"{start}: {who.words}", confidence,
-        who.age, who.since if verdict == "yes" else None, sources,
+        who.age, who.since if verdict == "yes" else None, who.sources,
     )  # fmt: skip
 
 
@@ -139,7 +138,10 @@ def _others(reports: Sequence[LastReport], holds: bool) -> str:
     return f"; but {' and '.join(against)}" if against else ""
 
 
-_LASTING = {DeviceProperty.ON: APPLIANCE_ON, DeviceProperty.OPEN: CONTACT_OPEN}
+_LASTING = {
+    DeviceProperty.ON: SituationKind.APPLIANCE_ON,
+    DeviceProperty.OPEN: SituationKind.CONTACT_OPEN,
+}
 """Situations that tell since when a state holds."""
 
 

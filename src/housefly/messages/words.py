@@ -24,6 +24,7 @@ _DEPTH_MAX = 20
 """Words in words in words: nothing that is said is deeper."""
 JOINED = {", ": "{why}, {more}", "; ": "{why}; {more}"}
 _TEMPLATES_KEPT = 2000
+_TEXT_SCHEMA = {"type": "string"}
 
 
 class Number(str):
@@ -71,6 +72,11 @@ class Words(str):
         return core_schema.no_info_plain_validator_function(
             from_tree, serialization=core_schema.plain_serializer_function_ser_schema(tree)
         )
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: Any, handler: Any) -> dict[str, Any]:
+        """Return what a ``tree`` is for JSON schema: a text, or a list that begins with one."""
+        return {"anyOf": [{"type": "string"}, {"type": "array", "prefixItems": [_TEXT_SCHEMA]}]}
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("words are what they are")

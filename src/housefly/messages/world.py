@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from housefly.geometry import Quaternion, Vec3
 
 Fact = str | float | bool
+"""A text, a number, or yes or no; a text may be words with their template."""
 Facts = tuple[tuple[str, Fact], ...]
 """Named values beside the pose; names end in their unit where it is not SI: ("weight", 0.21),
 ("open", True).

@@ -46,10 +46,10 @@ from housefly.config.state import (
     webhook_key_file,
 )
 from housefly.errors import ConfigError, HouseflyError, LinkError
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.exposure import checked_exposure, console_address, guest_address
 from housefly.web.access.session import EndedSessions

@@ -36,7 +36,7 @@ from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.tracking import DRONE_BODY
-from housefly.tasks.evidence.live_blanker import LiveBlanker
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.logins import Logins
 from housefly.web.access.page_routes import page_routes

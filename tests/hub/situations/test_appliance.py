@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.hub.situations.appliance import APPLIANCE_ON, CONTACT_OPEN, Appliances
+from housefly.hub.situations.appliance import Appliances
 from housefly.hub.situations.device_traits import OFF_BELOW, ON_ABOVE, DeviceTraits
+from housefly.hub.situations.kinds import SituationKind
 from housefly.messages import Fact, Observation
 
 STOVE = {"stove-plug": DeviceTraits("stove", "power", 50.0, 20.0, 60.0)}
@@ -23,9 +24,11 @@ def say(
 def test_a_stove_is_on_from_its_threshold_and_off_below_the_other() -> None:
     meter = Appliances(STOVE)
     assert say(meter, "stove-plug", 0.0, ("power", 30.0)) == []
-    assert say(meter, "stove-plug", 1.0, ("power", 50.0)) == [(APPLIANCE_ON, "stove", 1.0)]
+    assert say(meter, "stove-plug", 1.0, ("power", 50.0)) == [
+        (SituationKind.APPLIANCE_ON, "stove", 1.0)
+    ]
     assert say(meter, "stove-plug", 2.0, ("power", 20.0)) == []
-    assert [(s.kind, s.thing) for s in meter.active()] == [(APPLIANCE_ON, "stove")]
+    assert [(s.kind, s.thing) for s in meter.active()] == [(SituationKind.APPLIANCE_ON, "stove")]
     assert say(meter, "stove-plug", 3.0, ("power", 19.9)) == [("appliance on ended", "stove", 3.0)]
 
 
@@ -42,7 +45,7 @@ def test_a_switch_that_is_on_while_its_stove_draws_nothing_says_nothing() -> Non
     detector = Appliances(STOVE | {"stove-switch": DeviceTraits("stove", "switch")})
     say(detector, "stove-plug", 0.0, ("power", 0.4))
     assert say(detector, "stove-switch", 1.0, ("on", True)) == []
-    assert say(detector, "lamp", 1.0, ("on", True)) == [(APPLIANCE_ON, "lamp", 1.0)]
+    assert say(detector, "lamp", 1.0, ("on", True)) == [(SituationKind.APPLIANCE_ON, "lamp", 1.0)]
 
 
 def test_a_meter_that_falls_silent_ends_what_it_said_without_saying_the_contrary() -> None:
@@ -61,16 +64,20 @@ def test_a_contact_that_says_what_is_not_understood_is_open_no_longer() -> None:
     refused = (("refused", "contact is 'ajar'"),)
     detector.add(Observation("window", "window", 1.0, 1.0, valid=False, facts=refused))
     (ended,) = detector.update(1.0)
-    assert ended.kind == f"{CONTACT_OPEN} ended"
+    assert ended.kind == SituationKind.CONTACT_OPEN.ended
     assert dict(ended.facts)["because"] == "not known any more"
-    assert say(detector, "window", 2.0, ("open", True), contact) == [(CONTACT_OPEN, "window", 2.0)]
+    assert say(detector, "window", 2.0, ("open", True), contact) == [
+        (SituationKind.CONTACT_OPEN, "window", 2.0)
+    ]
 
 
 def test_a_contact_opens_and_closes_and_a_door_is_left_to_who_knows_doors() -> None:
     detector = Appliances({})
     contact = ("kind", "contact")
     assert say(detector, "window", 0.0, ("open", False), contact) == []
-    assert say(detector, "window", 1.0, ("open", True), contact) == [(CONTACT_OPEN, "window", 1.0)]
+    assert say(detector, "window", 1.0, ("open", True), contact) == [
+        (SituationKind.CONTACT_OPEN, "window", 1.0)
+    ]
     assert say(detector, "entrance-door", 1.0, ("open", True)) == []
     assert detector.update(1.0) == ()
 
@@ -89,4 +96,4 @@ def test_what_the_broker_kept_from_no_known_time_switches_nothing() -> None:
     detector.add(Observation("lamp", "lamp", 5.0, 5.0, facts=kept))
     assert detector.update(5.0) == ()
     detector.add(Observation("lamp", "lamp", 4.0, 5.0, facts=kept))  # with a time of its own
-    assert [event.kind for event in detector.update(5.0)] == [APPLIANCE_ON]
+    assert [event.kind for event in detector.update(5.0)] == [SituationKind.APPLIANCE_ON]

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.hub.situations.bed import BED_HEARTBEAT, LOAD_OFF, LOAD_ON, Beds
+from housefly.hub.situations.situation import Evidence
 from housefly.messages import Observation, RoomEvent
 
 
@@ -42,7 +43,7 @@ def test_the_claim_names_load_source_and_since_when() -> None:
         "bed occupied",
         "bed",
         10.0,
-        ("bed: load 58.0 kg",),
+        (Evidence("load 58.0 kg", "bed"),),
     )
     assert dict(claim.facts) == {"load": 58.0}
 

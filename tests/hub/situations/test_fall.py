@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.hub.situations.bed import Beds
-from housefly.hub.situations.fall import FALLEN, FAST_DESCENT, LONG_ON_FLOOR, SLOW_DESCENT, Falls
+from housefly.hub.situations.fall import FAST_DESCENT, LONG_ON_FLOOR, SLOW_DESCENT, Falls
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Area, Layout
 from housefly.hub.situations.person import People
 from housefly.hub.situations.person_tracks import PersonTracks
-from housefly.hub.situations.posture import LYING, SITTING
 from housefly.messages import Observation, RoomEvent
 from housefly.twin.people import Scene, scene_from_tree
 
@@ -59,7 +59,9 @@ class Watched:
         return max((claim.confidence for claim in self.falls.active()), default=0.0)
 
     def lies_on(self) -> str:
-        claims = [claim for claim in self.people.active() if claim.kind == LYING]
+        claims = [
+            claim for claim in self.people.active() if claim.kind == SituationKind.PERSON_LYING
+        ]
         return str(dict(claims[0].facts)["on"]) if claims else ""
 
 
@@ -70,7 +72,7 @@ def test_who_comes_down_fast_and_stays_on_the_floor_has_fallen() -> None:
     room.see(6.0, FLOOR, head=0.25)
     assert room.fallen() == pytest.approx(0.85)
     assert room.lies_on() == "floor"
-    (begun,) = [event for event in room.told if event.kind == FALLEN]
+    (begun,) = [event for event in room.told if event.kind == SituationKind.PERSON_FALLEN]
     assert "down within" in str(dict(begun.facts)["evidence"])
     assert begun.at == pytest.approx(3.5, abs=0.4)
 
@@ -92,13 +94,13 @@ def test_who_drops_onto_sofa_or_bed_has_not_fallen(place: tuple[float, float], o
     room.come_down(0.6, place)
     room.see(400.0, place, head=0.45)
     assert (room.fallen(), room.lies_on()) == (0.0, on)
-    assert FALLEN not in {event.kind for event in room.told}
+    assert SituationKind.PERSON_FALLEN not in {event.kind for event in room.told}
 
 
 def test_who_lies_on_the_sofa_lies_and_who_sits_there_sits() -> None:
     room = Watched()
     room.see(5.0, ON_SOFA, head=1.2)
-    assert {claim.kind for claim in room.people.active()} >= {SITTING}
+    assert {claim.kind for claim in room.people.active()} >= {SituationKind.PERSON_SITTING}
     room.see(5.0, ON_SOFA, head=0.55)
     assert room.lies_on() == "sofa seat"
 
@@ -109,7 +111,7 @@ def test_who_stumbles_and_gets_up_at_once_has_not_fallen() -> None:
     room.come_down(0.6, FLOOR)
     room.see(1.5, FLOOR, head=0.25)
     room.see(10.0, FLOOR, head=1.6)
-    assert FALLEN not in {event.kind for event in room.told}
+    assert SituationKind.PERSON_FALLEN not in {event.kind for event in room.told}
 
 
 def test_who_gets_up_again_ends_it() -> None:
@@ -120,8 +122,8 @@ def test_who_gets_up_again_ends_it() -> None:
     room.see(6.0, FLOOR, extent=0.35)
     assert room.fallen() == 0.0
     assert [event.kind for event in room.told if event.source.endswith("falls")] == [
-        FALLEN,
-        FALLEN + " ended",
+        SituationKind.PERSON_FALLEN,
+        SituationKind.PERSON_FALLEN + " ended",
     ]
 
 
@@ -157,7 +159,9 @@ def test_a_flicker_of_the_measurement_is_no_second_fall() -> None:
     for _ in range(20):
         room.see(2.0, FLOOR, head=0.25)
         room.see(0.2, FLOOR, head=0.7)
-    assert [event.kind for event in room.told if event.source.endswith("falls")] == [FALLEN]
+    assert [event.kind for event in room.told if event.source.endswith("falls")] == [
+        SituationKind.PERSON_FALLEN
+    ]
     assert room.fallen() >= 0.85
 
 
@@ -205,7 +209,7 @@ def test_a_fall_in_the_simulated_room_is_told_and_going_to_bed_is_not(
     fell, slept = watching(), watching()
     fell.hear(play(scene({"at": [9.9, 4.3], "height": 0.0}), 30.0), 30.0)
     slept.hear(play(scene({"at": [10.35, 2.7], "height": 0.5}), 30.0), 30.0)
-    (event,) = fell.named(FALLEN)
+    (event,) = fell.named(SituationKind.PERSON_FALLEN)
     assert event.thing == "person-1" and event.confidence >= 0.8
-    assert slept.named(FALLEN) == []
-    assert [e.thing for e in slept.named(LYING)] == ["person-1"]
+    assert slept.named(SituationKind.PERSON_FALLEN) == []
+    assert [e.thing for e in slept.named(SituationKind.PERSON_LYING)] == ["person-1"]

@@ -7,18 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.hub.situations.bed import Beds
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Area, Layout
 from housefly.hub.situations.person import People
 from housefly.hub.situations.person_tracks import PersonTracks
-from housefly.hub.situations.posture import (
-    LYING,
-    RULES,
-    SITTING,
-    STANDING,
-    WALKING,
-    PersonFeatures,
-    rule_for,
-)
+from housefly.hub.situations.posture import RULES, PersonFeatures, rule_for
 from housefly.messages import Observation, RoomEvent
 
 SOFA, BED = Area("sofa seat", (5.0, 1.0), (0.6, 0.6)), Area("mattress", (8.0, 1.0), (2.0, 0.9))
@@ -85,33 +78,38 @@ def test_every_look_has_a_rule_and_walking_beats_sitting(looks: PersonFeatures) 
     rule = rule_for(looks)
     assert 0.5 <= rule.confidence <= 1.0
     if looks.moves and looks.head is None:
-        assert rule.kind == WALKING
-    if rule.kind == SITTING:
+        assert rule.kind == SituationKind.PERSON_WALKING
+    if rule.kind == SituationKind.PERSON_SITTING:
         assert looks.seat is not None or looks.bed is not None
 
 
 def test_every_rule_is_of_use() -> None:
-    assert {rule.kind for rule in RULES} == {WALKING, STANDING, SITTING, LYING}
+    assert {rule.kind for rule in RULES} == {
+        SituationKind.PERSON_WALKING,
+        SituationKind.PERSON_STANDING,
+        SituationKind.PERSON_SITTING,
+        SituationKind.PERSON_LYING,
+    }
     assert RULES[-1].fits(PersonFeatures(0.0, False, None, None, None, None))
 
 
 @pytest.mark.parametrize(
     ("looks", "kind"),
     [
-        (PersonFeatures(0.3, False, None, None, None, None), STANDING),
-        (PersonFeatures(0.3, True, None, None, None, None), WALKING),
-        (PersonFeatures(0.0, False, 1.2, SOFA, None, None), SITTING),
-        (PersonFeatures(0.0, False, 1.6, SOFA, None, None), STANDING),
-        (PersonFeatures(0.0, False, 0.2, None, None, None), LYING),
-        (PersonFeatures(0.0, False, 0.6, None, BED, True), LYING),
-        (PersonFeatures(0.0, False, 1.2, None, BED, True), SITTING),
-        (PersonFeatures(0.0, False, None, None, BED, None), LYING),
-        (PersonFeatures(0.0, False, None, None, BED, False), STANDING),
-        (PersonFeatures(0.0, False, 0.2, None, BED, False), LYING),
-        (PersonFeatures(0.0, False, 0.6, SOFA, None, None), LYING),
-        (PersonFeatures(0.0, False, None, None, None, None, 1.5), LYING),
-        (PersonFeatures(0.0, False, None, SOFA, None, None, 1.5), SITTING),
-        (PersonFeatures(0.0, False, None, None, None, None, 0.8), STANDING),
+        (PersonFeatures(0.3, False, None, None, None, None), SituationKind.PERSON_STANDING),
+        (PersonFeatures(0.3, True, None, None, None, None), SituationKind.PERSON_WALKING),
+        (PersonFeatures(0.0, False, 1.2, SOFA, None, None), SituationKind.PERSON_SITTING),
+        (PersonFeatures(0.0, False, 1.6, SOFA, None, None), SituationKind.PERSON_STANDING),
+        (PersonFeatures(0.0, False, 0.2, None, None, None), SituationKind.PERSON_LYING),
+        (PersonFeatures(0.0, False, 0.6, None, BED, True), SituationKind.PERSON_LYING),
+        (PersonFeatures(0.0, False, 1.2, None, BED, True), SituationKind.PERSON_SITTING),
+        (PersonFeatures(0.0, False, None, None, BED, None), SituationKind.PERSON_LYING),
+        (PersonFeatures(0.0, False, None, None, BED, False), SituationKind.PERSON_STANDING),
+        (PersonFeatures(0.0, False, 0.2, None, BED, False), SituationKind.PERSON_LYING),
+        (PersonFeatures(0.0, False, 0.6, SOFA, None, None), SituationKind.PERSON_LYING),
+        (PersonFeatures(0.0, False, None, None, None, None, 1.5), SituationKind.PERSON_LYING),
+        (PersonFeatures(0.0, False, None, SOFA, None, None, 1.5), SituationKind.PERSON_SITTING),
+        (PersonFeatures(0.0, False, None, None, None, None, 0.8), SituationKind.PERSON_STANDING),
     ],
 )
 def test_looks_are_judged_in_order_of_how_sure_they_are(looks: PersonFeatures, kind: str) -> None:
@@ -121,12 +119,14 @@ def test_looks_are_judged_in_order_of_how_sure_they_are(looks: PersonFeatures, k
 def test_somebody_walks_stands_and_sits_down() -> None:
     room = Room()
     room.see(4.0, 0.0, 1.0, vx=0.9)
-    assert room.active() == {"person present", WALKING}
+    assert room.active() == {"person present", SituationKind.PERSON_WALKING}
     room.see(4.0, 3.6, 1.0)
-    assert room.active() == {"person present", STANDING}
+    assert room.active() == {"person present", SituationKind.PERSON_STANDING}
     room.see(5.0, 5.0, 1.0)
-    assert room.active() == {"person present", SITTING}
-    claim = next(claim for claim in room.people.active() if claim.kind == SITTING)
+    assert room.active() == {"person present", SituationKind.PERSON_SITTING}
+    claim = next(
+        claim for claim in room.people.active() if claim.kind == SituationKind.PERSON_SITTING
+    )
     facts = dict(claim.facts)
     assert (facts["on"], facts["x"], claim.thing) == (
         "sofa seat",
@@ -140,7 +140,7 @@ def test_somebody_walks_stands_and_sits_down() -> None:
 def test_without_the_seat_the_same_person_stands() -> None:
     room = Room(Layout())
     room.see(6.0, 5.0, 1.0)
-    assert room.active() == {"person present", STANDING}
+    assert room.active() == {"person present", SituationKind.PERSON_STANDING}
 
 
 def test_one_reflection_is_nobody() -> None:
@@ -182,11 +182,11 @@ def lie_down(room: Room) -> None:
 def test_who_vanishes_beside_a_bed_that_feels_somebody_lies_in_it_and_is_there() -> None:
     room = Room()
     lie_down(room)
-    assert room.active() == {"person present", LYING}
+    assert room.active() == {"person present", SituationKind.PERSON_LYING}
     assert "person present ended" not in room.kinds()
     room.alone(1.0, load=0.0)
     room.see(4.0, 8.0, 1.9)
-    assert room.active() == {"person present", STANDING}
+    assert room.active() == {"person present", SituationKind.PERSON_STANDING}
     assert "person present ended" not in room.kinds()
     ended = next(event for event in room.told if event.kind == "person lying ended")
     assert dict(ended.facts)["because"] == "floor: stays where they are"
@@ -197,7 +197,7 @@ def test_without_the_load_of_the_bed_they_are_just_gone() -> None:
     room.alone(5.0, load=0.0)
     room.see(4.0, 8.0, 1.9)
     room.alone(20.0, load=0.0)
-    assert room.active() == set() and LYING not in room.kinds()
+    assert room.active() == set() and SituationKind.PERSON_LYING not in room.kinds()
 
 
 def test_who_vanished_elsewhere_or_earlier_is_not_in_bed() -> None:
@@ -206,7 +206,7 @@ def test_who_vanished_elsewhere_or_earlier_is_not_in_bed() -> None:
         room.see(4.0, x, 1.9)
         room.alone(wait, load=0.0)
         room.alone(20.0, load=61.0)
-        assert LYING not in room.kinds()
+        assert SituationKind.PERSON_LYING not in room.kinds()
 
 
 def test_of_two_people_who_vanish_beside_a_bed_neither_is_named() -> None:
@@ -216,11 +216,11 @@ def test_of_two_people_who_vanish_beside_a_bed_neither_is_named() -> None:
         room.now -= 0.1
         room.see(0.1, 8.5, 1.9, person="bob")
     room.alone(20.0, load=61.0)
-    assert LYING not in room.kinds() and "bed occupied" in room.kinds()
+    assert SituationKind.PERSON_LYING not in room.kinds() and "bed occupied" in room.kinds()
 
 
 def test_a_head_near_the_floor_is_somebody_who_lies_there() -> None:
     room = Room()
     room.see(4.0, 2.0, 2.0, head=1.6)
     room.see(4.0, 2.0, 2.0, head=0.2)
-    assert room.active() == {"person present", LYING}
+    assert room.active() == {"person present", SituationKind.PERSON_LYING}

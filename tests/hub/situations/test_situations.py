@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from housefly.hub.nights import night_of, stays_of
 from housefly.hub.situations import Layout, Situations
-from housefly.hub.situations.hysteresis import ENDED_SUFFIX
+from housefly.hub.situations.kinds import BEGUN_BY, SituationKind
 from housefly.hub.situations.reorder_buffer import REORDER_DELAY
 from housefly.hub.situations.situation import SOURCE_PREFIX
 from housefly.hub.state_handler import in_order
@@ -136,8 +136,8 @@ def check(told: Sequence[RoomEvent]) -> None:
     open_: set[tuple[str, str]] = set()
     for event in told:
         assert 0.0 <= event.confidence <= 1.0 and event.source.startswith(SOURCE_PREFIX)
-        key = event.kind.removesuffix(ENDED_SUFFIX), event.thing
-        if event.kind.endswith(ENDED_SUFFIX):
+        key = BEGUN_BY.get(event.kind, event.kind), event.thing
+        if event.kind in BEGUN_BY:
             assert key in open_
             open_.discard(key)
         elif not event.kind.startswith(("object taken", "object put")):
@@ -224,7 +224,8 @@ def test_a_refrigerator_that_stays_open_is_told(play: Play, watcher: Watcher) ->
     steps = [wait, {"do": "open", **handle}, {**wait, "seconds": 60}, {"do": "close", **handle}]
     forgetful = {"name": "ann", "start": [7.2, 4.9], "steps": steps}
     watcher.hear(play(scene_from_tree({**QUIET, "people": [forgetful]}), 80.0), 80.0)
-    begun, ended = (watcher.named("door open too long" + end) for end in ("", ENDED_SUFFIX))
+    kind = SituationKind.DOOR_OPEN_LONG
+    begun, ended = watcher.named(kind), watcher.named(kind.ended)
     assert times(begun) == pytest.approx([35.4], abs=0.1) and times(ended) == pytest.approx(
         [65.8], abs=0.1
     )

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from ardrone_flow import FLOW
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -34,7 +35,9 @@ def first_drift(
 ) -> float:
     """Return the lie [m] at which the gate lands a drone at these heights; nan for never."""
     monitor, rng = (
-        TrackingMonitor(OdometryTolerance(0.002, 0.05), 0.58, airframe_named("ardrone").sonar),
+        TrackingMonitor(
+            OdometryTolerance(0.002, 0.05, FLOW), 0.58, airframe_named("ardrone").sonar
+        ),
         np.random.default_rng(seed),
     )
     since, reading, next_ping = np.inf, 0.0, 0.0

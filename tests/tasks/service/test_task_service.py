@@ -13,17 +13,18 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from task_stage import GOOD, TaskStage
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
+from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_store import new_clip_row
+from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase, RoomEvent
 from housefly.tasks.api.answers import TASK_ANSWER_TYPES
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -37,20 +38,11 @@ from housefly.tasks.api.questions import (
     TaskQuestion,
     Webhook,
 )
-from housefly.tasks.api.values import (
-    ENDED,
-    HouseMode,
-    Priority,
-    ReasonCode,
-    RehearsalReport,
-    RequestSurface,
-)
+from housefly.tasks.api.values import ENDED, Priority, ReasonCode, RehearsalReport, RequestSurface
 from housefly.tasks.api.values import (
     TaskStage as Stage,
 )
 from housefly.tasks.engine.drone_state import TakeOffReadiness
-from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
-from housefly.tasks.evidence.clip_store import new_clip_row
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import TaskInputs
 from housefly.tasks.rules.trigger import EventTrigger

@@ -269,6 +269,8 @@ def test_a_bad_value_is_named_and_its_neighbours_are_heard(
     assert all(seen.valid for seen in reading.observations)
     facts = {seen.thing: dict(seen.facts) for seen in reading.observations}
     notes = [refused in str(own.pop("refused", "")) for own in facts.values()]
+    keys = {own.pop("refused_key") for own in facts.values() if "refused_key" in own}
+    assert all(refused.startswith(str(key)) for key in keys)
     assert facts == told
     assert all(notes) is ("battery" not in refused)
 
@@ -280,7 +282,7 @@ def test_a_state_that_a_kind_does_not_know_is_no_state_and_ends_the_one_before(
     reading = decode_reading(message("door", {"open": said}))
     (seen,) = reading.observations
     assert not seen.valid and not reading.is_understood
-    assert [name for name, _ in seen.facts] == ["refused"]
+    assert [name for name, _ in seen.facts] == ["refused", "refused_key"]
 
 
 @pytest.mark.parametrize(

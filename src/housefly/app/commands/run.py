@@ -59,10 +59,10 @@ def _demo(options: Namespace) -> int:
 def _free_instance(options: Namespace) -> int:
     from housefly.app.instance import free_instance
     from housefly.sites.loaded_site import read_site
-    from housefly.twin.lively import lively_site
+    from housefly.twin.demo_site import demo_site
 
     site = (
-        lively_site(read_site(options.site), has_broker=False)[0]
+        demo_site(read_site(options.site), has_broker=False)[0]
         if options.lively
         else (read_site(options.site))
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from housefly.app.mosquitto import find_mosquitto
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
 
 if TYPE_CHECKING:
     from housefly.config.site import Site
@@ -137,7 +137,7 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
         if words:
             console.print(f"tls:      {words}", markup=False, soft_wrap=True)
     if getattr(options, "lively", False):
-        site, words = lively_site(site, find_mosquitto() is not None)
+        site, words = demo_site(site, find_mosquitto() is not None)
         console.print(f"lively:   {words}", markup=False, soft_wrap=True)
     if (instance := getattr(options, "instance", None)) is not None:
         from housefly.app.instance import site_of_instance

@@ -23,6 +23,7 @@ from housefly.hub.api.questions import (
     WhereQuestion,
 )
 from housefly.hub.api.state_answers import NightsAnswer, PeopleAnswer, StateAnswer
+from housefly.messages.words import UNSAID, Words
 
 _Scalar = str | float | bool
 
@@ -151,7 +152,7 @@ class TrajectoryAnswer:
 
 @dataclass(frozen=True, slots=True)
 class EventAnswer:
-    """Something that happened, as kept: Unix time [s], confidence 0 to 1."""
+    """Something that happened, as kept: Unix time [s], confidence 0 to 1, what is said of it."""
 
     kind: str
     thing: str
@@ -160,6 +161,7 @@ class EventAnswer:
     cause: str
     confidence: float
     facts: dict[str, _Scalar]
+    words: Words = UNSAID
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,8 +195,9 @@ class SensorsAnswer:
 
 @dataclass(frozen=True, slots=True)
 class SituationAnswer:
-    """An active situation: since when [Unix time, s], confidence 0 to 1, evidence in words, and
-    the facts that last as long as it does.
+    """An active situation: since when [Unix time, s], confidence 0 to 1, evidence in words, the
+    facts that last as long as it does, ids of the sources of the evidence, and what is said of
+    its thing.
     """
 
     kind: str
@@ -203,6 +206,8 @@ class SituationAnswer:
     confidence: float
     evidence: str
     facts: dict[str, _Scalar] = field(default_factory=dict)
+    sources: tuple[str, ...] = ()
+    words: Words = UNSAID
 
 
 @dataclass(frozen=True, slots=True)

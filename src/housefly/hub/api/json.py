@@ -12,6 +12,7 @@ from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES, Answer
 from housefly.hub.api.questions import Question
+from housefly.messages.words import with_trees
 
 _QUESTION: TypeAdapter[Question] = TypeAdapter(Annotated[Question, Field(discriminator="ask")])
 _ANSWERS: dict[type[Answer], TypeAdapter[Any]] = {
@@ -42,7 +43,7 @@ def checked_question(question: Question) -> Question:
 
 def answer_to_json(answer: Answer) -> str:
     """Return an answer as JSON."""
-    return json.dumps(asdict(answer), allow_nan=False, ensure_ascii=False)
+    return json.dumps(asdict(answer, dict_factory=with_trees), allow_nan=False, ensure_ascii=False)
 
 
 def refusal_to_json(error: HouseflyError) -> str:

@@ -56,6 +56,7 @@ class PersonAnswer:
         position: world [m]; None when unknown.
         age: of the position [s]; None when never seen.
         evidence: which sources report what, in words.
+        sources: their ids.
     """
 
     person: str
@@ -71,6 +72,7 @@ class PersonAnswer:
     position: Vec3 | None
     age: float | None
     evidence: str
+    sources: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

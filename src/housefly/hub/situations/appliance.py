@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from housefly.hub.situations.confidence import freshness
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
     DetectorInput,
+    Evidence,
     Situation,
     fact,
     flag,
@@ -22,11 +24,10 @@ from housefly.hub.situations.situation import (
 from housefly.messages import Facts, Observation, RoomEvent
 from housefly.wires.devices import KINDS
 
-APPLIANCE_ON, CONTACT_OPEN = "appliance on", "contact open"
 _SOURCE = SOURCE_PREFIX + "appliances"
 _METER_CONFIDENCE = 0.95
 """Confidence in a meter, switch or contact that reports."""
-_DWELL = {APPLIANCE_ON: 0.0, CONTACT_OPEN: 0.0, "": 0.0}
+_DWELL = {SituationKind.APPLIANCE_ON: 0.0, SituationKind.CONTACT_OPEN: 0.0, None: 0.0}
 
 
 @dataclass(slots=True)
@@ -34,12 +35,13 @@ class _Appliance:
     """What one device says of one thing."""
 
     hysteresis: Hysteresis
-    kind: str
+    source: str
+    kind: SituationKind
     heartbeat: float
     on: bool | None = None
     since: float = 0.0
     heard: float = float("-inf")
-    words: str = ""
+    report: str = ""
     facts: Facts = ()
 
 
@@ -71,8 +73,7 @@ class Appliances:
         if on != own.on:
             own.since = item.captured_at
         own.on, own.heard = on, item.captured_at
-        said = _WORDS[kind][bool(on)] if power is None else f"{power:.0f} W"
-        own.words = f"{item.source}: {said}"
+        own.report = _WORDS[kind][bool(on)] if power is None else f"{power:.0f} W"
         own.facts = () if power is None else (("power", power),)
 
     def update(self, now: float) -> tuple[RoomEvent, ...]:
@@ -93,33 +94,33 @@ class Appliances:
         if own is not None and is_refused(item):
             own.on = None
 
-    def _appliance(self, device: str, traits: DeviceTraits, kind: str) -> _Appliance:
+    def _appliance(self, device: str, traits: DeviceTraits, kind: SituationKind) -> _Appliance:
         heartbeat = traits.heartbeat or KINDS[_HEARTBEAT_OF[kind]].heartbeat
-        own = _Appliance(Hysteresis(traits.thing, _SOURCE, _DWELL), kind, heartbeat)
+        own = _Appliance(Hysteresis(traits.thing, _SOURCE, _DWELL), device, kind, heartbeat)
         return self._appliances.setdefault(device, own)
 
 
 _WORDS = {
-    APPLIANCE_ON: ("switched off", "switched on"),
-    CONTACT_OPEN: ("closed", "open"),
+    SituationKind.APPLIANCE_ON: ("switched off", "switched on"),
+    SituationKind.CONTACT_OPEN: ("closed", "open"),
 }
-_HEARTBEAT_OF = {APPLIANCE_ON: "power", CONTACT_OPEN: "contact"}
+_HEARTBEAT_OF = {SituationKind.APPLIANCE_ON: "power", SituationKind.CONTACT_OPEN: "contact"}
 
 
-def _state_in(item: Observation) -> tuple[str, bool | None]:
+def _state_in(item: Observation) -> tuple[SituationKind, bool | None]:
     """Return the situation that a report is about, and whether a flag in it says that it holds."""
     if fact(item, "kind") == "contact":
-        return CONTACT_OPEN, flag(item, "open")
-    return APPLIANCE_ON, flag(item, "on")
+        return SituationKind.CONTACT_OPEN, flag(item, "open")
+    return SituationKind.APPLIANCE_ON, flag(item, "on")
 
 
-def _is_metered(traits: DeviceTraits, kind: str, metered: Collection[str]) -> bool:
-    return kind == APPLIANCE_ON and traits.thing in metered
+def _is_metered(traits: DeviceTraits, kind: SituationKind, metered: Collection[str]) -> bool:
+    return kind == SituationKind.APPLIANCE_ON and traits.thing in metered
 
 
 def _assess(own: _Appliance, now: float) -> Assessment | None:
     confidence = _METER_CONFIDENCE * freshness(now - own.heard, own.heartbeat)
     if confidence == 0.0 or own.on is None:
         return None
-    kind = own.kind if own.on else ""
-    return Assessment(kind, confidence, own.since, (own.words,), own.facts)
+    kind = own.kind if own.on else None
+    return Assessment(kind, confidence, own.since, (Evidence(own.report, own.source),), own.facts)

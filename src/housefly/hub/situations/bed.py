@@ -6,10 +6,12 @@ from collections.abc import Collection
 
 from housefly.hub.situations.confidence import freshness
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
     DetectorInput,
+    Evidence,
     Situation,
     flag,
     is_refused,
@@ -17,7 +19,6 @@ from housefly.hub.situations.situation import (
 )
 from housefly.messages import Observation, RoomEvent
 
-BED_OCCUPIED = "bed occupied"
 _SOURCE = SOURCE_PREFIX + "beds"
 LOAD_ON = 20.0
 """A load above this is a person [kg]."""
@@ -27,7 +28,7 @@ BED_HEARTBEAT = 30.0
 """Longest time between two messages of a bed [s]."""
 _LOAD_CONFIDENCE = 0.95
 """Confidence in load cells that report."""
-_DWELL = {BED_OCCUPIED: 1.5, "": 3.0}
+_DWELL = {SituationKind.BED_OCCUPIED: 1.5, None: 3.0}
 """How long a bed must be loaded or free [s]: ignores thrown bags and people who turn over."""
 
 
@@ -67,7 +68,7 @@ class Beds:
         """Return whether a bed is loaded at a time [s], without hysteresis; None if unknown."""
         known = self._beds.get(bed)
         found = known.assess(now) if known else None
-        return found.kind == BED_OCCUPIED if found else None
+        return found.kind == SituationKind.BED_OCCUPIED if found else None
 
     def situation(self, bed: str) -> Situation | None:
         """Return the situation that a bed is occupied, None if it is not."""
@@ -98,12 +99,11 @@ class _Bed:
         )
         if confidence == 0.0:
             return None
-        words = f"{self._bed}: load {self._load:.1f} kg"
         return Assessment(
-            BED_OCCUPIED if self._loaded else "",
+            SituationKind.BED_OCCUPIED if self._loaded else None,
             confidence,
             self._since,
-            (words,),
+            (Evidence(f"load {self._load:.1f} kg", self._bed),),
             (("load", self._load),),
         )
 

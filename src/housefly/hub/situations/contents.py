@@ -6,8 +6,9 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
 from housefly.hub.situations.confidence import KNOWN_THRESHOLD, freshness
-from housefly.hub.situations.move import PUT, TAKEN, Move
-from housefly.hub.situations.situation import DetectorInput, fact, number
+from housefly.hub.situations.kinds import SituationKind
+from housefly.hub.situations.move import Move
+from housefly.hub.situations.situation import DetectorInput, Evidence, fact, number
 from housefly.messages import Facts, Observation, RoomEvent
 
 CONTAINER_HEARTBEAT = 30.0
@@ -65,7 +66,10 @@ class ContentsDetector:
     def add(self, item: DetectorInput) -> None:
         """Add a report of a move, or a list of contents."""
         if isinstance(item, RoomEvent):
-            if item.kind in (TAKEN, PUT) and item.thing != item.source:
+            if (
+                item.kind in (SituationKind.OBJECT_TAKEN, SituationKind.OBJECT_PUT)
+                and item.thing != item.source
+            ):
                 self._report(item)
         elif (
             item.valid
@@ -99,7 +103,7 @@ class ContentsDetector:
     def _report(self, event: RoomEvent) -> None:
         box, put = (
             self._containers.setdefault(event.source, _Container(event.at)),
-            event.kind == PUT,
+            event.kind == SituationKind.OBJECT_PUT,
         )
         box.heard, box.reported[event.thing] = event.at, (event.at, put)
         box.missing.pop(event.thing, None)
@@ -118,7 +122,7 @@ class ContentsDetector:
             box.inside = set(contents)
         for thing in sorted(contents - box.inside):
             box.inside.add(thing)
-            self._moves.append(_compared(PUT, thing, at, source, dated))
+            self._moves.append(_compared(SituationKind.OBJECT_PUT, thing, at, source, dated))
         for thing in sorted(box.inside - contents):
             box.missing.setdefault(thing, (at, dated))
         for thing in contents:
@@ -134,7 +138,7 @@ class ContentsDetector:
             for thing, at, dated in lost:
                 del box.missing[thing]
                 (box.inside or set()).discard(thing)
-                yield _compared(TAKEN, thing, at, source, dated)
+                yield _compared(SituationKind.OBJECT_TAKEN, thing, at, source, dated)
 
 
 def _reported(event: RoomEvent) -> Move:
@@ -142,22 +146,20 @@ def _reported(event: RoomEvent) -> Move:
     facts: Facts = () if weight is None else (("weight", weight),)
     confidence = _REPORTED_CONFIDENCE * min(1.0, max(0.0, event.confidence))
     return Move(
-        event.kind,
+        SituationKind(event.kind),
         event.thing,
         event.at,
         event.source,
         None,
         confidence,
-        f"{event.source}: reports it",
+        Evidence("reports it", event.source),
         facts=facts,
     )
 
 
-def _compared(kind: str, thing: str, at: float, source: str, dated: bool) -> Move:
-    words = (
-        f"{source}: {'no longer' if kind == TAKEN else 'now'} among its"
-        f" contents{'' if dated else ', after a silence'}"
-    )
+def _compared(kind: SituationKind, thing: str, at: float, source: str, dated: bool) -> Move:
+    now = "no longer" if kind is SituationKind.OBJECT_TAKEN else "now"
+    silence = "" if dated else ", after a silence"
     return Move(
         kind,
         thing,
@@ -165,6 +167,6 @@ def _compared(kind: str, thing: str, at: float, source: str, dated: bool) -> Mov
         source,
         None,
         _COMPARED_CONFIDENCE if dated else _UNDATED_CONFIDENCE,
-        words,
+        Evidence(f"{now} among its contents{silence}", source),
         dated,
     )

@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 from housefly.hub.situations.confidence import freshness
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
     DetectorInput,
+    Evidence,
     Situation,
     fact,
     flag,
@@ -18,7 +20,6 @@ from housefly.hub.situations.situation import (
 )
 from housefly.messages import Observation, RoomEvent
 
-OPEN_LONG = "door open too long"
 _SOURCE = SOURCE_PREFIX + "doors"
 OPEN_TOO_LONG = 60.0
 """How long a door may stand open unless the layout says otherwise [s]."""
@@ -28,7 +29,7 @@ _CONTACT_CONFIDENCE = 0.95
 """Confidence in a contact that reports."""
 _BOUNCE = 0.5
 """A door that opens again sooner than this was never closed [s]: contacts bounce."""
-_DWELL = {OPEN_LONG: 0.0, "": _BOUNCE}
+_DWELL = {SituationKind.DOOR_OPEN_LONG: 0.0, None: _BOUNCE}
 """How long a door must be open too long, or closed, before it counts [s]."""
 _DOOR_EVENTS = {"door opened": True, "door closed": False}
 
@@ -101,16 +102,16 @@ class Doors:
         limit = self._limits.get(name, OPEN_TOO_LONG)
         if not door.open or now - door.since <= limit:
             return Assessment(
-                "",
+                None,
                 confidence,
                 door.since,
-                (f"{name}: {'open, not for long' if door.open else 'closed'}",),
+                (Evidence("open, not for long" if door.open else "closed", name),),
             )
         facts = (("open_since", door.since), ("open_for", now - door.since), ("limit", limit))
         return Assessment(
-            OPEN_LONG,
+            SituationKind.DOOR_OPEN_LONG,
             confidence,
             door.since + limit,
-            (f"{name}: open for more than {limit:g} s",),
+            (Evidence(f"open for more than {limit:g} s", name),),
             facts,
         )

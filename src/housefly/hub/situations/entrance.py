@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from housefly.hub.situations.confidence import freshness, noisy_or
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.person_tracks import PersonTracks
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
     DetectorInput,
+    Evidence,
     Situation,
     flag,
     time_of,
 )
 from housefly.messages import RoomEvent
 
-AT_ENTRANCE = "someone at the entrance"
 _SOURCE = SOURCE_PREFIX + "entrance"
 BELL_CONFIDENCE = 0.9
 """Confidence that somebody who has just rung stands there."""
@@ -32,7 +33,7 @@ MOTION_CONFIDENCE = 0.4
 """Confidence in the motion sensor alone; too low for a claim."""
 _MOTION_HEARTBEAT = 5.0
 """Heartbeat of the motion sensor [s]: motion counts fully for twice this time."""
-_DWELL = {AT_ENTRANCE: 0.0, "": 2.0}
+_DWELL = {SituationKind.AT_ENTRANCE: 0.0, None: 2.0}
 """How long somebody, or nobody, must be there before it counts [s]."""
 _THING = "entrance"
 
@@ -97,7 +98,7 @@ class Entrance:
     def _assess(self, now: float) -> Assessment | None:
         signs = [*self._bell(now), *self._person(now), *self._motion(now)]
         confidence = noisy_or(sign for sign, _, _ in signs)
-        words = tuple(word for _, _, word in signs)
+        reports = tuple(report for _, _, report in signs)
         who = min(
             (person for person, since in self._inside.items() if now - since >= _MIN_STAY),
             default="",
@@ -105,27 +106,32 @@ class Entrance:
         since = min((at for _, at, _ in signs), default=now)
         if signs:
             return Assessment(
-                AT_ENTRANCE, confidence, since, words, (("signs", float(len(signs))),), who
+                SituationKind.AT_ENTRANCE,
+                confidence,
+                since,
+                reports,
+                (("signs", float(len(signs))),),
+                who,
             )
         return (
-            Assessment("", _PERSON_CONFIDENCE, None, ("who stood there is gone",))
+            Assessment(None, _PERSON_CONFIDENCE, None, (Evidence("who stood there is gone"),))
             if self._left
             else None
         )
 
-    def _bell(self, now: float) -> list[tuple[float, float, str]]:
+    def _bell(self, now: float) -> list[tuple[float, float, Evidence]]:
         if self._rung is None:
             return []
         at, source = self._rung
         confidence = BELL_CONFIDENCE * freshness(now - at, BELL_HEARTBEAT)
-        return [(confidence, at, f"{source}: rang")] if confidence > 0.0 else []
+        return [(confidence, at, Evidence("rang", source))] if confidence > 0.0 else []
 
-    def _person(self, now: float) -> list[tuple[float, float, str]]:
+    def _person(self, now: float) -> list[tuple[float, float, Evidence]]:
         return [
             (
                 _PERSON_CONFIDENCE * self._track_confidence(person, now),
                 since,
-                f"{person} stands before the door",
+                Evidence(f"{person} stands before the door"),
             )
             for person, since in self._inside.items()
             if now - since >= _MIN_STAY
@@ -135,12 +141,12 @@ class Entrance:
         track = self._tracks.best(person, now)
         return 0.0 if track is None else self._tracks.confidence(track, now)
 
-    def _motion(self, now: float) -> list[tuple[float, float, str]]:
+    def _motion(self, now: float) -> list[tuple[float, float, Evidence]]:
         if self._moved is None:
             return []
         at, source = self._moved
         confidence = MOTION_CONFIDENCE * freshness(now - at, _MOTION_HEARTBEAT)
-        return [(confidence, at, f"{source}: motion")] if confidence > 0.0 else []
+        return [(confidence, at, Evidence("motion", source))] if confidence > 0.0 else []
 
 
 def _is_motion(item: DetectorInput) -> bool:

@@ -8,14 +8,14 @@ from math import inf
 from housefly.hub.situations.bed import Beds
 from housefly.hub.situations.confidence import KNOWN_THRESHOLD, noisy_or
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.person_detector import PersonDetector
 from housefly.hub.situations.person_tracks import PersonTrack, PersonTracks
 from housefly.hub.situations.posture import features_of, is_down
-from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, Situation
+from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, Evidence, Situation
 from housefly.messages import Facts, RoomEvent
 
-FALLEN = "person fallen"
 _SOURCE = SOURCE_PREFIX + "falls"
 UPRIGHT_HEAD = 1.0
 """Somebody with a higher head is upright: stands, or sits on a chair [m]."""
@@ -36,7 +36,7 @@ _UP_AGAIN = 2.0
 _UPRIGHT_MEMORY = 30.0
 """Older sightings of somebody upright do not say how they came down [s]."""
 _UP_CONFIDENCE = 0.95
-_DWELL = {FALLEN: 3.0, "": 1.0}
+_DWELL = {SituationKind.PERSON_FALLEN: 3.0, None: 1.0}
 """How long somebody must lie on the floor, or be off it [s]: who stumbles gets up at once."""
 
 
@@ -92,15 +92,24 @@ class Falls(PersonDetector):
         lies = self._lies(track, now)
         watch.see(track.last.at, lies, _is_upright(track))
         trusted = self._tracks.confidence(track, now)
-        is_claimed = watch.hysteresis.kind == FALLEN
+        is_claimed = watch.hysteresis.kind == SituationKind.PERSON_FALLEN
         if watch.down_since is None or not (lies or is_claimed):
             return Assessment(
-                "", _UP_CONFIDENCE * trusted, None, (f"{track.source}: off the floor",)
+                None,
+                _UP_CONFIDENCE * trusted,
+                None,
+                (Evidence("off the floor", track.source),),
             )
         lasting = track.last.at - watch.down_since
         confidence = noisy_or((_by_descent(watch.descent), _by_time(lasting))) * trusted
-        words = _words(track, watch.descent, lasting)
-        return Assessment(FALLEN, confidence, watch.down_since, words, _facts(track, watch.descent))
+        evidence = _evidence(track, watch.descent, lasting)
+        return Assessment(
+            SituationKind.PERSON_FALLEN,
+            confidence,
+            watch.down_since,
+            evidence,
+            _facts(track, watch.descent),
+        )
 
     def _telling(self, person: str, now: float) -> PersonTrack | None:
         """Return the best track of a source that measures how high or how long somebody is."""
@@ -141,8 +150,8 @@ def _by_time(lasting: float) -> float:
     return next((confidence for limit, confidence in _LASTING if lasting >= limit), 0.0)
 
 
-def _words(track: PersonTrack, descent: float | None, lasting: float) -> tuple[str, ...]:
-    """Return the evidence: what shows that they lie there, how they came down, since when."""
+def _evidence(track: PersonTrack, descent: float | None, lasting: float) -> tuple[Evidence, ...]:
+    """Return what shows that they lie there, how they came down, since when."""
     last = track.last
     lies = (
         f"head at {last.head:.2f} m"
@@ -151,7 +160,7 @@ def _words(track: PersonTrack, descent: float | None, lasting: float) -> tuple[s
     )
     came = "nobody saw how" if descent is None else f"down within {max(descent, 0.1):.1f} s"
     stays = (f"there for {lasting / 60.0:.0f} min",) if lasting >= LONG_ON_FLOOR else ()
-    return (f"{track.source}: on the floor, {lies}", came, *stays)
+    return (Evidence(f"on the floor, {lies}", track.source), *map(Evidence, (came, *stays)))
 
 
 def _facts(track: PersonTrack, descent: float | None) -> Facts:

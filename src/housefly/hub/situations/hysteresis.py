@@ -6,14 +6,20 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from housefly.hub.situations.confidence import CLAIM_THRESHOLD, KNOWN_THRESHOLD
-from housefly.hub.situations.situation import Assessment, Situation
-from housefly.messages import RoomEvent
+from housefly.hub.situations.kinds import SituationKind
+from housefly.hub.situations.situation import (
+    Assessment,
+    Situation,
+    evidence_facts,
+    evidence_words,
+)
+from housefly.messages import Facts, RoomEvent
 
-ENDED_SUFFIX = " ended"
-"""The event that ends a situation is its kind with this suffix."""
 NOT_KNOWN = "not known any more"
+UNKNOWN = ("known", False)
+"""The fact of an end that only says that the situation is unknown now."""
 UNKNOWN_CONFIDENCE = 0.5
-"""Confidence of an end that only says that the situation is unknown now."""
+"""Confidence in such an end."""
 
 
 class Hysteresis:
@@ -22,29 +28,32 @@ class Hysteresis:
     Args:
         thing: that the situations are of.
         source: id of the detector.
-        dwell: how long each kind must be found before it is claimed [s]; of "" the time before the
-            claim is given up.
+        dwell: how long each kind must be found before it is claimed [s]; of None the time
+            before the claim is given up.
 
     Attributes:
         situation: what is claimed, or None.
     """
 
-    def __init__(self, thing: str, source: str, dwell: Mapping[str, float]) -> None:
+    def __init__(
+        self, thing: str, source: str, dwell: Mapping[SituationKind | None, float]
+    ) -> None:
         self._thing, self._source, self._dwell = thing, source, dwell
-        self._candidate, self._candidate_since = "", 0.0
+        self._candidate: SituationKind | None = None
+        self._candidate_since = 0.0
         self._changed_at = float("-inf")
         self.situation: Situation | None = None
 
     @property
-    def kind(self) -> str:
-        """The kind of the claimed situation, or ""."""
-        return self.situation.kind if self.situation else ""
+    def kind(self) -> SituationKind | None:
+        """The kind of the claimed situation."""
+        return self.situation.kind if self.situation else None
 
     def update(self, now: float, assessment: Assessment | None) -> tuple[RoomEvent, ...]:
         """Return what begins or ends at a time [s] by an assessment, None if nothing is known."""
         if assessment is None or assessment.confidence < KNOWN_THRESHOLD:
-            self._candidate = ""
-            return self._end(now, now, NOT_KNOWN, UNKNOWN_CONFIDENCE)
+            self._candidate = None
+            return self._end(now, now, None)
         if assessment.kind == self.kind:
             self._candidate = self.kind
             self._refresh(assessment)
@@ -62,38 +71,34 @@ class Hysteresis:
 
     def _change(self, now: float, since: float, assessment: Assessment) -> tuple[RoomEvent, ...]:
         sure = assessment.confidence >= CLAIM_THRESHOLD
-        why, confidence = (
-            ("; ".join(assessment.evidence), assessment.confidence)
-            if sure
-            else (NOT_KNOWN, UNKNOWN_CONFIDENCE)
-        )
-        ended = self._end(now, since, why, confidence)
+        ended = self._end(now, since, assessment if sure else None)
         self._candidate = assessment.kind if sure else self.kind
-        return (*ended, *self._begin(now, since, assessment)) if sure and assessment.kind else ended
+        if not sure or assessment.kind is None:
+            return ended
+        return (*ended, self._begin(now, since, assessment.kind, assessment))
 
-    def _begin(self, now: float, since: float, found: Assessment) -> tuple[RoomEvent, ...]:
+    def _begin(self, now: float, since: float, kind: SituationKind, found: Assessment) -> RoomEvent:
         self._changed_at = since
         self.situation = Situation(
-            found.kind, self._thing, since, found.confidence, found.evidence, found.facts
+            kind, self._thing, since, found.confidence, found.evidence, found.facts
         )
-        facts = (*found.facts, ("evidence", "; ".join(found.evidence)), ("noticed_at", now))
-        return (
-            RoomEvent(
-                found.kind, self._thing, since, self._source, found.cause, found.confidence, facts
-            ),
+        facts = (*found.facts, *evidence_facts(found.evidence), ("noticed_at", now))
+        return RoomEvent(
+            kind.value, self._thing, since, self._source, found.cause, found.confidence, facts
         )
 
-    def _end(self, now: float, at: float, why: str, confidence: float) -> tuple[RoomEvent, ...]:
+    def _end(self, now: float, at: float, why: Assessment | None) -> tuple[RoomEvent, ...]:
+        """Return the end of the claim; without a reason it is only unknown now."""
         if self.situation is None:
             return ()
         over, self.situation = self.situation, None
         self._changed_at = at
-        facts = (("because", why), ("lasted", at - over.since), ("noticed_at", now))
-        return (
-            RoomEvent(
-                over.kind + ENDED_SUFFIX, self._thing, at, self._source, "", confidence, facts
-            ),
-        )
+        because = NOT_KNOWN if why is None else evidence_words(why.evidence)
+        facts: Facts = (("because", because), ("lasted", at - over.since), ("noticed_at", now))
+        if why is None:
+            facts = (*facts, UNKNOWN)
+        confidence = UNKNOWN_CONFIDENCE if why is None else why.confidence
+        return (RoomEvent(over.kind.ended, self._thing, at, self._source, "", confidence, facts),)
 
     def _refresh(self, found: Assessment) -> None:
         if self.situation is not None:

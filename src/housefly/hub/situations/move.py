@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.geometry import Vec3
+from housefly.hub.situations.kinds import SituationKind
+from housefly.hub.situations.situation import Evidence
 from housefly.messages import Facts
-
-TAKEN, PUT = "object taken", "object put"
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,7 @@ class Move:
     """One move of a thing.
 
     Attributes:
-        kind: ``TAKEN`` or ``PUT``.
+        kind: ``SituationKind.OBJECT_TAKEN`` or ``SituationKind.OBJECT_PUT``.
         thing: id.
         at: when [s, Unix time].
         container: id of what it was taken from or put into, "" for none.
@@ -26,12 +26,12 @@ class Move:
         facts: the numbers.
     """
 
-    kind: str
+    kind: SituationKind
     thing: str
     at: float
     container: str
     position: Vec3 | None
     confidence: float
-    evidence: str
+    evidence: Evidence
     dated: bool = True
     facts: Facts = ()

@@ -8,20 +8,27 @@ from housefly.geometry import Vec3
 from housefly.hub.situations.actor import NO_ACTOR, Actor, actor_near
 from housefly.hub.situations.contents import ContentsDetector
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Layout
-from housefly.hub.situations.move import PUT, TAKEN, Move
+from housefly.hub.situations.move import Move
 from housefly.hub.situations.person_tracks import PersonTracks
 from housefly.hub.situations.resting import RestingDetector
-from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, DetectorInput, Situation
+from housefly.hub.situations.situation import (
+    SOURCE_PREFIX,
+    Assessment,
+    DetectorInput,
+    Evidence,
+    Situation,
+    evidence_facts,
+)
 from housefly.messages import Facts, RoomEvent
 
-MISSING = "object missing"
 _SOURCE = SOURCE_PREFIX + "objects"
 MISSING_AFTER = 300.0
 """A taken thing that nothing has seen for this long is missing [s]."""
 _MISSING_CONFIDENCE = 0.8
 """Confidence that it is missing."""
-_DWELL = {MISSING: 0.0, "": 0.0}
+_DWELL = {SituationKind.OBJECT_MISSING: 0.0, None: 0.0}
 
 
 class Objects:
@@ -66,7 +73,7 @@ class Objects:
             *_where(move, self._places),
             *move.facts,
             *actor.facts,
-            ("evidence", move.evidence),
+            *evidence_facts((move.evidence,)),
         )
         return RoomEvent(
             move.kind, move.thing, move.at, _SOURCE, actor.person, move.confidence, facts
@@ -80,11 +87,11 @@ class Objects:
             self._tracks,
             place,
             move.at,
-            self._carrier.get(move.thing, "") if move.kind == PUT else "",
+            self._carrier.get(move.thing, "") if move.kind == SituationKind.OBJECT_PUT else "",
         )
 
     def _note(self, move: Move, actor: Actor) -> None:
-        if move.kind == TAKEN:
+        if move.kind == SituationKind.OBJECT_TAKEN:
             self._carrier[move.thing], self._taken[move.thing] = actor.person, move
             self._states.setdefault(move.thing, Hysteresis(move.thing, _SOURCE, _DWELL))
         else:
@@ -96,21 +103,22 @@ class Objects:
         seen = max(taken.at if taken else now, self._resting.last_seen(thing) or 0.0)
         if taken is None or now - seen < MISSING_AFTER:
             return Assessment(
-                "",
+                None,
                 _MISSING_CONFIDENCE,
                 None,
-                ("it is where it was put",) if taken is None else ("not for long",),
+                (Evidence("it is where it was put" if taken is None else "not for long"),),
             )
         if not self._contents.all_live(now) or not self._resting.is_live(thing, now):
             return None
-        words = (f"{taken.evidence}, and no source has it since",)
+        told = taken.evidence
+        evidence = (Evidence(f"{told.report}, and no source has it since", told.source),)
         by: Facts = (("taken_by", self._carrier[thing]),) if self._carrier[thing] else ()
         facts = (("last_seen", seen), *_where(taken, self._places), *by)
         return Assessment(
-            MISSING,
+            SituationKind.OBJECT_MISSING,
             _MISSING_CONFIDENCE * taken.confidence,
             seen + MISSING_AFTER,
-            words,
+            evidence,
             facts,
             self._carrier[thing],
         )
@@ -119,6 +127,8 @@ class Objects:
 def _where(move: Move, places: Mapping[str, Vec3]) -> Facts:
     place = move.position or places.get(move.container)
     named: Facts = (
-        ((("from" if move.kind == TAKEN else "into"), move.container),) if move.container else ()
+        ((("from" if move.kind == SituationKind.OBJECT_TAKEN else "into"), move.container),)
+        if move.container
+        else ()
     )
     return named if place is None else (*named, ("x", place[0]), ("y", place[1]), ("z", place[2]))

@@ -6,23 +6,15 @@ from dataclasses import dataclass, replace
 
 from housefly.hub.situations.bed import Beds
 from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.person_detector import PersonDetector
 from housefly.hub.situations.person_tracks import SPEED_WINDOW, PersonTrack, PersonTracks
-from housefly.hub.situations.posture import (
-    LYING,
-    SITTING,
-    STANDING,
-    WALKING,
-    PersonFeatures,
-    features_of,
-    rule_for,
-)
-from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, Situation
+from housefly.hub.situations.posture import PersonFeatures, features_of, rule_for
+from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, Evidence, Situation
 from housefly.hub.situations.sleeping import assess_sleeper
 from housefly.messages import Facts, RoomEvent
 
-PRESENT = "person present"
 ON_FLOOR = "floor"
 """What carries somebody who lies on the floor."""
 _SOURCE = SOURCE_PREFIX + "people"
@@ -30,7 +22,12 @@ _PRESENT_AFTER = 0.5
 """How long somebody must be seen to be present [s]: ignores single reflections."""
 _SEEN_CONFIDENCE = 0.95
 """Confidence in a fresh position."""
-_DWELL = {WALKING: 0.5, STANDING: 1.0, SITTING: 1.5, LYING: 2.0}
+_DWELL: dict[SituationKind | None, float] = {
+    SituationKind.PERSON_WALKING: 0.5,
+    SituationKind.PERSON_STANDING: 1.0,
+    SituationKind.PERSON_SITTING: 1.5,
+    SituationKind.PERSON_LYING: 2.0,
+}
 """How long a posture must last before it is claimed [s]."""
 
 
@@ -71,23 +68,29 @@ class People(PersonDetector):
         if track is not None:
             if not hysteresis.kind and track.last.at - track.since < _PRESENT_AFTER:
                 return Assessment(
-                    "", _SEEN_CONFIDENCE, track.since, (f"{track.source}: seen too shortly",)
+                    None,
+                    _SEEN_CONFIDENCE,
+                    track.since,
+                    (Evidence("seen too shortly", track.source),),
                 )
             confidence = _SEEN_CONFIDENCE * self._tracks.confidence(track, now)
             return Assessment(
-                PRESENT,
+                SituationKind.PERSON_PRESENT,
                 confidence,
                 track.since,
-                (f"{track.source}: seen",),
+                (Evidence("seen", track.source),),
                 _place_facts(track, None),
             )
         if posture is not None:
-            return replace(posture, kind=PRESENT)
+            return replace(posture, kind=SituationKind.PERSON_PRESENT)
         latest = self._tracks.latest(person)
         if latest is None or not self._tracks.out_of_sight(latest):
             return None
         return Assessment(
-            "", _SEEN_CONFIDENCE, latest.last.at, (f"{latest.source}: sees them no longer",)
+            None,
+            _SEEN_CONFIDENCE,
+            latest.last.at,
+            (Evidence("sees them no longer", latest.source),),
         )
 
     def _posture(self, person: str, hysteresis: Hysteresis, now: float) -> Assessment | None:
@@ -97,15 +100,15 @@ class People(PersonDetector):
         speed = track.speed()
         if speed is None:
             return _as_before(track, hysteresis, now)
-        walked = hysteresis.kind == WALKING
+        walked = hysteresis.kind == SituationKind.PERSON_WALKING
         looks = features_of(track, speed, walked, self._layout, self._beds, now)
         rule = rule_for(looks)
         facts = _place_facts(track, speed)
-        if rule.kind in (SITTING, LYING):
+        if rule.kind in (SituationKind.PERSON_SITTING, SituationKind.PERSON_LYING):
             facts = (*facts, ("on", _carrier(looks)))
-        words = (f"{track.source}: {rule.words}",)
+        evidence = (Evidence(rule.words, track.source),)
         return Assessment(
-            rule.kind, rule.confidence * self._tracks.confidence(track, now), None, words, facts
+            rule.kind, rule.confidence * self._tracks.confidence(track, now), None, evidence, facts
         )
 
 
@@ -113,7 +116,10 @@ def _as_before(track: PersonTrack, hysteresis: Hysteresis, now: float) -> Assess
     """Keep the posture while somebody has just come into sight and their speed is not known yet."""
     return (
         Assessment(
-            hysteresis.kind, _SEEN_CONFIDENCE, None, (f"{track.source}: just came into sight",)
+            hysteresis.kind,
+            _SEEN_CONFIDENCE,
+            None,
+            (Evidence("just came into sight", track.source),),
         )
         if now - track.since < SPEED_WINDOW
         else None
@@ -128,7 +134,8 @@ def _carrier(looks: PersonFeatures) -> str:
 
 def _new(person: str) -> _PersonState:
     return _PersonState(
-        Hysteresis(person, _SOURCE, {PRESENT: 0.0, "": 0.0}), Hysteresis(person, _SOURCE, _DWELL)
+        Hysteresis(person, _SOURCE, {SituationKind.PERSON_PRESENT: 0.0, None: 0.0}),
+        Hysteresis(person, _SOURCE, _DWELL),
     )
 
 

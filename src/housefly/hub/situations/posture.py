@@ -6,15 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from housefly.hub.situations.bed import Beds
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Area, Layout
 from housefly.hub.situations.person_tracks import PersonTrack
-
-WALKING, STANDING, SITTING, LYING = (
-    "person walking",
-    "person standing",
-    "person sitting",
-    "person lying",
-)
 
 WALK_SPEED = 0.35
 """A person at least this fast walks [m/s]."""
@@ -73,7 +67,7 @@ class PersonFeatures:
 class _Rule:
     """One posture; ``words`` say why."""
 
-    kind: str
+    kind: SituationKind
     confidence: float
     fits: Callable[[PersonFeatures], bool]
     words: str
@@ -81,41 +75,48 @@ class _Rule:
 
 RULES: tuple[_Rule, ...] = (
     _Rule(
-        LYING,
+        SituationKind.PERSON_LYING,
         0.8,
         lambda p: p.lies_on_floor and _below(p.head, _FALLEN_HEAD),
         "head near the floor",
     ),
-    _Rule(WALKING, 0.9, lambda p: p.moves, "moves over the floor"),
-    _Rule(LYING, 0.75, lambda p: p.lies_on_floor, "stretched over the floor"),
+    _Rule(SituationKind.PERSON_WALKING, 0.9, lambda p: p.moves, "moves over the floor"),
+    _Rule(SituationKind.PERSON_LYING, 0.75, lambda p: p.lies_on_floor, "stretched over the floor"),
     _Rule(
-        SITTING,
+        SituationKind.PERSON_SITTING,
         0.85,
         lambda p: p.bed is not None and _above(p.head, _PILLOW_HEAD) and p.loaded is not False,
         "head high on bed",
     ),
     _Rule(
-        LYING,
+        SituationKind.PERSON_LYING,
         0.95,
         lambda p: p.bed is not None and p.loaded is True,
         "in bed, and the bed feels it",
     ),
-    _Rule(LYING, 0.6, lambda p: p.bed is not None and p.loaded is None, "in bed"),
     _Rule(
-        STANDING,
+        SituationKind.PERSON_LYING, 0.6, lambda p: p.bed is not None and p.loaded is None, "in bed"
+    ),
+    _Rule(
+        SituationKind.PERSON_STANDING,
         0.8,
         lambda p: p.seat is not None and _above(p.head, _SEATED_HEAD),
         "head high before seat",
     ),
     _Rule(
-        LYING,
+        SituationKind.PERSON_LYING,
         0.75,
         lambda p: p.seat is not None and _below(p.head, _CUSHION_HEAD),
         "on seat, head as low as it",
     ),
-    _Rule(SITTING, 0.9, lambda p: p.seat is not None and p.head is not None, "on seat, head low"),
-    _Rule(SITTING, 0.8, lambda p: p.seat is not None, "on seat"),
-    _Rule(STANDING, 0.9, lambda p: True, "stays where they are"),
+    _Rule(
+        SituationKind.PERSON_SITTING,
+        0.9,
+        lambda p: p.seat is not None and p.head is not None,
+        "on seat, head low",
+    ),
+    _Rule(SituationKind.PERSON_SITTING, 0.8, lambda p: p.seat is not None, "on seat"),
+    _Rule(SituationKind.PERSON_STANDING, 0.9, lambda p: True, "stays where they are"),
 )
 """From the strongest evidence to the weakest; confidences hold for fresh positions."""
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.geometry import Vec3, distance
-from housefly.hub.situations.move import PUT, TAKEN, Move
+from housefly.hub.situations.kinds import SituationKind
+from housefly.hub.situations.move import Move
 from housefly.hub.situations.person_tracks import PersonTracks
-from housefly.hub.situations.situation import DetectorInput
+from housefly.hub.situations.situation import DetectorInput, Evidence
 from housefly.messages import Observation
 
 _STILL_RADIUS = 0.06
@@ -114,25 +115,25 @@ class RestingDetector:
             and thing.last - thing.away >= _GONE_AFTER
         ):
             taken = Move(
-                TAKEN,
+                SituationKind.OBJECT_TAKEN,
                 name,
                 thing.away,
                 "",
                 thing.rest,
                 _POSITION_CONFIDENCE,
-                f"{source}: left its place",
+                Evidence("left its place", source),
             )
             thing.rest, thing.away, thing.fresh = None, None, False
             return taken
         if thing.rest is None and self._is_resting(thing):
             put = Move(
-                PUT,
+                SituationKind.OBJECT_PUT,
                 name,
                 thing.since,
                 "",
                 thing.anchor,
                 _POSITION_CONFIDENCE,
-                f"{source}: came to rest",
+                Evidence("came to rest", source),
             )
             fresh, thing.fresh, thing.rest = thing.fresh, False, thing.anchor
             return None if fresh else put

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import isfinite
 from typing import Protocol
 
+from housefly.hub.situations.kinds import SituationKind
 from housefly.messages import Facts, Observation, RoomEvent
 
 DetectorInput = Observation | RoomEvent
@@ -15,23 +17,36 @@ SOURCE_PREFIX = "situations/"
 
 
 @dataclass(frozen=True, slots=True)
+class Evidence:
+    """One report that speaks for a situation.
+
+    Attributes:
+        report: in words.
+        source: id of the sensor that reports it, "" where a detector concludes it.
+    """
+
+    report: str
+    source: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Situation:
     """Something that holds now.
 
     Attributes:
-        kind: from a small vocabulary: "person sitting", "bed occupied", "someone at the entrance".
+        kind: what holds.
         thing: id of the person, thing or device that it holds for.
         since: when it began, by the evidence [s, Unix time].
         confidence: 0 to 1; falls while a source is silent.
-        evidence: which sources report what, for people.
+        evidence: which sources report what.
         facts: the numbers.
     """
 
-    kind: str
+    kind: SituationKind
     thing: str
     since: float
     confidence: float
-    evidence: tuple[str, ...] = ()
+    evidence: tuple[Evidence, ...] = ()
     facts: Facts = ()
 
 
@@ -40,7 +55,7 @@ class Assessment:
     """What the evidence says at one moment; None instead of an assessment means unknown.
 
     Attributes:
-        kind: of the situation that holds, "" for none.
+        kind: of the situation that holds, None for none.
         confidence: 0 to 1.
         since: since when the evidence says so [s, Unix time]; None for this moment.
         evidence: which sources report what.
@@ -48,10 +63,10 @@ class Assessment:
         cause: id of who caused it, "" if unknown.
     """
 
-    kind: str
+    kind: SituationKind | None
     confidence: float
     since: float | None = None
-    evidence: tuple[str, ...] = ()
+    evidence: tuple[Evidence, ...] = ()
     facts: Facts = ()
     cause: str = ""
 
@@ -70,6 +85,24 @@ class Detector(Protocol):
     def active(self) -> tuple[Situation, ...]:
         """Return the situations that hold since the last ``update``."""
         ...
+
+
+def evidence_words(evidence: Iterable[Evidence]) -> str:
+    """Return which sources report what, for people."""
+    return "; ".join(
+        f"{one.source}: {one.report}" if one.source else one.report for one in evidence
+    )
+
+
+def sources_of(evidence: Iterable[Evidence]) -> tuple[str, ...]:
+    """Return the ids of the sources, each once."""
+    return tuple(dict.fromkeys(one.source for one in evidence if one.source))
+
+
+def evidence_facts(evidence: Iterable[Evidence]) -> Facts:
+    """Return the evidence as the facts of an event."""
+    told = tuple(evidence)
+    return ("evidence", evidence_words(told)), ("sources", ",".join(sources_of(told)))
 
 
 def time_of(item: DetectorInput) -> float:

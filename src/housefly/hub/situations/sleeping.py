@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from housefly.hub.situations.bed import Beds
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.person_tracks import PersonTracks
-from housefly.hub.situations.posture import LYING
-from housefly.hub.situations.situation import Assessment
+from housefly.hub.situations.situation import Assessment, Evidence
 
 _BED_REACH = 1.0
 """Farthest distance from the bed of whoever lies down [m]."""
@@ -24,12 +24,12 @@ def assess_sleeper(
         claim = beds.situation(bed)
         if claim is None or _who(bed, claim.since, now, tracks, layout) != person:
             continue
-        words = (*claim.evidence, f"last seen beside {bed}")
+        evidence = (*claim.evidence, Evidence(f"last seen beside {bed}"))
         return Assessment(
-            LYING,
+            SituationKind.PERSON_LYING,
             _SLEEPER_CONFIDENCE * claim.confidence,
             claim.since,
-            words,
+            evidence,
             (("on", bed), *claim.facts),
         )
     return None

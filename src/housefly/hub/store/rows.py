@@ -8,8 +8,10 @@ from math import isfinite
 
 from housefly.geometry import Quaternion, Vec3
 from housefly.hub.store.database import Row
+from housefly.hub.store.old_facts import renewed
 from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Covariance, Facts, Observation, RoomEvent
+from housefly.messages.words import from_tree, with_trees
 
 _NO_POSITION: Row = (None, None, None)
 _NO_ORIENTATION: Row = (None, None, None, None)
@@ -62,7 +64,7 @@ def sample_from_row(row: Row) -> Observation:
         covariance=_covariance(covariance),
         inside=inside,
         valid=bool(valid),
-        facts=_facts(facts),
+        facts=renewed(_facts(facts)),
     )
 
 
@@ -85,7 +87,7 @@ def row_of_event(event: RoomEvent) -> Row:
 def event_from_row(row: Row) -> RoomEvent:
     """Return an event from the columns ``EVENT_COLUMNS``."""
     at, kind, thing, source, cause, confidence, facts = row
-    return RoomEvent(kind, thing, at, source, cause, confidence, _facts(facts))
+    return RoomEvent(kind, thing, at, source, cause, confidence, renewed(_facts(facts)))
 
 
 def row_of_thing(thing: Thing) -> Row:
@@ -137,8 +139,12 @@ def _covariance(text: str) -> Covariance | None:
 
 
 def _text_of(facts: Facts) -> str:
-    return json.dumps(dict(facts)) if facts else ""
+    """Return facts as JSON; words keep their template, as a list (``messages.words.tree``)."""
+    return json.dumps(with_trees(facts)) if facts else ""
 
 
 def _facts(text: str) -> Facts:
-    return tuple(json.loads(text).items()) if text else ()
+    read = json.loads(text).items() if text else ()
+    return tuple(
+        (name, from_tree(value) if isinstance(value, list) else value) for name, value in read
+    )

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from housefly.geometry import Vec3
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.things.carrying import Carrying, with_article
 from housefly.hub.things.fused_pose import FusedPose
 from housefly.hub.things.hypothesis import SURE, Belief, Hypothesis, belief_in
@@ -16,7 +17,6 @@ from housefly.messages import Fact, Observation, RoomEvent
 
 CARRIERS = (ThingKind.PERSON, ThingKind.ROBOT)
 """They move by themselves; what they carry is with them, not in them."""
-LYING, LYING_ENDED = "person lying", "person lying ended"
 """Events by which a person who is out of sight lies in a bed, until they get up."""
 _UNSEEN_AFTER, _UNSEEN_TIME = 1.0, 3.0
 """A person unseen for longer is perhaps elsewhere; half of them are after so much more [s]."""
@@ -67,10 +67,10 @@ class Beliefs:
 
     def note(self, event: RoomEvent) -> None:
         """Note who lies down and gets up."""
-        if event.kind == LYING:
+        if event.kind == SituationKind.PERSON_LYING:
             on = str(dict[str, Fact](event.facts).get("on", ""))
             self._lying[event.thing] = _Lying(on, event.confidence)
-        elif event.kind == LYING_ENDED:
+        elif event.kind == SituationKind.PERSON_LYING.ended:
             self._lying.pop(event.thing, None)
 
     def carried(self) -> Mapping[str, Carrying]:

@@ -18,13 +18,21 @@ _MIN_COUNT = 2.0
 
 def age_words(age: float) -> str:
     """Return how long ago [s] in words: "now", "12 s ago", "3 min ago", "2 days ago"."""
-    if age < _JUST_NOW:
-        return "now"
+    return "now" if age < _JUST_NOW else f"{span_words(age)} ago"
+
+
+def lasting_words(seconds: float) -> str:
+    """Return how long something lasts [s]: " for 12 s", " for 3 min", "" for a moment."""
+    return "" if seconds < _JUST_NOW else f" for {span_words(seconds)}"
+
+
+def span_words(seconds: float) -> str:
+    """Return a span of time [s] in one unit: "12 s", "3 min", "2 days"."""
     length, unit = next(
-        ((length, unit) for length, unit in _UNITS if age >= _MIN_COUNT * length), _UNITS[-1]
+        ((length, unit) for length, unit in _UNITS if seconds >= _MIN_COUNT * length), _UNITS[-1]
     )
-    count = int(age / length)
-    return f"{count} {unit}{'s' if unit in _PLURAL else ''} ago"
+    count = int(seconds / length)
+    return f"{count} {unit}{'s' if unit in _PLURAL else ''}"
 
 
 def seen_words(found: FusedPose, now: float) -> str:

@@ -12,7 +12,7 @@ from housefly.messages import Estimate, Obstacle
 from housefly.perception.beams import BeamScan
 from housefly.perception.depth_tracker import DepthTracker
 from housefly.perception.laser_tracker import OWN_MARGIN, LaserTracker, OwnFootprint
-from housefly.perception.sight import Sight
+from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.distance import half_diagonal
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import metres_of
@@ -40,7 +40,7 @@ class LockstepPerception:
         self._due = {laser.name: 0.0 for laser in site.lasers}
         self._image_due = {camera.name: 0.0 for camera in site.depth_cameras}
         self._under_way: deque[tuple[float, BeamScan]] = deque()
-        self._scans, self._images = Sight(self._due), Sight(self._image_due)
+        self._scans, self._images = SensorFreshness(self._due), SensorFreshness(self._image_due)
 
     @property
     def people_seen_at(self) -> float:

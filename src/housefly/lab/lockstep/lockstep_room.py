@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import inf, isfinite, nan
 from typing import Any
 
+from housefly.config.airframe import Ability
 from housefly.config.site import Site
 from housefly.drones.failsafe import Failsafe
 from housefly.drones.pose_rate import PoseRate
@@ -119,6 +121,7 @@ class LockstepRoom:
             world.now, site.limits.tilt_max, site.drone.airframe, watched=guarded
         )
         self._wire = lockstep_wire(site)
+        self._lacks = site.drone.airframe.lacks
         self._pose_rate = PoseRate(site.drone.airframe.capabilities.external_pose_rate)
         self._sent_at, self._link = world.now, site.drone.airframe.link
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
@@ -176,13 +179,13 @@ class LockstepRoom:
             )
         while self._reports_under_way and self._reports_under_way[0][0] <= self.now + _ROUNDING:
             due, onboard = self._reports_under_way.popleft()
-            self._report = telemetry_of(onboard, due)
+            self._report = as_measured(telemetry_of(onboard, due), self._lacks)
         return self._report
 
     def _telemetry_of(self, onboard: OnboardState) -> Telemetry:
         """Return a report that is received as it is written, once for each state."""
         if self._understood is None or self._understood[0] is not onboard:
-            self._understood = onboard, telemetry_of(onboard)
+            self._understood = onboard, as_measured(telemetry_of(onboard), self._lacks)
         return self._understood[1]
 
     def send(self, command: Command, motion: KnownMotion | None = None) -> None:
@@ -276,6 +279,17 @@ def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Tel
         drone_time=onboard.at,
         hears_us=not (onboard.com_watchdog or onboard.com_lost),
     )
+
+
+def as_measured(report: Telemetry, lacks: frozenset[Ability]) -> Telemetry:
+    """Return a report without what the drone does not measure."""
+    if not lacks & {Ability.ATTITUDE, Ability.HEIGHT, Ability.VELOCITY}:
+        return report
+    if Ability.ATTITUDE in lacks:
+        report = replace(report, phi=0.0, theta=0.0, psi=0.0, acceleration=None)
+    if Ability.HEIGHT in lacks:
+        report = replace(report, height=0.0)
+    return replace(report, velocity=(0.0, 0.0, 0.0)) if Ability.VELOCITY in lacks else report
 
 
 def _in_percent(charge: float) -> float:

@@ -17,6 +17,7 @@ from typing import Any
 
 from housefly.config.site import changed
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.questions import Question
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
@@ -35,7 +36,6 @@ from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.steps import StepKind, TaskStep
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.document.templates import names_in, plain_text
-from housefly.tasks.execution.values import StartClip, TakeSnapshot
 from housefly.tasks.vantage.named_subject import viewpoint_of
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.twin.world import SimulatedWorld

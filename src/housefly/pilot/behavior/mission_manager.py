@@ -12,6 +12,7 @@ from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.faster_way import FasterWayMonitor
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
+from housefly.pilot.behavior.lost_drones import LostDronesMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
@@ -19,12 +20,14 @@ from housefly.pilot.behavior.nudging import NudgeMonitor
 from housefly.pilot.behavior.off_course import OffCourseMonitor
 from housefly.pilot.behavior.passing_monitor import PassingMonitor
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.priorities import PRIORITIES, Situation, Watch
+from housefly.pilot.behavior.proposal import NOTHING, Look, Monitor
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
 from housefly.pilot.behavior.steered_landing import BlindPlan
 
 
 class MissionManager:
-    """Orders first, then what happened, then what stands in the way."""
+    """Orders first, then what happened, then what the monitors propose, by ``PRIORITIES``."""
 
     def __init__(
         self,
@@ -38,15 +41,24 @@ class MissionManager:
         self._commander = Commander(limits, navigator, airframe, frames)
         self._collisions = CollisionMonitor(self._commander, navigator, airframe.braking)
         self._passing = PassingMonitor(self._commander, navigator)
-        self._off_course = OffCourseMonitor(self._commander, limits, paper)
-        self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, airframe, paper)
+        self._lost_drones = LostDronesMonitor(navigator)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)
         self._landings = LandingMonitor(self._commander, navigator, paper, limits)
         self._blind = BlindLanding(self._commander, navigator, paper, limits)
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
         )
+        self._monitors: dict[Watch, Monitor] = {
+            Watch.LANDING: self._landings,
+            Watch.BLIND_LANDING: self._blind,
+            Watch.COLLISION: self._collisions,
+            Watch.OFF_COURSE: OffCourseMonitor(self._commander, limits, paper),
+            Watch.PASSING: self._passing,
+            Watch.FASTER_WAY: FasterWayMonitor(self._commander, navigator),
+            Watch.SEPARATION: self._separation,
+            Watch.NUDGE: self._nudges,
+        }
 
     @property
     def state(self) -> MissionState:
@@ -122,15 +134,20 @@ class MissionManager:
             answer = self._commander.obey(order, vehicle)
             events.extend(self._nudges.heard(order, answer, vehicle.now))
         events.extend(self._monitor.step(vehicle, target, facing))
-        events.extend(self._landings.step(vehicle))
-        events.extend(self._blind.step(vehicle))
-        is_yielding = self._separation.is_yielding
-        is_paused = is_yielding or self._passing.is_waiting
-        events.extend(self._collisions.step(vehicle, target, paused=is_paused))
-        if not is_paused:
-            events.extend(self._off_course.step(vehicle, target))
-        events.extend(self._passing.step(vehicle, paused=is_yielding))
-        events.extend(self._faster.step(vehicle, paused=is_yielding))
-        events.extend(self._separation.step(vehicle, self._passing.rate))
-        events.extend(self._nudges.step(vehicle, self._separation.speed_factor))
+        for row in PRIORITIES:
+            silent = any(self._is(situation) for situation in row.silenced_by)
+            rate, share = self._passing.rate, self._separation.speed_factor
+            look = Look(vehicle, target, silent, rate, share)
+            proposal = self._monitors[row.watch].propose(look)
+            if proposal is not NOTHING:
+                self._commander.carry_out(proposal)
+                events.extend(proposal.events)
+        events.extend(self._lost_drones.step(vehicle.now))
         return events
+
+    def _is(self, situation: Situation) -> bool:
+        match situation:
+            case Situation.MAKING_WAY:
+                return self._separation.is_yielding
+            case Situation.AWAITING_PASSAGE:
+                return self._passing.is_waiting

@@ -12,7 +12,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from housefly.tasks.api.values import Confirm, HouseMode, Priority, RequestSurface
+from housefly.config.house_mode import HouseMode
+from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
+from housefly.tasks.api.values import Confirm, Priority, RequestSurface
 
 _Word = Annotated[str, Field(max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
 _Name = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^[^\x00-\x1f\x7f]*$")]
@@ -168,50 +170,12 @@ class DryRunQuestion:
 
 
 @dataclass(frozen=True, slots=True)
-class ClipsQuestion:
-    """Which clips and snapshots there are; "" and 0 mean any, the newest first.
-
-    ``before`` is the last clip of the page before; "" begins with the newest.
-    """
-
-    since: _Time = 0.0
-    until: _Time | None = None
-    person: _Word = ""
-    place: _Word = ""
-    thing: _Word = ""
-    task: Annotated[int, Field(ge=0, le=2**53)] = 0
-    limit: _Limit = 50
-    ask: Literal["clips"] = "clips"
-    caused_by: _Word = ""
-    before: _Word = ""
-
-
-@dataclass(frozen=True, slots=True)
 class Webhook:
     """A trigger from outside: its name, for rules that wait for it."""
 
     name: _Name
     by: _Word = ""
     ask: Literal["webhook"] = "webhook"
-
-
-@dataclass(frozen=True, slots=True)
-class KeepClip:
-    """Keep a clip or snapshot until somebody deletes it; with ``keep`` False, as long as others."""
-
-    clip: _Name
-    keep: bool = True
-    by: _Word = ""
-    ask: Literal["keep_clip"] = "keep_clip"
-
-
-@dataclass(frozen=True, slots=True)
-class DeleteClip:
-    """Delete a clip or snapshot at once, also one that is kept; nothing brings it back."""
-
-    clip: _Name
-    by: _Word = ""
-    ask: Literal["delete_clip"] = "delete_clip"
 
 
 @dataclass(frozen=True, slots=True)

@@ -81,16 +81,6 @@ ATTENDED = frozenset({RequestSurface.CONSOLE, RequestSurface.COMMAND_LINE, Reque
 """Where a person asks; everywhere else nobody may be looking."""
 
 
-class HouseMode(Enum):
-    """The mode of the house: gates launching, recording and zones."""
-
-    HOME = "home"
-    AWAY = "away"
-    NIGHT = "night"
-    PRIVACY = "privacy"
-    MAINTENANCE = "maintenance"
-
-
 class ReasonCode(Enum):
     """Why something was refused, or how a task ended; the words beside it are for people."""
 

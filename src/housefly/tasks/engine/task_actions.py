@@ -7,13 +7,14 @@ from dataclasses import replace
 from typing import Any
 
 from housefly.errors import HouseflyError
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface, TaskStatus
 from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.engine.task_outlet import TaskOutlet, task_event, task_name
 from housefly.tasks.engine.task_record import TaskRecord
-from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.execution.step_inbox import task_sender
 from housefly.tasks.execution.values import (
     AskPerson,
@@ -22,9 +23,7 @@ from housefly.tasks.execution.values import (
     PublishMqtt,
     Report,
     Say,
-    StartClip,
     StopClip,
-    TakeSnapshot,
     TaskAction,
 )
 from housefly.tasks.scheduler.values import ScheduledTask

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from housefly.errors import TaskError
+from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.messages import Phase, PilotStep
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.engine.drone_state import TakeOffReadiness, drone_availability
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.scheduler.values import DroneAvailability

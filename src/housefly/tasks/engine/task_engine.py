@@ -9,11 +9,11 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.tasks.api.values import (
     ATTENDED,
-    HouseMode,
     ReasonCode,
     RehearsalReport,
     RequestSurface,

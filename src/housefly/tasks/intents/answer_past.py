@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from housefly.hub.api.answers import EventAnswer
-from housefly.hub.situations.entrance import AT_ENTRANCE
+from housefly.hub.situations.kinds import SituationKind
 from housefly.tasks.intents.answer_people import BELL
 from housefly.tasks.intents.asking import Asking
 from housefly.tasks.intents.intent_reply import IntentReply
@@ -18,9 +18,18 @@ _ONE_VISIT = 180.0
 """Bell and person within this time are one visit [s]."""
 _MOST_EVENTS = 2000
 TOLD_KINDS = (
-    BELL, AT_ENTRANCE, "person fallen", "bed occupied", "bed occupied ended", "appliance on",
-    "appliance on ended", "door open too long", "object taken", "object put", "object missing",
-)  # fmt: skip
+    BELL,
+    SituationKind.AT_ENTRANCE,
+    SituationKind.PERSON_FALLEN,
+    SituationKind.BED_OCCUPIED,
+    SituationKind.BED_OCCUPIED.ended,
+    SituationKind.APPLIANCE_ON,
+    SituationKind.APPLIANCE_ON.ended,
+    SituationKind.DOOR_OPEN_LONG,
+    SituationKind.OBJECT_TAKEN,
+    SituationKind.OBJECT_PUT,
+    SituationKind.OBJECT_MISSING,
+)
 """Events that people are told of; phrases are named after them."""
 
 
@@ -54,7 +63,9 @@ def answer_came_at(asking: Asking) -> IntentReply:
     """Return who came at a time."""
     say = asking.say
     for span in spans_of(asking.slots, asking.now, _DAY):
-        visits = _visits([one for one in _events(asking, span) if one.kind in (BELL, AT_ENTRANCE)])
+        visits = _visits(
+            [one for one in _events(asking, span) if one.kind in (BELL, SituationKind.AT_ENTRANCE)]
+        )
         if visits:
             return IntentReply(say.joined(*(_visit(asking, one) for one in visits[-_MOST_LINES:])))
     return IntentReply(say("nobody_came", span=_span_words(asking)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from housefly.hub.api.state_answers import NightAnswer, PersonAnswer
-from housefly.hub.situations.entrance import AT_ENTRANCE
+from housefly.hub.situations.kinds import SituationKind
 from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.asking import Asking
 from housefly.tasks.intents.intent_reply import IntentReply
@@ -54,11 +54,15 @@ def answer_who(asking: Asking) -> IntentReply:
 
 def _at_door(asking: Asking) -> IntentReply:
     say, visitor = asking.say, TaskRequest("visitor")
-    held = [one for one in asking.room.picture().situations if one.kind == AT_ENTRANCE]
+    held = [
+        one for one in asking.room.picture().situations if one.kind == SituationKind.AT_ENTRANCE
+    ]
     rang = asking.room.events(since=max(0.0, asking.now - _DAY), kind=BELL, limit=1)
     if held:
         since = asking.now - held[0].since
-        began = asking.room.events(since=max(0.0, held[0].since - 1.0), kind=AT_ENTRANCE)
+        began = asking.room.events(
+            since=max(0.0, held[0].since - 1.0), kind=SituationKind.AT_ENTRANCE
+        )
         who = next((one.cause for one in reversed(began) if one.cause), "")
         seen = (
             say("known_at_door", person=say.name(who), ago=say.ago(since))

@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, LinkError, ThingError
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.hub.client.room_queries import RoomQueries
-from housefly.hub.situations.appliance import APPLIANCE_ON, CONTACT_OPEN
-from housefly.hub.situations.bed import BED_OCCUPIED
-from housefly.hub.situations.entrance import AT_ENTRANCE
-from housefly.hub.situations.fall import FALLEN
-from housefly.hub.situations.hysteresis import ENDED_SUFFIX
-from housefly.hub.situations.posture import LYING
+from housefly.hub.situations.kinds import SituationKind
 from housefly.messages import OrderKind
-from housefly.tasks.api.questions import BoardQuestion, ClipsQuestion, SetMode
-from housefly.tasks.api.values import HouseMode, TaskRequest
+from housefly.tasks.api.questions import BoardQuestion, SetMode
+from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.answer_past import answer_came_at, answer_what_happened
 from housefly.tasks.intents.answer_people import (
     BELL,
@@ -46,13 +43,20 @@ SERVICES: dict[IntentName, tuple[str, str]] = {
     IntentName.ALL_RIGHT: ("all_right", "person"),
 }
 """The service that an intent asks for, and its parameter that the subject fills ("" for none)."""
-_STATE_EVENTS = {
-    "on": APPLIANCE_ON, "running": APPLIANCE_ON, "off": APPLIANCE_ON + ENDED_SUFFIX,
-    "open": CONTACT_OPEN, "closed": CONTACT_OPEN + ENDED_SUFFIX,
-    "shut": CONTACT_OPEN + ENDED_SUFFIX, "occupied": BED_OCCUPIED,
-    "free": BED_OCCUPIED + ENDED_SUFFIX, "in bed": LYING, "lying": LYING,
-    "up": LYING + ENDED_SUFFIX, "fallen": FALLEN,
-}  # fmt: skip
+_STATE_EVENTS: dict[str, str] = {
+    "on": SituationKind.APPLIANCE_ON,
+    "running": SituationKind.APPLIANCE_ON,
+    "off": SituationKind.APPLIANCE_ON.ended,
+    "open": SituationKind.CONTACT_OPEN,
+    "closed": SituationKind.CONTACT_OPEN.ended,
+    "shut": SituationKind.CONTACT_OPEN.ended,
+    "occupied": SituationKind.BED_OCCUPIED,
+    "free": SituationKind.BED_OCCUPIED.ended,
+    "in bed": SituationKind.PERSON_LYING,
+    "lying": SituationKind.PERSON_LYING,
+    "up": SituationKind.PERSON_LYING.ended,
+    "fallen": SituationKind.PERSON_FALLEN,
+}
 """The event with which a state begins; of others nobody is told."""
 
 
@@ -148,9 +152,9 @@ def _call_me(asking: Asking) -> IntentReply:
         return IntentReply(say("i_tell"), notice=Notice(told, (kind,), thing))
     kinds = {
         "bell": (BELL,),
-        "at_door": (BELL, AT_ENTRANCE),
-        "gets_up": (LYING + ENDED_SUFFIX, BED_OCCUPIED + ENDED_SUFFIX),
-        "falls": (FALLEN,),
+        "at_door": (BELL, SituationKind.AT_ENTRANCE),
+        "gets_up": (SituationKind.PERSON_LYING.ended, SituationKind.BED_OCCUPIED.ended),
+        "falls": (SituationKind.PERSON_FALLEN,),
     }[event]
     return IntentReply(say("i_tell"), notice=Notice(say(f"told {event}"), kinds, thing))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from housefly.hub.situations.kinds import SITUATION_KINDS
+from housefly.hub.situations.kinds import SituationKind
 from housefly.hub.state_queries import STATE_WORDS
 from housefly.tasks.rules.rule import (
     EventPattern,
@@ -18,9 +18,10 @@ from housefly.tasks.rules.rule import (
 from housefly.wires.devices import KINDS
 from housefly.wires.devices.fields import plain_number
 
+_SITUATIONS = tuple(SituationKind)
 _EVENTS = (
-    *SITUATION_KINDS,
-    *(f"{kind} ended" for kind in SITUATION_KINDS),
+    *_SITUATIONS,
+    *(kind.ended for kind in SituationKind),
     *dict.fromkeys(event for kind in KINDS.values() for event in kind.events.values()),
 )
 
@@ -30,8 +31,8 @@ def impossibilities(rule: Rule) -> Iterator[str]:
     match rule.when:
         case MqttPattern():
             yield from _of_message(rule.when)
-        case SituationPattern(situation=kind) if kind not in SITUATION_KINDS:
-            yield f"there is no situation {kind!r}; there is: {', '.join(SITUATION_KINDS)}"
+        case SituationPattern(situation=kind) if kind not in _SITUATIONS:
+            yield f"there is no situation {kind!r}; there is: {', '.join(_SITUATIONS)}"
         case EventPattern(event=kind) if kind not in _EVENTS:
             for close in get_close_matches(kind, _EVENTS, 1, 0.8):
                 yield f"no event is called {kind!r}; did you mean {close!r}?"

@@ -14,11 +14,19 @@ from threading import Lock
 from typing import Any
 
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_values import (
+    ClipsAnswer,
+    ClipsQuestion,
+    DeleteClip,
+    KeepClip,
+    TakeSnapshot,
+)
 from housefly.hub.client.room_queries import AskedRoom
 from housefly.messages import Order, OrderKind
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.tasks.api.answers import (
-    ClipsAnswer,
     FiringsAnswer,
     ModeAnswer,
     RehearsalAnswer,
@@ -36,11 +44,8 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -67,10 +72,7 @@ from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.engine.task_engine import TaskEngine
 from housefly.tasks.engine.task_outlet import TaskOutlet
 from housefly.tasks.engine.task_rehearsals import TaskRehearsals
-from housefly.tasks.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
-from housefly.tasks.execution.values import TakeSnapshot
 from housefly.tasks.intents.intent_reply import TaskAct
 from housefly.tasks.intents.names import Names
 from housefly.tasks.intents.stop_words import says_stop

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import logging
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -35,6 +36,7 @@ from housefly.web.api.room_openapi import openapi_document
 from housefly.web.http.responses import error_response, json_response
 from housefly.web.http.seats import Seats
 
+_LOG = logging.getLogger(__name__)
 _NEWS: TypeAdapter[News] = TypeAdapter(News)
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""
@@ -97,7 +99,8 @@ class RoomApi:
                 self._threads, self._bus.ask, HUB_QUERY, question_to_json(question), 10.0
             )
         except HouseflyError as error:
-            return error_response(503, f"the room's memory does not answer: {error}")
+            _LOG.debug("the hub: %s", error)
+            return error_response(503, "the room's memory does not answer")
         if text.startswith('{"error"'):
             tree = json.loads(text)
             return error_response(404 if tree.get("unknown") else 422, str(tree["error"]))

@@ -16,9 +16,9 @@ from dataclasses import dataclass, field
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import DroneTopics
+from housefly.config.house_mode import HouseMode
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.messages import VideoFrame
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 
 FRAME_HEADER = struct.Struct("<BBHHxxQd")
 _FORMAT_VERSION = 1

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Never
 
 from housefly.errors import UnknownState, WireError
-from housefly.messages import Fact, Observation, RoomEvent
+from housefly.messages import Fact, Facts, Observation, RoomEvent
 from housefly.wires.devices.bed import BED_KIND
 from housefly.wires.devices.cabinet import CABINET_KIND
 from housefly.wires.devices.fields import JsonRecord, JsonSpec, read_record
@@ -120,8 +120,9 @@ def decode_reading(
     A time outside the bounds is replaced by the time of arrival, and the observations carry the
     fact ``clock_error`` [s]. A retained state may have any age; it carries the fact ``retained``.
     A retained event is over and yields nothing. ``kind`` replaces the one in the topic. A bad value
-    leaves the others alone, and is told by the fact ``refused``; a state that the kind does not
-    know makes an observation that is not valid, so that none before it goes on to hold.
+    leaves the others alone, and is told by the facts ``refused`` and ``refused_key``; a state that
+    the kind does not know makes an observation that is not valid, so that none before it goes on to
+    hold.
 
     Raises:
         WireError: naming the topic, the key, the value and what is allowed.
@@ -141,25 +142,30 @@ def decode_reading(
     return Reading(seen, events, None, record.unknown, clock_error, complaints)
 
 
-def refused_state(report: DeviceReport, refusal: str) -> Observation:
-    """Return the observation that a device says what is not understood: "open is 'ajar'"."""
-    return replace(report.about_device(("refused", refusal)), valid=False)
+def refused_state(report: DeviceReport, key: str, refusal: str) -> Observation:
+    """Return the observation that a device says under a key what is not understood."""
+    return replace(report.about_device(*_refusal(key, refusal)), valid=False)
+
+
+def _refusal(key: str, refusal: str) -> Facts:
+    return ("refused", refusal), ("refused_key", key)
 
 
 def _observed(
     kind: DeviceKind, record: JsonRecord, report: DeviceReport, topic: str
 ) -> Iterable[Observation]:
     """Return what is understood of a state; raises WireError when that is nothing."""
-    errors = [error for key, error in record.refused.items() if key in kind.state]
+    errors = [(key, error) for key, error in record.refused.items() if key in kind.state]
     if not errors:
         return kind.observe(record, report)
-    refusal = str(errors[0]).removeprefix(f"{topic}.")
+    key, error = errors[0]
+    refusal = str(error).removeprefix(f"{topic}.")
     if any(key in record.values for key in kind.state):
-        note = ("refused", refusal)
-        return kind.observe(record, replace(report, notes=(*report.notes, note)))
-    if not isinstance(errors[0], UnknownState):
-        raise errors[0]
-    return (refused_state(report, refusal),)
+        notes = (*report.notes, *_refusal(key, refusal))
+        return kind.observe(record, replace(report, notes=notes))
+    if not isinstance(error, UnknownState):
+        raise error
+    return (refused_state(report, key, refusal),)
 
 
 def _parse(spec: JsonSpec, payload: bytes, topic: str) -> JsonRecord:

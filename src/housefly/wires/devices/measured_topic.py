@@ -88,7 +88,7 @@ class MeasuredTopic:
             checked = known_value(self._field, tree, where)
         except UnknownState as error:
             refusal = f"{self._key} {str(error).removeprefix(where).lstrip()}"
-            return Reading((refused_state(report, refusal),), refused=(str(error),))
+            return Reading((refused_state(report, self._key, refusal),), refused=(str(error),))
         except WireError as error:
             raise WireError(f"{error}{self._hint(tree)}") from error
         if isinstance(checked, float):

@@ -105,7 +105,7 @@ export function linesOf(thing: Seen, age: number | null, contents: Seen[]): Line
   const lines: Line[] = [{ kind: "name", text: thing.name }];
   for (const held of at.value === null ? worthSaying(situations.value) : []) {
     if (held.thing !== thing.thing || held.kind === "person present") continue;
-    const words = `${translated(held.kind).replace(/^person /, "")}, ${percent(held.confidence)}`;
+    const words = `${translated(held.words)}, ${percent(held.confidence)}`;
     lines.push(
       isWorry(held.kind)
         ? { kind: "worry", text: `△ ${words}` }

@@ -33,8 +33,7 @@ export function kindOf(thing: Seen): string {
 }
 
 export function happened(event: EventAnswer): string {
-  const own = event.source === "pilot" ? event.facts.words : undefined;
-  const words = capital(translated(String(own ?? event.kind)));
+  const words = capital(translated(event.words));
   const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
   const by = event.cause ? ` ${t("by {name}", { name: nameOf(event.cause) })}` : "";
   const said =

@@ -153,7 +153,7 @@ function Notes() {
           <span role="status">
             △{" "}
             {t("People and things are not shown: {why}.", {
-              why: translated(trouble.value.split(":")[0] ?? ""),
+              why: translated(trouble.value),
             })}
           </span>
         </li>
@@ -168,7 +168,7 @@ function Notes() {
         .filter((one) => isWorry(one.kind))
         .map((one) => (
           <li class="trouble" key={`${one.kind} ${one.thing}`}>
-            △ {nameOf(one.thing)}: {translated(one.kind).replace(/^person /, "")},{" "}
+            △ {nameOf(one.thing)}: {translated(one.words)},{" "}
             {t("{p} sure", { p: percent(one.confidence) })}
             {one.evidence && `; ${one.evidence}`}
             {trouble.value && `, ${t("told before")}`}

@@ -374,6 +374,18 @@ export const DE_TOLD: Templates = {
   "put it on its pad; if it is there, compare the tracking system's origin with the map":
     "auf den Landeplatz stellen; steht sie dort, den Ursprung der Ortung mit der Karte " +
       "vergleichen",
+  "it has what others have": "sie hat, was andere haben",
+  "the drone lacks what others have": "der Drohne fehlt, was andere haben",
+  "steering by tilt": "Steuern durch Neigen",
+  "a camera": "eine Kamera",
+  "a hover of its own": "eigenes Schweben",
+  "its own height": "eigene Höhe",
+  "its own velocity": "eigene Geschwindigkeit",
+  "its own attitude": "eigene Lage",
+  "rules that need it do not count, and where tracking fails it sinks and lands":
+    "Regeln, die das brauchen, gelten nicht; fällt die Ortung aus, sinkt und landet sie",
+  "fly it where tracking is sure, and keep people away":
+    "nur fliegen, wo die Ortung sicher ist, und niemanden in die Nähe lassen",
   "a sensor sees people without markers": "ein Sensor sieht Personen ohne Marker",
   "people without markers are unseen": "Personen ohne Marker sieht sie nicht",
   "no sensor": "kein Sensor",
@@ -491,6 +503,12 @@ export const DE_TOLD: Templates = {
   "person sitting": "Person sitzt",
   "person lying": "Person liegt",
   "person fallen": "Person gestürzt",
+  "present": "anwesend",
+  "walking": "geht",
+  "standing": "steht",
+  "sitting": "sitzt",
+  "lying": "liegt",
+  "fallen": "gestürzt",
   "bed occupied": "Bett belegt",
   "appliance on": "Gerät an",
   "contact open": "Tür offen",
@@ -685,8 +703,11 @@ export const DE_TOLD: Templates = {
     "der Ultraschall zeigt überall etwas: Landung nach der Höhe der Ortung",
   "the end of where it may fly is ahead": "voraus endet der erlaubte Bereich",
   "the goal": "das Ziel",
+  "the last place of {who} is no longer kept clear":
+    "der letzte Ort von {who} wird nicht mehr freigehalten",
   "the order's {what}; allowed: {limit}": "Befehl: {what}; erlaubt: {limit}",
   "the orientation is not a unit quaternion": "die Lage ist kein Einheitsquaternion",
+  "the pad of {who} is there": "dort ist der Landeplatz von {who}",
   "the pilot failed ({name}): landing": "der Autopilot ist ausgefallen ({name}): sie landet",
   "the start": "der Start",
   "the way is free: going on": "der Weg ist frei: weiter",
@@ -725,6 +746,8 @@ export const DE_TOLD: Templates = {
     "{who} kommt näher, und zum Ausweichen ist kein Platz: sie landet hier",
   "{who} comes near: making way": "{who} kommt näher: sie weicht aus",
   "{who} comes near: the take-off is given up": "{who} kommt näher: Start abgebrochen",
+  "{who} flew and is not seen any more: its last place is kept clear":
+    "{who} flog und ist nicht mehr zu sehen: ihr letzter Ort bleibt frei",
   "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
     "{who} gibt zu viele Befehle: {n} in einer Sekunde abgelehnt (Grenze {m} je Sekunde)",
   "{who} is below": "{who} ist darunter",

@@ -75,6 +75,13 @@ export interface TrajectoryAnswer {
   rows: [number, number, number, number][];
 }
 
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+
 export interface EventAnswer {
   kind: string;
   thing: string;
@@ -83,6 +90,7 @@ export interface EventAnswer {
   cause: string;
   confidence: number;
   facts: Record<string, string | number | boolean>;
+  words: Said;
 }
 
 export interface EventsAnswer {
@@ -112,6 +120,8 @@ export interface SituationAnswer {
   confidence: number;
   evidence: string;
   facts: Record<string, string | number | boolean>;
+  sources: string[];
+  words: Said;
 }
 
 export interface ObstacleAnswer {
@@ -162,6 +172,7 @@ export interface PersonAnswer {
   position: [number, number, number] | null;
   age: number | null;
   evidence: string;
+  sources: string[];
 }
 
 export interface PeopleAnswer {
@@ -286,13 +297,6 @@ export interface FlightPath {
   heights: number[];
   times: number[];
   speeds: number[];
-}
-
-/** Words of the server: of ours the template and its values, of another version a text. */
-export type Said = string | SaidWords;
-
-export interface SaidWords extends Array<Said | { n: string }> {
-  0: string;
 }
 
 export interface FlightNote {
