@@ -11,6 +11,7 @@ from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
+from housefly.app.truth_files import take_truth
 from housefly.bus.bus import Bus
 from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
@@ -79,7 +80,9 @@ def fly_over_wires(
             raise LinkError(
                 f"not ready after {_START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
             )
-        return _serve(bus, flown, home, order, recorder, on_step, say, give_up_after)
+        outcome = _serve(bus, flown, home, order, recorder, on_step, say, give_up_after)
+    take_truth(recorder.truth_file, drone, recorder.truth_file)
+    return outcome
 
 
 class Steadiness:

@@ -21,6 +21,7 @@ from housefly.app.readiness import Readiness
 from housefly.app.room_renewal import RoomRenewal
 from housefly.app.runtime import Runtime
 from housefly.app.terminal import console
+from housefly.app.truth_files import take_truth
 from housefly.bus.bus import Bus
 from housefly.bus.topics import USE_EDITS_QUERY, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
@@ -106,10 +107,11 @@ def run_interactively(
         stack.enter_context(reserved_store(loaded.site))
         runtime = replace(new_runtime(loaded.site, folder, web=True), recording=record)
         recorders = _recorders(loaded, record)
-        for recorder in recorders.values():
+        truth_file = _truth_file(recorders)
+        for name, recorder in recorders.items():
             stack.callback(recorder.finish, "ended by the user")
-        # The simulated room writes one truth: that of the only drone, or of the first.
-        truth_file = next((one.truth_file for one in recorders.values()), None)
+            if truth_file is not None:
+                stack.callback(take_truth, truth_file, name, recorder.truth_file)
         signals = stack.enter_context(EndSignals())
         stack.enter_context(announced(discovery_entry(runtime)))
         launcher = stack.enter_context(
@@ -218,6 +220,14 @@ def _recorders(loaded: LoadedSite, folder: Path | None) -> dict[str, FlightRecor
         into = folder / name if len(names) > 1 else folder
         recorders[name] = FlightRecorder(into, one.site, one.room, one.grid)
     return recorders
+
+
+def _truth_file(recorders: dict[str, FlightRecorder]) -> Path | None:
+    """Return the file that the simulated room is given; several drones have one each beside it."""
+    files = [recorder.truth_file for recorder in recorders.values()]
+    if len(files) > 1:
+        return files[0].parent.with_name(files[0].name)
+    return files[0] if files else None
 
 
 def _record(recorder: FlightRecorder, bus: Bus, topics: DroneTopics) -> Callable[[], None]:

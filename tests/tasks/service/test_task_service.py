@@ -610,6 +610,19 @@ def test_a_task_is_flown_by_the_drone_that_is_asked_for_after_a_rehearsal_with_i
     assert code == ReasonCode.BAD_PARAMETER.value and "allowed: red, blue" in words
 
 
+def test_a_sentence_names_the_drone_that_is_meant(new_stage: Callable[..., TaskStage]) -> None:
+    stage = new_stage(drones=TWO_DRONES)
+    stage.stand()
+    answer = stage.ask(Sentence("look at the refrigerator with blue", by="kim"))
+    assert answer.task is not None and answer.task.drone == "blue"
+    stage.stand(1.0, DroneStatus.FLYING)
+    for orders in stage.orders_of.values():
+        orders.clear()
+    stage.ask(Sentence("Red, land!", by="kim"))
+    assert [order.kind for order in stage.orders_of["red"]] == [OrderKind.LAND]
+    assert OrderKind.LAND not in [order.kind for order in stage.orders_of["blue"]]
+
+
 def test_what_another_drone_than_the_rehearsed_one_flies_is_rehearsed_anew(
     new_stage: Callable[..., TaskStage],
 ) -> None:

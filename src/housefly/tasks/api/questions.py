@@ -131,6 +131,7 @@ class Sentence:
     """Something a person said or typed; ``fly`` False never starts a task.
 
     ``may_fly`` False is for whoever may only ask; the edge that knows the person fills it in.
+    ``drone`` is for whom it is meant where the words name none; "" for all, or any.
     """
 
     text: _Sentence
@@ -142,6 +143,7 @@ class Sentence:
     may_fly: bool = True
     ask: Literal["sentence"] = "sentence"
     owner: _Word = ""
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -179,6 +179,7 @@ class TaskService:
             parts.names,
             parts.own_sentences,
             has_drone=parts.has_drone,
+            drones=parts.drones,
         )
         self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
             RequestTask: self._request,
@@ -388,13 +389,14 @@ class TaskService:
         if not self._parts.has_drone:
             raise TaskError(NO_DRONE, ReasonCode.NO_DRONE.value)
 
-    def _order(self, kind: OrderKind, by: str, drone: str = "") -> DronePlace:
+    def _order(self, kind: OrderKind, by: str, drone: str) -> DronePlace:
         """Give an order of a person, for which the tasks make way; return what is true.
 
         The order is not done yet then: the pilot tells what became of it. Without a drone's name it
         is for all; what is not STOP is for those that may be in the air.
         """
         self._refuse_without_drone()
+        self._parts.drones.check(drone)
         now, drones = self._clock(), self._parts.drones
         places = {
             name: drone_place(one.inbox, now) for name, one in drones.items() if drone in ("", name)

@@ -25,7 +25,7 @@ const shown = new URLSearchParams(location.search).get("drone");
 
 const list = document.createElement("nav");
 list.className = "drones";
-document.body.append(list);
+document.body.prepend(list);
 
 function made<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
