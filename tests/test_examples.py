@@ -95,7 +95,7 @@ def test_the_drone_is_driven_over_the_wire(loopback: str) -> None:
 @pytest.mark.slow
 def test_a_listener_hears_steps_and_gets_a_plan(loopback: str) -> None:
     output = run("05_listen_on_the_bus.py", loopback)
-    assert_in_order(output, "pilot/step", '"path": {"waypoints"', "idle, at (10.5")
+    assert_in_order(output, "drones/drone/step", '"path": {"waypoints"', "idle, at (10.5")
 
 
 @pytest.mark.slow

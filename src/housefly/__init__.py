@@ -10,7 +10,7 @@
 Sites and rooms   load_site, LoadedSite, Site, Room, OccupancyGrid, import_ros_map, text_map,
                   draw_room
 Flights           fly, open_flight, Flight, Summary, ReplayResult, Simulation
-Wires             launch, Bus, ZenohBus, TOPICS and each topic, PLAN_QUERY, TASKS_QUERY,
+Wires             launch, Bus, ZenohBus, DroneTopics, ROOM_TOPICS and each of these, TASKS_QUERY,
                   ArDrone, run_twin
 Lab               run_campaign, CampaignResult, identify, Identified, choose_gains, Advice,
                   judge_gains, Judgement
@@ -41,19 +41,13 @@ if TYPE_CHECKING:
     from housefly.bus.topics import (
         DEPTH_TOPIC,
         FRAME_TOPIC,
-        LINK_TOPIC,
         OBSTACLE_TOPIC,
-        ORDER_TOPIC,
-        PLAN_QUERY,
-        RECORDING_TOPIC,
         ROOM_EVENT_TOPIC,
+        ROOM_TOPICS,
         SENSOR_TOPIC,
         SIGHT_TOPIC,
-        STEP_TOPIC,
         TASKS_QUERY,
-        TOPICS,
-        TRAJECTORY_TOPIC,
-        VIDEO_TOPIC,
+        DroneTopics,
     )
     from housefly.bus.zenoh_bus import ZenohBus
     from housefly.clock import RealClock
@@ -155,12 +149,11 @@ if TYPE_CHECKING:
 
 # fmt: off
 __all__ = [
-    "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
-    "PLAN_QUERY", "RECORDING_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC",
-    "SIGHT_TOPIC", "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "TRAJECTORY_TOPIC",
-    "VIDEO_TOPIC", "Action", "Advice", "Airframe", "AnySetpoint", "ArDrone", "Behavior", "Bus",
-    "CampaignResult", "Capabilities", "Clearing", "Command", "ConfigError", "Covariance",
-    "DepthImage", "DriverServer", "DroneDriver", "DroneFault", "DroneStatus", "EditsError",
+    "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "OBSTACLE_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC",
+    "ROOM_TOPICS", "SENSOR_TOPIC", "SIGHT_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "Action",
+    "Advice", "Airframe", "AnySetpoint", "ArDrone", "Behavior", "Bus", "CampaignResult",
+    "Capabilities", "Clearing", "Command", "ConfigError", "Covariance", "DepthImage",
+    "DriverServer", "DroneDriver", "DroneFault", "DroneStatus", "DroneTopics", "EditsError",
     "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe", "Flight", "HouseClient",
     "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion", "LinkError", "LinkStatus",
     "LoadedSite", "MessageRate", "MissingPartError", "Observation", "Obstacle", "ObstacleKind",
@@ -189,9 +182,8 @@ _MODULES = {
     "lab.lockstep.simulation": "Simulation",
     "bus.bus": "Bus",
     "bus.topics": (
-        "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
-        " RECORDING_TOPIC ROOM_EVENT_TOPIC SENSOR_TOPIC SIGHT_TOPIC STEP_TOPIC"
-        " TASKS_QUERY TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
+        "DEPTH_TOPIC DroneTopics FRAME_TOPIC OBSTACLE_TOPIC ROOM_EVENT_TOPIC ROOM_TOPICS"
+        " SENSOR_TOPIC SIGHT_TOPIC TASKS_QUERY"
     ),
     "bus.zenoh_bus": "ZenohBus",
     "clock": "RealClock",

@@ -17,7 +17,7 @@ import pytest
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.bus.topics import STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, site_from_tree
 from housefly.errors import LinkError, TaskError
@@ -32,6 +32,8 @@ from housefly.room.files import load_room
 from housefly.tasks.api.questions import Sentence
 from housefly.tasks.api.values import ENDED, ReasonCode, TaskStage, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(600)]
 
@@ -160,7 +162,7 @@ def running(folder: Path) -> Iterator[House]:
             folder / "tasks.log",
             load_room(site.room.model).home,
         )
-        bus.subscribe(STEP_TOPIC, house.heard)
+        bus.subscribe(TOPICS.step, house.heard)
         assert until(lambda: answers(house), PATIENCE), house.log.read_text()
         yield house
 

@@ -18,7 +18,7 @@ from PIL import Image
 from playwright.async_api import Browser, Page, expect
 from stand_in_tasks import StandInTasks
 
-from housefly.bus.topics import VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
 from housefly.evidence.clip_news import ClipOrigin
@@ -26,6 +26,8 @@ from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.evidence.clip_values import ClipsAnswer, TakeSnapshot
 from housefly.messages import DroneStatus, VideoFrame
 from housefly.tasks.api.questions import TakePhoto
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -61,7 +63,7 @@ class Darkroom:
             )
             self.recorder.tick(now, time.time(), self.status, self.mode)
             self.recorder.add(frame, None)
-            bus.publish(VIDEO_TOPIC, frame)
+            bus.publish(TOPICS.video, frame)
             await asyncio.sleep(1 / 15)
 
 

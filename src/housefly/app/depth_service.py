@@ -29,7 +29,7 @@ class DepthService:
     """Processes the images of a site's depth cameras, until closed.
 
     Attributes:
-        own: where the drone is, None when it is not in the air or not known.
+        own: where our drones are, of those in the air whose place is known.
         sight: until when the cameras were believed.
     """
 

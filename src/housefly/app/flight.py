@@ -83,6 +83,7 @@ def fly_service(
                     progress.show,
                     progress.say,
                     on_console=ConsoleAddresses(runtime).print_address,
+                    drone=loaded.site.drone.name,
                 )
     finally:
         summary = recorder.finish(outcome)

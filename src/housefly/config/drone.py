@@ -94,6 +94,11 @@ class DroneConfig(Section):
     )
 
     @property
+    def has_camera(self) -> bool:
+        """Whether it is flown and has a camera."""
+        return self.enabled and self.airframe.capabilities.camera is not None
+
+    @property
     def reach(self) -> float:
         """From its middle to the corners of its hull [m]."""
         return 0.5 * hypot(self.hull_length, self.hull_width)

@@ -88,11 +88,11 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     checked_exposure(loaded.site)
     if loaded.site.twin.enabled:
         require_simulator()
-    if loaded.site.drone.enabled:
+    if loaded.site.drone_names:
         compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with temporary_run_folder("logs") as folder:
-        asks = opens_tasks and loaded.site.tasks.enabled and loaded.site.drone.enabled
+        asks = opens_tasks and loaded.site.tasks.enabled and bool(loaded.site.drone_names)
         first = Screen.TASKS if asks else Screen.FLY
         return run_interactively(loaded, folder, record, first)
 

@@ -41,6 +41,7 @@ class RequestTask:
     deadline: _Time | None = None
     ask: Literal["request"] = "request"
     owner: _Word = ""
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +52,7 @@ class RehearseTask:
     parameters: _Parameters = field(default_factory=dict)
     ask: Literal["rehearse"] = "rehearse"
     surface: RequestSurface = RequestSurface.CONSOLE
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,6 +185,7 @@ class TakePhoto:
     at: Annotated[float, Field(ge=0.0, le=1e12, allow_inf_nan=False)] = 0.0
     by: _Word = ""
     ask: Literal["photo"] = "photo"
+    drone: _Word = ""
 
 
 TaskQuestion = (

@@ -141,6 +141,7 @@ class TaskRequest:
         priority: who goes first.
         deadline: not begun by then [Unix time, s], it expires; None waits for ever.
         owner: id of who asks, filled in by whoever knows them; a name may be anybody's.
+        drone: name of the drone that is to fly; "" for whichever is free, ready and nearest.
     """
 
     service: str
@@ -152,6 +153,7 @@ class TaskRequest:
     priority: Priority = Priority.PERSON
     deadline: float | None = None
     owner: str = ""
+    drone: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,6 +230,7 @@ class TaskStatus:
         took_off_at: when its flight began [Unix time, s]; None when it did not fly.
         flown: how long it was in the air [s]; None where nobody knows whether it flew.
         recording: folder of the recording of the whole run, for `housefly replay`, or "".
+        drone: that flies it, or is wanted for it; "" while that may be any.
     """
 
     id: int
@@ -253,6 +256,7 @@ class TaskStatus:
     took_off_at: float | None = None
     flown: float | None = None
     recording: str = ""
+    drone: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from housefly.messages import OrderKind
 from housefly.tasks.api.answers import SentenceAnswer
 from housefly.tasks.api.questions import BoardQuestion, Sentence, SetMode, TaskQuestion
 from housefly.tasks.api.values import ATTENDED, ReasonCode, TaskRequest, TaskStage, TaskStatus
+from housefly.tasks.engine.drone_state import DronePlace
 from housefly.tasks.intents.answer_tasks import words_of_answer
 from housefly.tasks.intents.answering import answer_intent
 from housefly.tasks.intents.intent import Intent, Language
@@ -23,7 +24,6 @@ from housefly.tasks.intents.names import Names, names_of
 from housefly.tasks.intents.not_understood import NotUnderstood
 from housefly.tasks.intents.phrases import Phrases, phrases
 from housefly.tasks.intents.recognizer import recognize, recognizer
-from housefly.tasks.service.drone_state import DronePlace
 
 _log = logging.getLogger(__name__)
 

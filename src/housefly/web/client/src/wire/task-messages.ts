@@ -109,6 +109,7 @@ export interface TaskStatus {
   took_off_at: number | null;
   flown: number | null;
   recording: string;
+  drone: string;
 }
 
 export interface TasksAnswer {
@@ -165,6 +166,7 @@ export interface TaskRequest {
   priority: Priority;
   deadline: number | null;
   owner: string;
+  drone: string;
 }
 
 export interface SentenceAnswer {
