@@ -22,12 +22,13 @@ from paho.mqtt import publish
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, ROOM_NEWS_TOPIC, STEP_TOPIC
+from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.state import clips_folder
 from housefly.errors import LinkError
-from housefly.hub.api.told_events import told_event_of
-from housefly.messages import EventNews, Order, PilotStep, RoomNews
+from housefly.hub.api.answers import News
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
+from housefly.messages import Order, PilotStep, RoomEvent
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record.truth import read_truth
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site
@@ -94,7 +95,7 @@ class BellRun:
 class _Ear:
     """What is heard on the bus, with the time at which it was heard [s, monotonic]."""
 
-    news: list[tuple[float, RoomNews]] = field(default_factory=list)
+    news: list[tuple[float, News]] = field(default_factory=list)
     events: list[tuple[float, str]] = field(default_factory=list)
     orders: list[tuple[float, Order]] = field(default_factory=list)
     motors: float = inf
@@ -109,8 +110,7 @@ class _Ear:
         if estimate is not None:
             self.poses.append((step.now, estimate.yaw))
 
-    def heard_event(self, news: EventNews) -> None:
-        event = told_event_of(news, time.time())
+    def heard_event(self, event: RoomEvent) -> None:
         self.events.append((time.monotonic(), event.kind))
 
 
@@ -167,7 +167,14 @@ def ring(folder: Path, **changes: object) -> BellRun:
     loaded = open_site(site)
     run = BellRun(task, loaded.plan(PLACE).duration or inf)
     run.told = (
-        next((at for at, news in ear.news if at >= rung and "bell pressed" in news.text), inf)
+        next(
+            (
+                at
+                for at, news in ear.news
+                if at >= rung and any(event.kind == "bell pressed" for event in news.events)
+            ),
+            inf,
+        )
         - rung
     )
     run.asked = _first(ear, "task asked") - rung

@@ -12,15 +12,16 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
-from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, ROOM_NEWS_TOPIC, STEP_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
-from housefly.hub.api.answers import WhereAnswer
+from housefly.hub.api.answers import News, WhereAnswer
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import WhereQuestion
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.client.discovery import find
 from housefly.hub.client.room_client import RoomClient
-from housefly.messages import PilotStep, RoomNews, TrackedFrame
+from housefly.messages import PilotStep, TrackedFrame
 
 ECHO = "benchmark/echo"
 PAUSE = 0.003
@@ -109,11 +110,13 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
                 ages["step"].append(now - sighting.received_at)
                 ages["captured"].append(now - sighting.captured_at)
 
-    def news(news: RoomNews) -> None:
-        now, told = time.time(), json.loads(news.text)
-        ages["news_way"].append(now - told["at"])
+    def news(news: News) -> None:
+        now = time.time()
+        ages["news_way"].append(now - news.at)
         ages["news"] += [
-            now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone
+            now - news.at + thing.age
+            for thing in news.things
+            if thing.thing == drone and thing.age is not None
         ]
 
     open_ = [

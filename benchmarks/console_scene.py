@@ -45,7 +45,7 @@ from housefly.messages import (
     TrajectoryPoint,
 )
 from housefly.messages import Path as FlightPath
-from housefly.web.flight_log import (
+from housefly.web.flights.flight_log import (
     FlightEnd,
     FlightHead,
     Line,

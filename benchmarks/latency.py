@@ -362,8 +362,8 @@ def main() -> int:
         )
     )
     print(
-        "\nA setpoint waits for the next slot of the drone's 30 ms command stream, those of STOP"
-        f" and Land, too. Limit for STOP under attack: {1e3 * STOP_LIMIT:.0f} ms in 99 of 100. The"
+        "\nA setpoint waits for the next slot of the drone's 30 ms command stream; STOP's leaves"
+        f" at once. Limit for STOP under attack: {1e3 * STOP_LIMIT:.0f} ms in 99 of 100. The"
         " attack: a flood of idle connections, 40 greedy sockets of one session, and a disk that is"
         f" synced without a pause; load average {os.getloadavg()[0]:.0f}."
     )

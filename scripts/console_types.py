@@ -12,14 +12,14 @@ from housefly import web
 from housefly.hub.api import answers as room_answers
 from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskAnswer
-from housefly.web.client_messages import ClientMessage
-from housefly.web.coverage_layer import CoverageView
-from housefly.web.edit_service import EditsView
-from housefly.web.flight_book import FlightReplay, FlightsView
+from housefly.web.api.coverage_layer import CoverageView
+from housefly.web.api.edit_service import EditsView
+from housefly.web.api.simulated_bell import BellView
+from housefly.web.flights.flight_book import FlightReplay, FlightsView
+from housefly.web.messages.client_messages import ClientMessage
+from housefly.web.messages.server_messages import ServerMessage
 from housefly.web.new_site.draft_answers import HeardView, WrittenView
 from housefly.web.new_site.draft_view import DraftView
-from housefly.web.server_messages import ServerMessage
-from housefly.web.simulated_bell import BellView
 
 _WIRE_FOLDER = Path(web.__file__).parent / "client" / "src" / "wire"
 _MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"

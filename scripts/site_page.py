@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from textwrap import fill
-from typing import Any, get_args
+from typing import Any, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
@@ -40,6 +40,29 @@ body = "ardrone"
 enabled = false
 ```
 
+Several drones have a table each. What it leaves out its model gives, else `[drone]`; the room, the
+tracking system and the limits are for all. The first may have the room's own pad.
+
+```toml
+[drone]                    # what all have
+has_video = false
+
+[models.indoor]            # what a model has
+kind = "ardrone"
+hull_length = 0.52
+
+[[drones]]
+name = "red"               # its body, too, unless body says otherwise
+model = "indoor"
+address = "192.168.1.11"
+
+[[drones]]
+name = "blue"
+model = "indoor"
+address = "192.168.1.12"
+pad = [4.0, 1.5, 0.0]      # x, y [m], heading [rad]
+```
+
 This page is made from the code (`python scripts/site_page.py`); a test keeps it current.
 """
 
@@ -55,8 +78,21 @@ def site_page() -> str:
             section: type[Section] = found.annotation  # type: ignore[assignment]
             parts.append(_table(f"[{key}]", section.model_fields, _prose(section)))
         elif many := _sections_in(found):
-            parts.append(_table(f"[[{key}]]", many.model_fields, _prose(many)))
+            title = f"[{key}.NAME]" if get_origin(found.annotation) is dict else f"[[{key}]]"
+            parts.append(_table(title, _own_fields(many), _prose(many)))
     return "\n".join(parts)
+
+
+def _own_fields(section: type[Section]) -> dict[str, FieldInfo]:
+    """Return the keys of a section; of one that may have all keys of the drone, only the others."""
+    if not issubclass(section, DroneConfig):
+        return section.model_fields
+    plain = DroneConfig.model_fields
+    return {
+        key: found
+        for key, found in section.model_fields.items()
+        if key not in plain or found.is_required()
+    }
 
 
 def _is_section(found: FieldInfo) -> bool:
@@ -74,6 +110,8 @@ def _sections_in(found: FieldInfo) -> type[Section] | None:
 
 
 def _table(title: str, fields: dict[str, FieldInfo], meaning: str = "") -> str:
+    if not fields:
+        return f"## {title}\n\n{meaning}\n"
     lines = [
         f"## {title}",
         "",

@@ -47,11 +47,9 @@ if TYPE_CHECKING:
         PLAN_QUERY,
         RECORDING_TOPIC,
         ROOM_EVENT_TOPIC,
-        ROOM_NEWS_TOPIC,
         SENSOR_TOPIC,
         SIGHT_TOPIC,
         STEP_TOPIC,
-        TASK_NEWS_TOPIC,
         TASKS_QUERY,
         TOPICS,
         TRAJECTORY_TOPIC,
@@ -83,6 +81,7 @@ if TYPE_CHECKING:
         UnknownState,
         WireError,
     )
+    from housefly.hub.api.topics import ROOM_NEWS_TOPIC
     from housefly.hub.client.room_client import RoomClient
     from housefly.lab.identification.result import Identified
     from housefly.lab.lockstep.simulation import Simulation
@@ -101,7 +100,6 @@ if TYPE_CHECKING:
         Estimate,
         Event,
         EventCode,
-        EventNews,
         Fact,
         Facts,
         Inputs,
@@ -127,7 +125,6 @@ if TYPE_CHECKING:
         RecordingNews,
         Reference,
         RoomEvent,
-        RoomNews,
         SafetyMode,
         Scan,
         SensorReport,
@@ -136,7 +133,6 @@ if TYPE_CHECKING:
         Severity,
         Sighting,
         SightNews,
-        TaskNews,
         Telemetry,
         TrackedFrame,
         TrajectoryPoint,
@@ -152,6 +148,7 @@ if TYPE_CHECKING:
     from housefly.sensors.contracts import Sensor, SensorHealth, SensorSink
     from housefly.sensors.message_rate import MessageRate
     from housefly.sites.loaded_site import LoadedSite, load_site
+    from housefly.tasks.api.topics import TASK_NEWS_TOPIC
     from housefly.tasks.client.connect import connect
     from housefly.tasks.client.house_client import HouseClient
     from housefly.twin.process import run_twin
@@ -164,20 +161,20 @@ __all__ = [
     "VIDEO_TOPIC", "Action", "Advice", "Airframe", "AnySetpoint", "ArDrone", "Behavior", "Bus",
     "CampaignResult", "Capabilities", "Clearing", "Command", "ConfigError", "Covariance",
     "DepthImage", "DriverServer", "DroneDriver", "DroneFault", "DroneStatus", "EditsError",
-    "Estimate", "Event", "EventCode", "EventNews", "Fact", "Facts", "Failsafe", "Flight",
-    "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion", "LinkError",
-    "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError", "Observation", "Obstacle",
-    "ObstacleKind", "OccupancyGrid", "Order", "OrderAnswer", "OrderKind", "OrderOutcome",
-    "OrderSource", "Outputs", "Path", "Phase", "PilotStep", "PlanAnswer", "PlannedTrajectory",
-    "PlayedScene", "Pose", "PositionSetpoint", "PreflightCheck", "RealClock", "RecordingError",
-    "RecordingNews", "Reference", "RemoteDrone", "ReplayResult", "Room", "RoomClient", "RoomError",
-    "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor", "SensorHealth", "SensorReport",
-    "SensorSink", "Setpoint", "SetpointForm", "Severity", "SharedStoreError", "SightNews",
-    "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary", "TaskError",
-    "TaskNews", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint", "UnknownState",
-    "VelocitySetpoint", "VideoFrame", "WireError", "ZenohBus", "airframe_in", "choose_gains",
-    "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch",
-    "load_site", "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
+    "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe", "Flight", "HouseClient",
+    "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion", "LinkError", "LinkStatus",
+    "LoadedSite", "MessageRate", "MissingPartError", "Observation", "Obstacle", "ObstacleKind",
+    "OccupancyGrid", "Order", "OrderAnswer", "OrderKind", "OrderOutcome", "OrderSource", "Outputs",
+    "Path", "Phase", "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose",
+    "PositionSetpoint", "PreflightCheck", "RealClock", "RecordingError", "RecordingNews",
+    "Reference", "RemoteDrone", "ReplayResult", "Room", "RoomClient", "RoomError", "RoomEvent",
+    "SafetyMode", "Scan", "Sensor", "SensorHealth", "SensorReport", "SensorSink", "Setpoint",
+    "SetpointForm", "Severity", "SharedStoreError", "SightNews", "Sighting", "Simulation", "Site",
+    "StaleEdits", "StoreError", "Summary", "TaskError", "Telemetry", "ThingError", "TrackedFrame",
+    "TrajectoryPoint", "UnknownState", "VelocitySetpoint", "VideoFrame", "WireError", "ZenohBus",
+    "airframe_in", "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map",
+    "judge_gains", "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin",
+    "text_map",
 ]
 # fmt: on
 
@@ -193,8 +190,8 @@ _MODULES = {
     "bus.bus": "Bus",
     "bus.topics": (
         "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
-        " RECORDING_TOPIC ROOM_EVENT_TOPIC ROOM_NEWS_TOPIC SENSOR_TOPIC SIGHT_TOPIC STEP_TOPIC"
-        " TASKS_QUERY TASK_NEWS_TOPIC TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
+        " RECORDING_TOPIC ROOM_EVENT_TOPIC SENSOR_TOPIC SIGHT_TOPIC STEP_TOPIC"
+        " TASKS_QUERY TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
     ),
     "bus.zenoh_bus": "ZenohBus",
     "clock": "RealClock",
@@ -211,6 +208,7 @@ _MODULES = {
         " RoomError SharedStoreError StaleEdits StoreError TaskError ThingError UnknownState"
         " WireError"
     ),
+    "hub.api.topics": "ROOM_NEWS_TOPIC",
     "hub.client.room_client": "RoomClient",
     "lab.identification.result": "Identified",
     "lab.tuning.advice": "Advice Judgement",
@@ -222,6 +220,7 @@ _MODULES = {
     "room.ros_map": "import_ros_map",
     "sensors.contracts": "Sensor SensorHealth SensorSink",
     "sensors.message_rate": "MessageRate",
+    "tasks.api.topics": "TASK_NEWS_TOPIC",
     "tasks.client.connect": "connect",
     "tasks.client.house_client": "HouseClient",
     "twin.process": "run_twin",

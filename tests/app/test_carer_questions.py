@@ -35,10 +35,10 @@ from housefly.tasks.assistants.assistant_reply import MARKED
 from housefly.tasks.assistants.assistant_room import FoundRoom
 from housefly.tasks.assistants.mcp_server import room_server
 from housefly.tasks.rules.mqtt_link import MqttLink
+from housefly.web.access.session_auth import api_key
 from housefly.web.console_port import listening
 from housefly.web.process import make_server
 from housefly.web.server import create_app
-from housefly.web.session_auth import api_key
 
 pytestmark = [pytest.mark.wire]
 

@@ -10,7 +10,7 @@ from cryptography import x509
 from housefly.app import certificates
 from housefly.app.certificates import CertificateFiles, files_in, make_certificate
 from housefly.errors import ConfigError
-from housefly.web.own_names import own_names
+from housefly.web.access.own_names import own_names
 
 NAMES = ("lab.local", "127.0.0.1", "192.168.4.4", "fd00::2")
 

@@ -19,8 +19,8 @@ from housefly.app.new_runtime import new_runtime
 from housefly.app.runtime import Runtime
 from housefly.clock import RealClock
 from housefly.config.site import Site, changed
-from housefly.web.invitations import Invitations
-from housefly.web.roles import Role
+from housefly.web.access.invitations import Invitations
+from housefly.web.access.roles import Role
 
 
 class Silent(BaseHTTPRequestHandler):
@@ -73,7 +73,7 @@ def test_whoever_answers_answers_whatever_he_says(
 def runtime(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Runtime:
     """A run for the network, that nobody started."""
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
-    monkeypatch.setattr("housefly.web.exposure.lan_addresses", lambda: ("192.168.4.4",))
+    monkeypatch.setattr("housefly.web.access.exposure.lan_addresses", lambda: ("192.168.4.4",))
     files, _ = make_certificate(tmp_path / "tls", ("192.168.4.4",))
     site = changed(
         Site(),

@@ -13,8 +13,8 @@ from housefly.app.certificates import files_in, make_certificate
 from housefly.app.lan import lan_site
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
-from housefly.web.exposure import checked_exposure, console_address, guest_address
-from housefly.web.tls import authority_of, certificate_state
+from housefly.web.access.exposure import checked_exposure, console_address, guest_address
+from housefly.web.access.tls import authority_of, certificate_state
 
 HERE = ("192.168.4.4", "10.8.0.2")
 
@@ -22,7 +22,7 @@ HERE = ("192.168.4.4", "10.8.0.2")
 @pytest.fixture
 def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Site:
     """A site of a machine with two addresses."""
-    for module in ("housefly.app.lan", "housefly.web.exposure"):
+    for module in ("housefly.app.lan", "housefly.web.access.exposure"):
         monkeypatch.setattr(f"{module}.lan_addresses", lambda: HERE)
     monkeypatch.setattr(lan, "own_names", lambda: ("lab", "lab.local", "127.0.0.1", *HERE))
     return changed(Site(), hub__store=str(tmp_path / "room.db"))
@@ -55,7 +55,7 @@ def test_with_one_it_listens_everywhere_and_phones_find_the_likeliest_address(si
 def test_a_machine_with_ipv6_alone_listens_there(
     site: Site, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in ("housefly.app.lan", "housefly.web.exposure"):
+    for module in ("housefly.app.lan", "housefly.web.access.exposure"):
         monkeypatch.setattr(f"{module}.lan_addresses", lambda: ("fd00::2",))
     make_certificate(tls(site), ("lab.local", "fd00::2"))
     opened, _ = lan_site(site, "lab")

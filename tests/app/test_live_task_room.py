@@ -13,7 +13,7 @@ from housefly.geometry import distance
 from housefly.hub.api.json import refusal_to_json
 from housefly.hub.api.questions import SensorsQuestion
 from housefly.messages import Obstacle, ObstacleKind
-from housefly.tasks.live_obstacles import LiveObstacles
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 
 
 def test_somebody_whom_only_a_scanner_sees_has_a_viewpoint() -> None:

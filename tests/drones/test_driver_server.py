@@ -29,6 +29,7 @@ from housefly.drones.remote_drone import RemoteDrone
 from housefly.errors import LinkError
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin.ardrone.server import ArDroneServer
+from housefly.wires.ardrone.conversions import Stick
 
 pytestmark = pytest.mark.wire
 
@@ -226,6 +227,22 @@ async def test_a_command_that_is_late_or_older_than_a_hover_is_not_flown(bench: 
     for _ in range(20):
         await asyncio.sleep(0.01)
         assert bench.world.asked.hover
+
+
+async def test_a_hover_is_obeyed_also_when_a_setpoint_follows_in_the_same_read(
+    bench: Bench,
+) -> None:
+    await bench.fly()
+    seen: list[Stick] = []
+    set_stick = bench.world.set_stick
+    bench.world.set_stick = lambda stick: (seen.append(stick), set_stick(stick))  # type: ignore
+    link, now = bench.pilot._transport, RealClock().now()
+    assert link is not None
+    stop = (Command(Action.HOVER), Command(Action.FLY, Setpoint(theta=-0.1)))
+    link.write(b"".join(encode_driver_message(TimedCommand(one, now)) for one in stop))
+    await bench.until(lambda: bench.world.asked.forward < 0.0)
+    hover = next(number for number, stick in enumerate(seen) if stick.hover)
+    assert seen[hover + 1].forward < 0.0
 
 
 async def test_a_driver_told_to_leave_lands_first_whatever_its_pilot_wants(bench: Bench) -> None:

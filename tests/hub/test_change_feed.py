@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 
+from housefly.bus.codec import encoded
 from housefly.hub.api.answers import SituationAnswer
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.change_feed import MAX_EVENTS, ChangeFeed
 from housefly.messages import RoomEvent
 
 
 def news_of(change_feed: ChangeFeed) -> dict[str, object] | None:
     news = change_feed.changes()
-    return None if news is None else json.loads(news.text)
+    return None if news is None else json.loads(encoded(ROOM_NEWS_TOPIC, news))
 
 
 def test_nothing_new_is_no_news(house) -> None:

@@ -15,8 +15,8 @@ from housefly.config.edits import Edits
 from housefly.config.site import Site
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
-from housefly.web.audit_log import AuditLog
-from housefly.web.edit_service import EditService
+from housefly.web.access.audit_log import AuditLog
+from housefly.web.api.edit_service import EditService
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 

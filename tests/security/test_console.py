@@ -19,10 +19,10 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from housefly.messages import OrderKind
-from housefly.web import connections
-from housefly.web.connections import MAX_CONNECTIONS
-from housefly.web.seats import SEATS_OF_ONE
-from housefly.web.session_auth import api_key
+from housefly.web.access.session_auth import api_key
+from housefly.web.http import connections
+from housefly.web.http.connections import MAX_CONNECTIONS
+from housefly.web.http.seats import SEATS_OF_ONE
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 

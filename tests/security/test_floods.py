@@ -7,12 +7,13 @@ import time
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from housefly.bus.codec import from_cdr
+from housefly.bus.codec import decoded
 from housefly.bus.endpoint import endpoint_in
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import ORDER_TOPIC, Topic
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.tracking import TrackingConfig
 from housefly.messages import Order, OrderKind, Sighting
@@ -65,11 +66,11 @@ def test_a_message_that_is_too_long_is_dropped_before_it_is_read(
     heard: list[Order] = []
     read: list[int] = []
 
-    def noted(kind: type, payload: bytes) -> object:
+    def noted(topic: Topic[Any], payload: bytes) -> object:
         read.append(len(payload))
-        return from_cdr(kind, payload)
+        return decoded(topic, payload)
 
-    monkeypatch.setattr("housefly.bus.zenoh_bus.from_cdr", noted)
+    monkeypatch.setattr("housefly.bus.zenoh_bus.decoded", noted)
     wide_open = replace(ORDER_TOPIC, fault=lambda _: "")
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
         bus.subscribe(ORDER_TOPIC, heard.append)

@@ -14,12 +14,12 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from housefly.clock import SteppedClock
-from housefly.web.audit_log import AuditLog
-from housefly.web.logins import TRIES_PER_MINUTE
-from housefly.web.roles import Role
-from housefly.web.session import EndedSessions
-from housefly.web.session_auth import LONGEST_LOGIN, SessionAuth
-from housefly.web.users import UserBook
+from housefly.web.access.audit_log import AuditLog
+from housefly.web.access.logins import TRIES_PER_MINUTE
+from housefly.web.access.roles import Role
+from housefly.web.access.session import EndedSessions
+from housefly.web.access.session_auth import LONGEST_LOGIN, SessionAuth
+from housefly.web.access.users import UserBook
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="function")]
 PASSWORD = "correct horse battery"

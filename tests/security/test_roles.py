@@ -18,8 +18,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from housefly.bus.local import LocalBus
 from housefly.messages import OrderKind
-from housefly.web.client_messages import ClientMessage
-from housefly.web.roles import (
+from housefly.web.access.roles import (
     OPEN_FOLDERS,
     OPEN_PATHS,
     ROLE_OF_CHANGE,
@@ -31,8 +30,9 @@ from housefly.web.roles import (
     ROLE_OF_TASK_CHANGE,
     Role,
 )
+from housefly.web.access.users import UserBook
+from housefly.web.messages.client_messages import ClientMessage
 from housefly.web.server import create_app
-from housefly.web.users import UserBook
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 PASSWORD = "correct horse battery"
@@ -101,7 +101,7 @@ PATHS: dict[tuple[str, str], Role] = {
 }
 SOCKETS = {"/socket": WATCH, "/video": WATCH, "/api/v1/watch": WATCH}
 KEY_ONLY = "/api/v1/webhook/{name}"
-"""No session opens it, only a key of its own: tests/web/test_tasks_api.py."""
+"""No session opens it, only a key of its own: tests/web/api/test_tasks_api.py."""
 REFUSED = "your role is"
 
 

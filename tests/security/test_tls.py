@@ -21,10 +21,10 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
 
 from housefly.app.certificates import CertificateFiles, make_certificate
-from housefly.web import handshakes
-from housefly.web.handshakes import MAX_HANDSHAKES
-from housefly.web.roles import Role
-from housefly.web.users import UserBook
+from housefly.web.access.roles import Role
+from housefly.web.access.users import UserBook
+from housefly.web.http import handshakes
+from housefly.web.http.handshakes import MAX_HANDSHAKES
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 PASSWORD = "correct horse battery"
@@ -188,10 +188,10 @@ from pathlib import Path
 from housefly.bus.local import LocalBus
 from housefly.config.site import Site, changed
 from housefly.web.console_port import listening
-from housefly.web.exposure import checked_exposure
+from housefly.web.access.exposure import checked_exposure
 from housefly.web.process import make_server
 from housefly.web.server import create_app
-from housefly.web.users import UserBook
+from housefly.web.access.users import UserBook
 
 folder = sys.argv[1]
 site = changed(

@@ -7,7 +7,7 @@ from typing import Any, Literal
 import pytest
 from playwright.async_api import Page
 
-from housefly.web.page_routes import STATIC_FOLDER
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 AXE = STATIC_FOLDER.parent / "client" / "node_modules" / "axe-core" / "axe.min.js"
 SIZES = ((390, 844), (844, 390), (1440, 900))

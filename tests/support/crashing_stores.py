@@ -45,10 +45,10 @@ from housefly.tasks.api.values import (
     TaskRequest,
     TaskStage,
 )
+from housefly.tasks.engine.task_record import task_status
 from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.values import StartClip
-from housefly.tasks.queue_keeper import QueueKeeper
 from housefly.tasks.rules.rule_memory import RuleMemory
 from housefly.tasks.rules.rule_store import KeptRules, RuleStore
 from housefly.tasks.scheduler.scheduler import Scheduler
@@ -63,15 +63,14 @@ from housefly.tasks.scheduler.values import (
     TaskEnded,
     TaskTraits,
 )
-from housefly.tasks.task_record import task_status
 from housefly.twin.camera.encoder import Encoder
-from housefly.web.audit_log import AuditLog
-from housefly.web.console_memory import ConsoleMemory, KeptControl
-from housefly.web.edit_service import EditService
-from housefly.web.flight_book import FlightBook
-from housefly.web.flight_log import SAMPLE_PERIOD
-from housefly.web.flight_log_writer import FlightLogWriter
-from housefly.web.server_messages import EventView, PathMessage
+from housefly.web.access.audit_log import AuditLog
+from housefly.web.api.edit_service import EditService
+from housefly.web.flights.flight_book import FlightBook
+from housefly.web.flights.flight_log import SAMPLE_PERIOD
+from housefly.web.flights.flight_log_writer import FlightLogWriter
+from housefly.web.messages.server_messages import EventView, PathMessage
+from housefly.web.status.console_memory import ConsoleMemory, KeptControl
 
 CLIP_GROUP, CLIP_LENGTH, CLIP_RATE_HZ = 6, 30, 30.0
 """Pictures from one key frame to the next; pictures of a clip; and pictures a second."""
@@ -109,7 +108,7 @@ class CrashingStore:
 
 def _queue(folder: Path) -> Write:
     store, chance = TaskStore(folder / "tasks.db"), random.Random(1)
-    keeper, scheduler = QueueKeeper(store), store.load(_LIMITS)
+    scheduler = store.load(_LIMITS)
 
     def take(outcome: tuple[Scheduler, tuple[Decision, ...]]) -> None:
         nonlocal scheduler
@@ -117,8 +116,8 @@ def _queue(folder: Path) -> Write:
         scheduler, decisions = outcome
         changed = [task for task in scheduler.tasks if id(task) not in before]
         changed += [each.task for each in decisions if isinstance(each, TaskEnded)]
-        keeper.keep([KeptTask(task, task_status(task, None)) for task in changed])
-        assert not keeper.problem
+        store.keep([KeptTask(task, task_status(task, None)) for task in changed])
+        assert not store.problem
 
     def write(number: int) -> None:
         now = time.time()

@@ -8,7 +8,7 @@ from urllib.parse import unquote
 
 from fuzz_target import split
 
-from housefly.web.session_auth import PROOF_HEADER, SUBPROTOCOL, SessionAuth
+from housefly.web.access.session_auth import PROOF_HEADER, SUBPROTOCOL, SessionAuth
 
 TOKEN, SECRET, HOST = "a-token-for-tests-only", "a-secret-for-tests-only", "127.0.0.1:8080"
 

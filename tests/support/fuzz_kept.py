@@ -16,9 +16,9 @@ from housefly.lab.campaigns.spec import load_spec
 from housefly.messages import Phase, SafetyMode, Severity
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.files import load_draft, write_site
-from housefly.web.console_memory import ConsoleMemory
-from housefly.web.flight_book import FlightBook
-from housefly.web.flight_log import (
+from housefly.web.access.users import UserBook
+from housefly.web.flights.flight_book import FlightBook
+from housefly.web.flights.flight_log import (
     FlightEnd,
     FlightHead,
     FlightNote,
@@ -28,7 +28,7 @@ from housefly.web.flight_log import (
     line_text,
 )
 from housefly.web.new_site.draft_view import fit_view, flyable, missing_views, scan_view
-from housefly.web.users import UserBook
+from housefly.web.status.console_memory import ConsoleMemory
 
 _FLIGHT = "20251122T120000000Z"
 _HASH = "$scrypt$ln=15,r=8,p=3$" + "a" * 22 + "$" + "b" * 43

@@ -16,11 +16,11 @@ from housefly.room.draft.codec import draft_to_json
 from housefly.room.draft.files import save_draft
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard, HeardBody
+from housefly.web.access.session_auth import SessionAuth
 from housefly.web.new_site.draft_api import DraftApi
 from housefly.web.new_site.draft_service import DraftService
 from housefly.web.new_site.server import create_new_site_app
 from housefly.web.new_site.uploads import Uploads
-from housefly.web.session_auth import SessionAuth
 
 _SVG = (
     b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400" width="6m" height="4m">'

@@ -15,6 +15,7 @@ from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, LinkError, TaskError, WireError
 from housefly.hub.api.answers import Answer
 from housefly.hub.api.questions import Question
+from housefly.hub.client.room_queries import AskedRoom
 from housefly.tasks.api.json import (
     task_answer_from_json,
     task_answer_to_json,
@@ -32,7 +33,6 @@ from housefly.tasks.api.questions import (
     TaskHistoryQuestion,
 )
 from housefly.tasks.api.values import HouseMode, RequestSurface, ServiceInfo
-from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.library import SHIPPED, bind, linked, load_library, read_task, text_of
 from housefly.tasks.document.marked_yaml import SIZE_MAX
 from housefly.tasks.document.open_library import OpenLibrary

@@ -14,12 +14,12 @@ from fuzz_asgi import HOST, SECRET, TOKEN, http_status, scope_of, session
 from fuzz_target import DEEP, FuzzTarget, scratch
 from stand_in_tasks import StandInTasks
 
-from housefly.bus.codec import from_cdr, to_cdr
+from housefly.bus.codec import decoded, encoded
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, TOPICS
+from housefly.bus.topics import HUB_QUERY, TOPICS, Topic
 from housefly.config.site import Site
 from housefly.errors import LinkError, ThingError, WireError
-from housefly.hub.api.answers import ANSWER_TYPES
+from housefly.hub.api.answers import ANSWER_TYPES, EventAnswer, News
 from housefly.hub.api.json import (
     answer_from_json,
     answer_to_json,
@@ -29,6 +29,7 @@ from housefly.hub.api.json import (
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json
 from housefly.hub.api.questions import WhereQuestion
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.client.http import checked_answer
 from housefly.hub.memory import RoomMemory
 from housefly.hub.query_handler import QueryHandler
@@ -46,25 +47,26 @@ from housefly.messages import (
     PilotStep,
     PlanAnswer,
     Pose,
-    RoomNews,
     Sighting,
     TrackedFrame,
     VideoFrame,
 )
 from housefly.room.edit_versions import EditVersions
 from housefly.room.model import Place, Room
-from housefly.web.edit_service import EditService
+from housefly.tasks.api.topics import TASK_NEWS_TOPIC
+from housefly.web.api.edit_service import EditService
 from housefly.web.server import create_app
 
 _PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)
+_TOPICS: tuple[Topic[Any], ...] = (*TOPICS, ROOM_NEWS_TOPIC, TASK_NEWS_TOPIC)
 _STATUSES = (200, 401, 404, 503)
 _QUESTIONS = tuple(ANSWER_TYPES)
 
 
 def _bus(data: bytes) -> None:
     """The first byte chooses the topic."""
-    topic = TOPICS[data[0] % len(TOPICS)] if data else TOPICS[0]
-    topic.check(from_cdr(topic.type, data[1:]))
+    topic = _TOPICS[data[0] % len(_TOPICS)] if data else _TOPICS[0]
+    topic.check(decoded(topic, data[1:]))
 
 
 def _bus_seeds() -> Iterable[bytes]:
@@ -77,11 +79,12 @@ def _bus_seeds() -> Iterable[bytes]:
         PilotStep(1, 2.0, Inputs((seen,), None, (order,)), outputs),
         VideoFrame(b"\0\0\1\x65", True, 640, 360, 3, 1.0, 2.0),
         order,
-        RoomNews("{}"),
+        News(1.0, (), (EventAnswer("said", "a", 1.0, "b", "", 1.0, {"c": True}),), (), ()),
     )
-    kinds = [topic.type for topic in TOPICS]
+    kinds = [topic.type for topic in _TOPICS]
     for example in examples:
-        yield bytes([kinds.index(type(example))]) + to_cdr(example)
+        number = kinds.index(type(example))
+        yield bytes([number]) + encoded(_TOPICS[number], example)
 
 
 def _question(data: bytes) -> None:

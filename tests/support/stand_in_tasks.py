@@ -9,9 +9,8 @@ from dataclasses import replace
 from typing import Any
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import TASK_NEWS_TOPIC, TASKS_QUERY
+from housefly.bus.topics import TASKS_QUERY
 from housefly.errors import HouseflyError, TaskError
-from housefly.messages import TaskNews
 from housefly.tasks.api.answers import (
     ClipInfo,
     ClipsAnswer,
@@ -53,6 +52,7 @@ from housefly.tasks.api.questions import (
     TaskQuestion,
     Webhook,
 )
+from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.api.values import (
     ENDED,
     Confirm,
@@ -172,7 +172,7 @@ class StandInTasks:
 
     def tell(self) -> None:
         """Publish the board."""
-        self._bus.publish(TASK_NEWS_TOPIC, TaskNews(task_answer_to_json(self.board())))
+        self._bus.publish(TASK_NEWS_TOPIC, self.board())
 
     def board(self) -> TaskBoard:
         """Return what a screen shows."""

@@ -44,10 +44,10 @@ from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.observer import FlightObservations
 from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.rules import SAFETY_RULES
-from housefly.web.console_knowledge import ConsoleKnowledge
-from housefly.web.order_objections import check_in_words
-from housefly.web.stop_latch import StopLatch
-from housefly.web.verdict import console_verdict
+from housefly.web.status.console_knowledge import ConsoleKnowledge
+from housefly.web.status.order_objections import check_in_words
+from housefly.web.status.stop_latch import StopLatch
+from housefly.web.status.verdict import console_verdict
 
 LIMITS = LimitsConfig()
 NOW = 100.0

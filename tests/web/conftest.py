@@ -25,13 +25,13 @@ from housefly.bus.local import LocalBus
 from housefly.config.web import WebConfig
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.messages.words import from_tree
+from housefly.web.access.tls import load_certificate
+from housefly.web.access.users import UserBook
+from housefly.web.api.coverage_layer import CoverageView
+from housefly.web.api.edit_service import EditService
 from housefly.web.console_port import listening
-from housefly.web.coverage_layer import CoverageView
-from housefly.web.edit_service import EditService
 from housefly.web.process import make_server
 from housefly.web.server import create_app
-from housefly.web.tls import load_certificate
-from housefly.web.users import UserBook
 
 TOKEN = "a-token-for-tests-only"
 SECRET = "a-secret-for-tests-only"
@@ -264,7 +264,7 @@ async def console(loopback: str) -> AsyncIterator[Served]:
 def cheap_passwords() -> Iterator[None]:
     """Make hashes of passwords cost next to nothing."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("housefly.web.passwords.COST_LOG2", 4)
+        patch.setattr("housefly.web.access.passwords.COST_LOG2", 4)
         yield
 
 

@@ -19,8 +19,8 @@ from stand_in_tasks import StandInTasks
 from housefly.config.tasks import TasksConfig
 from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.clip_writer import ClipWriter
-from housefly.web.role import Role
-from housefly.web.users import UserBook
+from housefly.web.access.users import UserBook
+from housefly.web.messages.role import Role
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

@@ -14,7 +14,7 @@ import pytest_asyncio
 from playwright.async_api import Browser, BrowserContext, Page, expect
 
 from housefly.messages import DroneStatus, Phase
-from housefly.web.lease import LEASE_TIMEOUT
+from housefly.web.control.lease import LEASE_TIMEOUT
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

@@ -11,7 +11,7 @@ import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, Phase
-from housefly.web.page_routes import STATIC_FOLDER
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

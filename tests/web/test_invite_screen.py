@@ -11,10 +11,10 @@ import pytest_asyncio
 from playwright.async_api import Browser, Page, Route, expect
 
 from housefly.clock import RealClock
-from housefly.web import invitations
-from housefly.web.invitations import Invitations
-from housefly.web.qr_code import qr_view
-from housefly.web.roles import Role
+from housefly.web.access import invitations
+from housefly.web.access.invitations import Invitations
+from housefly.web.access.roles import Role
+from housefly.web.http.qr_code import qr_view
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

@@ -14,7 +14,7 @@ from housefly.messages import DroneFault, DroneStatus, Phase
 from housefly.messages.preflight import FrameCheckState
 from housefly.pilot.behavior.mission_tables import Response
 from housefly.pilot.estimation.validation import RejectionReason
-from housefly.web.page_routes import STATIC_FOLDER
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 CLIENT = STATIC_FOLDER.parent / "client" / "src"
 CONSOLE, NEW_SITE = CLIENT / "messages", CLIENT / "new" / "messages"

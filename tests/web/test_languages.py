@@ -12,7 +12,7 @@ from playwright.async_api import Browser, Page, expect
 from told_sentences import told_sentences
 
 from housefly.messages.words import Words, parts_of
-from housefly.web.page_routes import STATIC_FOLDER
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

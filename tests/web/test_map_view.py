@@ -26,7 +26,7 @@ from housefly.messages import (
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.sites.loaded_site import open_site, read_site
-from housefly.web.edit_service import EditService
+from housefly.web.api.edit_service import EditService
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

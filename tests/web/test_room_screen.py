@@ -23,7 +23,7 @@ from housefly.hub.hub import Hub
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, OrderKind, RoomEvent
 from housefly.sensors.contracts import SensorHealth
-from housefly.web.coverage_layer import CoverageView
+from housefly.web.api.coverage_layer import CoverageView
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.web.page_routes import STATIC_FOLDER
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 CONSOLE = ("index.html", "app.js", "video-worker.js", "app.css", "favicon.svg")
 INSTALLED = ("manifest.json", "service-worker.js", "icon-192.png", "icon-512.png")

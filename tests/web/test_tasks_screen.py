@@ -21,7 +21,7 @@ from housefly.tasks.api.answers import ClipInfo
 from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
 from housefly.tasks.api.values import HouseMode, ReasonCode, TaskStage
 from housefly.tasks.evidence.clip_export import ClipExport
-from housefly.web.simulated_bell import BellView, SimulatedBell
+from housefly.web.api.simulated_bell import BellView, SimulatedBell
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -369,7 +369,7 @@ async def test_the_mode_is_set_and_shown(page: Page, house: House) -> None:
 async def test_nothing_is_shown_as_now_when_nobody_keeps_the_board(
     page: Page, house: House, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("housefly.web.task_feed.SILENCE", 1.5)
+    monkeypatch.setattr("housefly.web.status.task_feed.SILENCE", 1.5)
     house.tasks.ring()
     house.tasks.records = True
     house.tasks.tell()

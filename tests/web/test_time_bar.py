@@ -23,7 +23,7 @@ from housefly.messages import (
     Severity,
     TrajectoryPoint,
 )
-from housefly.web.flight_log import (
+from housefly.web.flights.flight_log import (
     FlightEnd,
     FlightHead,
     FlightNote,

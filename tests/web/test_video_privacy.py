@@ -31,7 +31,7 @@ from housefly.messages import (
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.evidence.frame_blanker import BLANK
 from housefly.tasks.evidence.live_blanker import LiveBlanker
-from housefly.web.video import FRAME_HEADER, VideoRelay
+from housefly.web.camera.video import FRAME_HEADER, VideoRelay
 
 ZONE = PrivacyZone(name="bed", polygon=((5, -2), (7, -2), (7, 2), (5, 2)), z_min=0.0, z_max=1.0)
 IN_ZONE = (slice(100, 125), slice(80, 240))

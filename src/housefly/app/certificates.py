@@ -15,7 +15,7 @@ from ipaddress import IPv4Address, IPv4Network, IPv6Address, IPv6Network, ip_add
 from pathlib import Path
 
 from housefly.errors import ConfigError, MissingPartError
-from housefly.web.tls import AUTHORITY_FILE
+from housefly.web.access.tls import AUTHORITY_FILE
 
 try:
     from cryptography import x509

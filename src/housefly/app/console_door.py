@@ -12,10 +12,10 @@ from rich.text import Text
 from housefly.app.runtime import Runtime
 from housefly.app.terminal import console
 from housefly.clock import RealClock
-from housefly.web.exposure import console_address, guest_address
-from housefly.web.invitations import INVITATION_LIFE, Invitations
-from housefly.web.qr_code import qr_lines
-from housefly.web.roles import Role
+from housefly.web.access.exposure import console_address, guest_address
+from housefly.web.access.invitations import INVITATION_LIFE, Invitations
+from housefly.web.access.roles import Role
+from housefly.web.http.qr_code import qr_lines
 
 _ROLE = Role.FLY
 """What the phone of who sits at the terminal may do; the words say it."""

@@ -36,7 +36,7 @@ class DepthService:
     def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
         site = loaded.site
         height, half = site.map.flight_height, site.map.half_band
-        self.own: OwnFootprint | None = None
+        self.own: tuple[OwnFootprint, ...] = ()
         self._bus, self._clock = bus, clock
         self._tracker = DepthTracker(
             untracked(loaded.room, site), site.depth_cameras, (height - half, height + half)

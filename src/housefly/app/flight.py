@@ -20,7 +20,7 @@ from housefly.record.truth import ContactRecord
 from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
-from housefly.web.exposure import checked_exposure
+from housefly.web.access.exposure import checked_exposure
 
 _SUMMARY_FIGURES = (
     ("duration_s", "duration", "s", 1),

@@ -35,7 +35,7 @@ from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import reserved_store
 from housefly.record.recorder import FlightRecorder
 from housefly.sites.loaded_site import LoadedSite
-from housefly.web.exposure import checked_exposure
+from housefly.web.access.exposure import checked_exposure
 
 _READY_TIMEOUT = 60.0
 """After this time the start says what is missing [s]; the run goes on without it."""

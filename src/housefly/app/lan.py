@@ -9,9 +9,9 @@ from housefly.app.certificates import CertificateFiles, files_in, renew_certific
 from housefly.config.site import Site, changed
 from housefly.config.state import tls_folder
 from housefly.errors import ConfigError, HouseflyError
-from housefly.web.exposure import is_loopback
-from housefly.web.own_names import lan_addresses, own_names
-from housefly.web.tls import CertificateState, certificate_state
+from housefly.web.access.exposure import is_loopback
+from housefly.web.access.own_names import lan_addresses, own_names
+from housefly.web.access.tls import CertificateState, certificate_state
 
 RENEW_BEFORE = timedelta(days=30)
 """A certificate is made anew so long before it runs out."""

@@ -13,8 +13,8 @@ from housefly.geometry import Vec2, Vec3
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import Question
 from housefly.sites.loaded_site import LoadedSite
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.live_obstacles import LiveObstacles
 from housefly.tasks.vantage.named_search import search_for
 from housefly.tasks.vantage.named_subject import round_names, view_from, viewpoint_of
 from housefly.tasks.vantage.patrol import shown_share

@@ -14,9 +14,9 @@ from housefly.bus.stop_port import StopPort
 from housefly.config.site import Site, changed
 from housefly.hub.client.discovery import RoomAddress
 from housefly.twin.faults.parse import faults_of
+from housefly.web.access.exposure import console_address
+from housefly.web.access.session_auth import api_key
 from housefly.web.console_port import ConsolePort
-from housefly.web.exposure import console_address
-from housefly.web.session_auth import api_key
 
 
 def new_runtime(site: Site, folder: Path, *, web: bool = False) -> Runtime:

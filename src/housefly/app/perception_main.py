@@ -19,7 +19,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
-from housefly.lab.lockstep.lockstep_perception import own_footprint
+from housefly.lab.lockstep.lockstep_perception import own_footprints
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.sight import Sight
@@ -64,11 +64,11 @@ class PerceptionProcess:
         telemetry = step.inputs.telemetry
         on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
         self._estimate = None if on_the_ground else step.outputs.estimate
-        self._depth.own = own_footprint(self._site, self._estimate)
+        self._depth.own = own_footprints(self._site, (self._estimate,))
 
     def _on_scan(self, scan: Scan) -> None:
         seen = self._tracker.update(
-            scan, self._clock.now(), own_footprint(self._site, self._estimate)
+            scan, self._clock.now(), own_footprints(self._site, (self._estimate,))
         )
         self._rates[scan.source].add(scan.received_at)
         self._doubts[scan.source] = seen.problem

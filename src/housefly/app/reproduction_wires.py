@@ -23,7 +23,7 @@ from housefly.lab.reproduction.fig17_service import RgbImage
 from housefly.messages import Order, OrderKind, OrderSource, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.sites.loaded_site import open_site
-from housefly.web.exposure import console_address
+from housefly.web.access.exposure import console_address
 
 NAME = "wires"
 _SHOTS = "shots.json"

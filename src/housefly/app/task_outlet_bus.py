@@ -8,7 +8,6 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC
 from housefly.config.process_log import log_line
 from housefly.errors import HouseflyError
-from housefly.hub.api.told_events import told_event_to_news
 from housefly.messages import Order, RoomEvent
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.wires.devices import task_topic
@@ -42,7 +41,7 @@ class BusTaskOutlet:
     def tell(self, event: RoomEvent) -> None:
         """Tell the room's memory what happened."""
         try:
-            self._bus.publish(ROOM_EVENT_TOPIC, told_event_to_news(event))
+            self._bus.publish(ROOM_EVENT_TOPIC, event)
         except HouseflyError as error:
             _log.error("%s could not be told: %s", event.kind, error)
 

@@ -11,15 +11,20 @@ from housefly.config.state import clips_folder, tasks_folder
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError
 from housefly.hub.api.questions import Question
+from housefly.hub.client.room_queries import AskedRoom
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import HouseMode
-from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import TaskDocument
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_engine import TaskEngine
+from housefly.tasks.engine.task_outlet import TaskOutlet, TaskRehearser
+from housefly.tasks.engine.task_rehearsals import TaskRehearsals
+from housefly.tasks.engine.task_runs import TaskRuns
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.task_run import HOLD_PERIOD
-from housefly.tasks.room_names import names_of_room
+from housefly.tasks.intents.names import names_of_room
 from housefly.tasks.rules.room_facts import AskedRoomFacts
 from housefly.tasks.rules.rule import Rule
 from housefly.tasks.rules.rule_engine import RuleEngine
@@ -28,12 +33,7 @@ from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.rule_store import RuleStore
 from housefly.tasks.scheduler.task_store import TASK_FILE, TaskStore
 from housefly.tasks.scheduler.values import SchedulerLimits
-from housefly.tasks.task_actions import TaskActions
-from housefly.tasks.task_engine import TaskEngine
-from housefly.tasks.task_outlet import TaskOutlet, TaskRehearser
-from housefly.tasks.task_rehearsals import TaskRehearsals
-from housefly.tasks.task_runs import TaskRuns
-from housefly.tasks.task_service import ServiceParts, TaskService
+from housefly.tasks.service.task_service import ServiceParts, TaskService
 
 _HOLD_MARGIN = 5.0
 _ASKING_PATIENCE = 5.0
@@ -83,7 +83,7 @@ def task_service(
     runs = TaskRuns(room, rehearsals, actions, inbox)
     runs.recording = recording
     limits = SchedulerLimits(config.queue, config.beside, config.confirm_time, config.fresh_time)
-    engine = TaskEngine(store, limits, runs, actions, inbox)
+    engine = TaskEngine(store, limits, runs, actions)
 
     def ask(question: Question) -> object:
         return room.ask(question, _ASKING_PATIENCE)

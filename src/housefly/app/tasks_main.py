@@ -18,8 +18,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from pydantic import TypeAdapter, ValidationError
-
 from housefly.app.live_task_room import LiveTaskRoom
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.task_outlet_bus import BusTaskOutlet
@@ -30,9 +28,7 @@ from housefly.bus.topics import (
     OBSTACLE_TOPIC,
     PREFLIGHT_QUERY,
     RECORDING_TOPIC,
-    ROOM_NEWS_TOPIC,
     STEP_TOPIC,
-    TASK_NEWS_TOPIC,
     TASKS_QUERY,
     VIDEO_TOPIC,
 )
@@ -45,24 +41,25 @@ from housefly.errors import HouseflyError, LinkError
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
 from housefly.lab.rehearsal.rehearsal_ahead import tasks_ahead
 from housefly.lab.rehearsal.rehearser import Rehearser
 from housefly.lab.rehearsal.room_now import room_now
-from housefly.messages import PilotStep, RecordingNews, RoomNews, TaskNews, VideoFrame
+from housefly.messages import PilotStep, RecordingNews, VideoFrame
 from housefly.pilot.behavior.preflight import preflight_refusal
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
-from housefly.tasks.api.json import task_answer_to_json
+from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.client.tasks_client import tasks_socket
-from housefly.tasks.drone_state import TakeOffReadiness
 from housefly.tasks.evidence.camera_pose import camera_pose_of
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.execution.step_inbox import StepInbox
-from housefly.tasks.live_obstacles import LiveObstacles
 from housefly.tasks.rules.dry_run import event_of
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
+from housefly.tasks.service.drone_state import TakeOffReadiness
 
 _log = logging.getLogger(__name__)
 
@@ -76,7 +73,6 @@ _CLOCK_PERIOD = 1.0
 _ANSWERERS = 6
 """So many questions are answered at once: a rehearsal holds up no cancellation."""
 _MAX_TRIGGERS = 1000
-_NEWS: TypeAdapter[News] = TypeAdapter(News)
 
 
 class TasksProcess:
@@ -162,13 +158,8 @@ class TasksProcess:
         step = self._parts.inbox.newest
         self._parts.clips.add(frame, None if step is None else camera_pose_of(step))
 
-    def _on_news(self, news: RoomNews) -> None:
-        try:
-            events = _NEWS.validate_json(news.text).events
-        except ValidationError:
-            _log.warning("these are no news of the room: %s", news.text[:100])
-            return
-        for event in events:
+    def _on_news(self, news: News) -> None:
+        for event in news.events:
             self._enqueue(EventTrigger(event_of(event)))
 
     def _enqueue(self, trigger: Trigger) -> None:
@@ -197,7 +188,7 @@ class TasksProcess:
         board = self.service.board()
         before, self._published = self._published, board
         if before is None or replace(board, at=before.at) != before:
-            self._bus.publish(TASK_NEWS_TOPIC, TaskNews(task_answer_to_json(board)))
+            self._bus.publish(TASK_NEWS_TOPIC, board)
 
 
 async def _every(period: float, work: Callable[[], None]) -> None:

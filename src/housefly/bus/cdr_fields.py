@@ -11,6 +11,7 @@ from rosbags.typesys.store import Typestore
 
 from housefly.bus.interfaces import ros_name
 from housefly.errors import WireError
+from housefly.messages import Fact
 from housefly.messages.words import Words
 
 TUPLES = {
@@ -18,10 +19,13 @@ TUPLES = {
     "geometry_msgs/msg/Vector3": ("x", "y", "z"),
     "geometry_msgs/msg/Quaternion": ("w", "x", "y", "z"),
     ros_name("Point2"): ("x", "y"),
+    ros_name("Fact"): ("name", "form", "text", "number"),
 }
 """The types that our messages hold as tuples, and the fields in the order of the tuple."""
 
 
+FACT = ros_name("Fact")
+"""The type of a named value of ``messages.world.Facts``."""
 WORDS = ros_name("Words")
 """The type of ``messages.words.Words``."""
 EnumCodes = dict[Enum, int | str]
@@ -38,6 +42,27 @@ def fields_of(kind: type[Any], store: Typestore) -> list[tuple[str, Any, EnumCod
     _check_fields(kind, [field for field, _ in written])
     numbers = {constant: int(value) for constant, _, value in constants}
     return [(field, of, _enumerated(field, of, hints[field], numbers)) for field, of in written]
+
+
+def fact_fields(fact: tuple[str, Fact]) -> tuple[str, int, str, float]:
+    """Return name, form, text and number of a named value; raises TypeError for another form."""
+    name, value = fact
+    if isinstance(value, str):
+        return name, _TEXT, value, 0.0
+    if not isinstance(value, bool | float | int):
+        raise TypeError(f"the fact {name!r} is neither text nor number nor boolean")
+    return name, _BOOLEAN if isinstance(value, bool) else _NUMBER, "", value
+
+
+def fact_of(name: str, form: int, text: str, number: float) -> tuple[str, Fact]:
+    """Return a named value; raises ValueError for a form that there is not."""
+    values: tuple[Fact, ...] = (text, number, number != 0.0)
+    if form >= len(values):
+        raise ValueError(f"the fact {name!r} has the form {form}")
+    return name, values[form]
+
+
+_TEXT, _NUMBER, _BOOLEAN = range(3)
 
 
 def was_plain_text(kind: type[Any], field: str, description: Any) -> bool:

@@ -12,7 +12,15 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from housefly import messages
-from housefly.bus.cdr_fields import TUPLES, WORDS, EnumCodes, fields_of, was_plain_text
+from housefly.bus.cdr_fields import (
+    FACT,
+    TUPLES,
+    WORDS,
+    EnumCodes,
+    fact_of,
+    fields_of,
+    was_plain_text,
+)
 from housefly.bus.cdr_source import BASE_CODES, CdrSource
 from housefly.messages.words import literal, unflattened
 
@@ -75,7 +83,8 @@ class _Reading:
         if order is None:
             return self.record(name.rsplit("/", 1)[1])
         read = {field: self._field(of, None) for field, of in self._store.fielddefs[name][1]}
-        return f"({', '.join(read[field] for field in order)})"
+        made = self._source.constant(fact_of) if name == FACT else ""
+        return f"{made}({', '.join(read[field] for field in order)})"
 
     def _base(self, name: str) -> str:
         source = self._source

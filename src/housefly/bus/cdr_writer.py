@@ -11,7 +11,7 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from housefly import messages
-from housefly.bus.cdr_fields import TUPLES, WORDS, EnumCodes, fields_of
+from housefly.bus.cdr_fields import FACT, TUPLES, WORDS, EnumCodes, fact_fields, fields_of
 from housefly.bus.cdr_source import BASE_CODES, CdrSource
 from housefly.bus.interfaces import type_store
 from housefly.messages.words import flat
@@ -63,6 +63,8 @@ class _Writing:
         if order is None:
             self.record(name.rsplit("/", 1)[1], value)
             return
+        if name == FACT:
+            value = f"{self._source.constant(fact_fields)}({value})"
         parts = {field: self._source.name() for field in order}
         self._source.line(f"{', '.join(parts.values())} = {value}")
         for field, of in self._store.fielddefs[name][1]:

@@ -1,4 +1,4 @@
-"""CDR encoding of the types in ``bus/msg``, exact to the last bit.
+"""Messages to bytes and back: CDR for the types in ``bus/msg``, exact to the last bit.
 
 The fields of a dataclass and of its ``.msg`` text have the same names in the same order. What
 differs is converted here: enums are numbered by the constants of the text, ``None`` is an empty
@@ -9,13 +9,18 @@ one that writes it: a step passes here a hundred times a second, in five process
 from __future__ import annotations
 
 import struct
+from functools import cache
 from typing import Any, TypeVar
 
+from pydantic import TypeAdapter, ValidationError
+from pydantic_core import PydanticSerializationError
 from rosbags.typesys.store import Typestore
 
 from housefly.bus.cdr_reader import cdr_reader
 from housefly.bus.cdr_writer import cdr_writer
 from housefly.bus.interfaces import type_store
+from housefly.bus.topics import Encoding, Topic
+from housefly.config.validation import dotted, words_of
 from housefly.errors import WireError
 
 _Message = TypeVar("_Message")
@@ -24,6 +29,35 @@ _HEADERS = {b"\x00\x00": ">", b"\x00\x01": "<"}
 _HEADER = b"\x00\x01\x00\x00"
 _MOST_LEFT = 3
 """So many bytes may follow a message [bytes]."""
+
+
+def encoded(topic: Topic[_Message], message: _Message) -> bytes:
+    """Return a message of a topic on the wire; raises WireError if a value does not fit."""
+    if topic.encoding is Encoding.CDR:
+        return to_cdr(message)
+    try:
+        return _json_adapter(topic).dump_json(message, warnings=False)
+    except PydanticSerializationError as error:
+        raise WireError(f"{topic.type.__name__} cannot be encoded: {error}") from error
+
+
+def decoded(topic: Topic[_Message], data: bytes) -> _Message:
+    """Return the message of a topic in bytes from the wire; raises WireError for anything else."""
+    if topic.encoding is Encoding.CDR:
+        return from_cdr(topic.type, data)
+    try:
+        message: _Message = _json_adapter(topic).validate_json(data)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_context=False, include_input=False)[0]
+        raise WireError(
+            f"not a {topic.type.__name__}: {dotted(first['loc'])}: {words_of(first)}"
+        ) from error
+    return message
+
+
+@cache
+def _json_adapter(topic: Topic[Any]) -> TypeAdapter[Any]:
+    return TypeAdapter(topic.type)
 
 
 def to_cdr(message: object) -> bytes:

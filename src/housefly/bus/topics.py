@@ -13,17 +13,15 @@ from typing import Generic, TypeVar
 from housefly.errors import WireError
 from housefly.messages import (
     DepthImage,
-    EventNews,
     LinkStatus,
     Obstacle,
     Order,
     PilotStep,
     PlannedTrajectory,
     RecordingNews,
-    RoomNews,
+    RoomEvent,
     SensorReport,
     SightNews,
-    TaskNews,
     TrackedFrame,
     VideoFrame,
 )
@@ -39,6 +37,13 @@ class Delivery(Enum):
     EVERY = "every"
 
 
+class Encoding(Enum):
+    """CDR for the types of ``bus/msg``; JSON for what hub and tasks also answer as JSON."""
+
+    CDR = "cdr"
+    JSON = "json"
+
+
 @dataclass(frozen=True, slots=True)
 class Topic(Generic[_Message]):
     """A named stream of one message type.
@@ -51,6 +56,7 @@ class Topic(Generic[_Message]):
         max_size: longer messages are dropped before they are decoded [bytes].
         fault: says in words what is wrong with a message; one with a fault is not sent, and not
             delivered.
+        encoding: of the messages on the wire.
     """
 
     key: str
@@ -59,6 +65,7 @@ class Topic(Generic[_Message]):
     depth: int = 1
     max_size: int = 256 * 1024
     fault: Callable[[_Message], str] = field(default=lambda _: "", repr=False)
+    encoding: Encoding = Encoding.CDR
 
     def check(self, message: _Message) -> _Message:
         """Return the message; raises WireError when it has a fault."""
@@ -84,18 +91,14 @@ VIDEO_TOPIC: Topic[VideoFrame] = Topic(
 ORDER_TOPIC: Topic[Order] = Topic(
     "cmd/order", Order, Delivery.EVERY, max_size=2048, fault=order_fault
 )
-ROOM_NEWS_TOPIC: Topic[RoomNews] = Topic(
-    "room/news", RoomNews, Delivery.LATEST, depth=50, max_size=4 * 2**20
-)
 OBSTACLE_TOPIC: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
 DEPTH_TOPIC: Topic[DepthImage] = Topic(
     "room/depth", DepthImage, Delivery.LATEST, depth=2, max_size=16 * 2**20
 )
-ROOM_EVENT_TOPIC: Topic[EventNews] = Topic("room/event", EventNews, Delivery.EVERY)
-"""What a process other than the hub says has happened; the hub keeps it."""
-TASK_NEWS_TOPIC: Topic[TaskNews] = Topic(
-    "tasks/news", TaskNews, Delivery.LATEST, depth=8, max_size=2 * 2**20
+ROOM_EVENT_TOPIC: Topic[RoomEvent] = Topic(
+    "room/event", RoomEvent, Delivery.EVERY, max_size=16 * 1024
 )
+"""What a process other than the hub says has happened; the hub keeps it."""
 RECORDING_TOPIC: Topic[RecordingNews] = Topic("tasks/recording", RecordingNews, Delivery.LATEST)
 SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 SIGHT_TOPIC: Topic[SightNews] = Topic("room/sight", SightNews, Delivery.LATEST)
@@ -107,15 +110,14 @@ TOPICS = (
     LINK_TOPIC,
     VIDEO_TOPIC,
     ORDER_TOPIC,
-    ROOM_NEWS_TOPIC,
     OBSTACLE_TOPIC,
     DEPTH_TOPIC,
     SENSOR_TOPIC,
     SIGHT_TOPIC,
     ROOM_EVENT_TOPIC,
-    TASK_NEWS_TOPIC,
     RECORDING_TOPIC,
 )
+"""All topics of ``housefly.messages``; hub and tasks have one each of their own answers."""
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``hub.api.pilot_queries``)."""

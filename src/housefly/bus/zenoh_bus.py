@@ -20,7 +20,7 @@ from typing import Any, Self, TypeVar
 
 import zenoh
 
-from housefly.bus.codec import from_cdr, to_cdr
+from housefly.bus.codec import decoded, encoded
 from housefly.bus.endpoint import check_endpoint
 from housefly.bus.topics import Delivery, Topic
 from housefly.errors import LinkError, WireError
@@ -124,7 +124,7 @@ class ZenohBus:
         try:
             publisher = self._publisher(topic)
             if topic.delivery is Delivery.EVERY or publisher.matching_status.matching:
-                publisher.put(to_cdr(topic.check(message)))
+                publisher.put(encoded(topic, topic.check(message)))
         except zenoh.ZError as error:
             if not self._session.is_closed():
                 raise LinkError(f"cannot publish {topic.key}: {_words(error)}") from error
@@ -143,7 +143,7 @@ class ZenohBus:
                 source,
                 topic.key,
                 lambda sample: handler(
-                    topic.check(from_cdr(topic.type, _payload(sample, topic.max_size)))
+                    topic.check(decoded(topic, _payload(sample, topic.max_size)))
                 ),
             )
         )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from math import hypot
+from typing import Annotated, Any
 
 from pydantic import Field, field_validator
 
@@ -13,6 +14,12 @@ TWIN_ODOMETRY_ERROR = 0.001
 """The simulated drone's flow has the right scale."""
 REAL_ODOMETRY_ERROR = 0.05
 """What an unmeasured drone is given."""
+DRONE_NAME = "drone"
+"""What the drone of a site that has one is called."""
+NAME_PATTERN = "^[a-z][a-z0-9_-]{0,30}$"
+"""Of a drone's name: it is a part of topics and file names."""
+_Metres = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+_Heading = Annotated[float, Field(ge=-3.1416, le=3.1416, allow_inf_nan=False)]
 
 
 def _of_airframe(part: str, constant: str) -> Any:
@@ -40,6 +47,9 @@ def _of_airframe(part: str, constant: str) -> Any:
 class DroneConfig(Section):
     """The drone and where it answers."""
 
+    name: str = Field(
+        default=DRONE_NAME, pattern=NAME_PATTERN, description="what people and programs call it"
+    )
     enabled: bool = Field(
         default=True,
         description="whether there is one; false: the room sees, remembers and answers, no flight",
@@ -78,6 +88,15 @@ class DroneConfig(Section):
         json_schema_extra={"unit": "1"},
     )
     has_video: bool = Field(default=True, description="whether to open the camera stream")
+    pad: tuple[_Metres, _Metres, _Heading] | None = Field(
+        default=None,
+        description="where it starts and lands: x, y [m], heading [rad]; left out: the room's pad",
+    )
+
+    @property
+    def reach(self) -> float:
+        """From its middle to the corners of its hull [m]."""
+        return 0.5 * hypot(self.hull_length, self.hull_width)
 
     @property
     def airframe(self) -> Airframe:

@@ -15,6 +15,14 @@ from housefly.config.control import ControlConfig
 from housefly.config.depth import DepthCameraConfig, check_depth_cameras
 from housefly.config.devices import MqttConfig
 from housefly.config.drone import REAL_ODOMETRY_ERROR, TWIN_ODOMETRY_ERROR, DroneConfig
+from housefly.config.drones import (
+    DroneModelConfig,
+    NamedDroneConfig,
+    check_apart,
+    check_names,
+    drone_of,
+    resolved,
+)
 from housefly.config.edits import Edits
 from housefly.config.estimation import EstimationConfig
 from housefly.config.faults import FaultConfig
@@ -27,7 +35,7 @@ from housefly.config.people import PeopleConfig
 from housefly.config.profile import CONSTANTS, load_profile
 from housefly.config.section import Section
 from housefly.config.tasks import TasksConfig
-from housefly.config.text import refuse_odd_values
+from housefly.config.text import did_you_mean, refuse_odd_values, shortened
 from housefly.config.toml import read_toml
 from housefly.config.tracking import BRIDGED, MocapWire, TrackingConfig
 from housefly.config.twin import TwinConfig
@@ -57,6 +65,14 @@ class Site(Section):
     room: RoomConfig = RoomConfig()
     map: MapConfig = MapConfig()
     drone: DroneConfig = DroneConfig()
+    models: dict[str, DroneModelConfig] = Field(
+        default={}, max_length=40, description="what the drones of a model have, by its name"
+    )
+    drones: tuple[NamedDroneConfig, ...] = Field(
+        default=(),
+        max_length=20,
+        description="several drones; without this table [drone] is the only one",
+    )
     tracking: TrackingConfig = TrackingConfig()
     limits: LimitsConfig = LimitsConfig()
     people: PeopleConfig = PeopleConfig()
@@ -82,6 +98,10 @@ class Site(Section):
     tasks: TasksConfig = TasksConfig()
     edits: Edits = Edits()
 
+    def __hash__(self) -> int:
+        """A table by name has no hash of its own; what the drones have of it is enough."""
+        return hash(tuple(value for key, value in self.__dict__.items() if key != "models"))
+
     @property
     def served_wires(self) -> tuple[MocapWire, ...]:
         """The protocols of the twin's tracking system; that of ``tracking.kind`` is the first."""
@@ -97,6 +117,46 @@ class Site(Section):
         if self.drone.odometry_error is not None:
             return self.drone.odometry_error
         return TWIN_ODOMETRY_ERROR if self.twin.enabled else REAL_ODOMETRY_ERROR
+
+    @property
+    def drone_names(self) -> tuple[str, ...]:
+        """The drones that are flown, in the order of the site; the one of ``[drone]``, or none."""
+        flown = self.all_drones if self.drones else (self.drone,)
+        return tuple(drone.name for drone in flown if drone.enabled)
+
+    @property
+    def all_drones(self) -> tuple[DroneConfig, ...]:
+        """Each drone with all that it has, flown or not, in the order of the site."""
+        if not self.drones:
+            return (self.drone,)
+        return tuple(drone_of(own, self.models, self.drone) for own in self.drones)
+
+    def for_drone(self, name: str) -> Site:
+        """Return the site as the chain of one drone sees it: its drone, its body, its pad.
+
+        The others stay in ``drones``, each with all that it has. A site without ``[[drones]]`` is
+        that of its one drone.
+
+        Raises:
+            ConfigError: there is no drone of this name.
+        """
+        if not self.drones and name == self.drone.name:
+            return self
+        whole = tuple(resolved(own, self.models, self.drone) for own in self.drones)
+        for own in whole:
+            if own.name == name:
+                parts = own.model_dump(exclude={"model", "body"})
+                changes = {
+                    "drone": DroneConfig(**parts),
+                    "tracking": self.tracking.model_copy(update={"body": own.tracked_body}),
+                }
+                return self.model_copy(update=changes | {"drones": whole, "models": {}})
+        known = [drone.name for drone in self.all_drones]
+        raise ConfigError(
+            "drone",
+            f"there is none called {shortened(name, 40)!r}{did_you_mean(name, known)} (there is:"
+            f" {', '.join(known)})",
+        )
 
     @property
     def sees_people(self) -> bool:
@@ -137,6 +197,7 @@ class Site(Section):
         check_lasers(self.lasers)
         check_depth_cameras(self.depth_cameras)
         check_furniture(self.furniture, (self.tracking.body, self.tracking.visitor))
+        self._check_drones()
         if self.twin.enabled and not self.served_wires:
             raise ValueError(
                 f"tracking.bridge_system ({self.tracking.bridge_system}) is none that the twin"
@@ -148,13 +209,14 @@ class Site(Section):
                 f"faults: {self.faults[0].fault!r} is for the simulated room only, and twin.enabled"
                 " is false; take the faults out, or set twin.enabled = true"
             )
-        lag = self.drone.attitude_lag
-        if self.control.beta >= lag * self.control.alpha:
-            raise ValueError(
-                f"control.beta ({self.control.beta} 1/s^2) must be below drone.attitude_lag *"
-                f" control.alpha ({lag * self.control.alpha:.3g} 1/s^2): the loop would be unstable"
-            )
-        if self.drone.enabled and not self.tracking.enabled:
+        for lag in [drone.attitude_lag for drone in self.all_drones]:
+            if self.control.beta >= lag * self.control.alpha:
+                raise ValueError(
+                    f"control.beta ({self.control.beta} 1/s^2) must be below drone.attitude_lag *"
+                    f" control.alpha ({lag * self.control.alpha:.3g} 1/s^2): the loop would be"
+                    " unstable"
+                )
+        if self.drone_names and not self.tracking.enabled:
             raise ValueError(
                 "tracking.enabled is false, and a drone flies by tracking; allowed: true, or"
                 " drone.enabled = false"
@@ -162,6 +224,14 @@ class Site(Section):
         self._check_filter()
         self._check_who_flies_over_mqtt()
         return self
+
+    def _check_drones(self) -> None:
+        """Raise ValueError for drones that cannot be told apart."""
+        others = {self.tracking.visitor, *self.people.bodies}
+        others |= {text for piece in self.furniture for text in (piece.body, piece.name)}
+        check_names(self.drones, self.models, others, self.drone.name)
+        if self.drones:
+            check_apart(self.all_drones, self.people.min_distance)
 
     def _check_filter(self) -> None:
         """Raise ValueError for a filter that takes each millimetre of tracking noise as motion."""
@@ -206,12 +276,33 @@ def site_from_file(path: Path) -> Site:
         ConfigError: naming the key, the value and the allowed range.
     """
     tree = read_toml(path, "site file")
-    drone = tree.get("drone")
-    if isinstance(drone, dict) and not CONSTANTS.keys() <= drone.keys():
-        profile = drone.get("profile")
-        if isinstance(profile, str) and profile:
-            tree["drone"] = load_profile(path.parent / profile) | drone
+    if "drone" in tree:
+        tree["drone"] = _with_profile(tree["drone"], path.parent)
+    if isinstance(models := tree.get("models"), dict):
+        tree["models"] = {name: _findable(own, path.parent) for name, own in models.items()}
+    if isinstance(drones := tree.get("drones"), list):
+        tree["drones"] = [_findable(own, path.parent) for own in drones]
     return site_from_tree(tree, str(path))
+
+
+def _with_profile(drone: Any, folder: Path) -> Any:
+    """Return a table of a drone with the constants of its profile that it does not give."""
+    if not isinstance(drone, dict) or CONSTANTS.keys() <= drone.keys():
+        return drone
+    profile = drone.get("profile")
+    if not isinstance(profile, str) or not profile:
+        return drone
+    return load_profile(folder / profile) | drone
+
+
+def _findable(drone: Any, folder: Path) -> Any:
+    """Return a table that gives some constants only, with a profile that is found from anywhere."""
+    whole = _with_profile(drone, folder)
+    return (
+        whole
+        if whole is drone
+        else whole | {"profile": str((folder / drone["profile"]).absolute())}
+    )
 
 
 def site_from_tree(tree: dict[str, Any], source: str = "") -> Site:

@@ -26,7 +26,7 @@ from housefly.drones.driver_messages import (
 )
 from housefly.drones.failsafe import LAND_AFTER
 from housefly.errors import LinkError, WireError
-from housefly.messages import VideoFrame
+from housefly.messages import Action, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
 
 if TYPE_CHECKING:
@@ -110,7 +110,11 @@ class DriverServer:
             self._drone.abandon()
 
     def hear(self, pilot: _PilotLink, messages: list[DriverMessage]) -> None:
-        """Obey the newest of some commands, pass poses on, and show whether it is recorded."""
+        """Obey the newest of some commands, pass poses on, and show whether it is recorded.
+
+        A hover that was said before it is obeyed first: it begins STOP, and the setpoint behind it
+        leaves at once as a change of action does, not in its turn of the drone's stream.
+        """
         if pilot is not self._pilot:
             return
         for message in messages:
@@ -122,8 +126,10 @@ class DriverServer:
         if not commands:
             return
         pilot.heard_at = self._clock.now()
-        newest = max(commands, key=lambda timed: timed.issued_at)
-        self._drone.send(newest.command, newest.motion, newest.issued_at)
+        newest = max(reversed(commands), key=lambda timed: timed.issued_at)
+        hovers = [timed for timed in commands if timed.command.action is Action.HOVER]
+        for timed in (*hovers[-1:], newest):
+            self._drone.send(timed.command, timed.motion, timed.issued_at)
 
     async def _connect(self) -> None:
         while True:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import threading
 from collections.abc import Callable
-from dataclasses import asdict
 
 from housefly.hub.api.answers import EventAnswer, News, PlacedThing
 from housefly.hub.memory import RoomMemory
 from housefly.hub.query_handler import event_answer, placed_thing
 from housefly.hub.room_status import RoomStatus
-from housefly.messages import Observation, RoomEvent, RoomNews
+from housefly.messages import Observation, RoomEvent
 
 CHANGE_FEED_PERIOD = 0.2
 """Time between two publications [s]."""
@@ -30,7 +28,7 @@ class ChangeFeed:
         self._last_status: tuple[object, ...] = ((), ())
         memory.add_listener(self._record)
 
-    def changes(self) -> RoomNews | None:
+    def changes(self) -> News | None:
         """Return what changed since the last call; None if nothing did."""
         with self._lock:
             touched, self._touched = self._touched, set()
@@ -40,8 +38,7 @@ class ChangeFeed:
         if not touched and not events and holding == self._last_status:
             return None
         self._last_status = holding
-        news = News(self._clock(), self._placed(touched), events, situations, obstacles)
-        return RoomNews(json.dumps(asdict(news), allow_nan=False, ensure_ascii=False))
+        return News(self._clock(), self._placed(touched), events, situations, obstacles)
 
     def _placed(self, touched: set[str]) -> tuple[PlacedThing, ...]:
         now = self._clock()

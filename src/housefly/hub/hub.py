@@ -12,7 +12,6 @@ from housefly.bus.topics import (
     HUB_QUERY,
     OBSTACLE_TOPIC,
     ROOM_EVENT_TOPIC,
-    ROOM_NEWS_TOPIC,
     SENSOR_TOPIC,
     STEP_TOPIC,
 )
@@ -20,7 +19,8 @@ from housefly.clock import RealClock
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
 from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
-from housefly.hub.api.told_events import told_event_of
+from housefly.hub.api.told_events import checked_event
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.change_feed import CHANGE_FEED_PERIOD, ChangeFeed
 from housefly.hub.flight_facts import FlightFacts
 from housefly.hub.memory import RoomMemory
@@ -35,7 +35,7 @@ from housefly.hub.situations_at import MEMORY_STARTED
 from housefly.hub.store.open import open_site_store
 from housefly.hub.things_of_room import catalogue_of, furniture_id, surfaces_of
 from housefly.hub.wall_clock import WallClock
-from housefly.messages import EventNews, PilotStep, RoomEvent, TrackedFrame
+from housefly.messages import PilotStep, RoomEvent, TrackedFrame
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
 from housefly.sensors.contracts import Sensor
@@ -128,8 +128,8 @@ class Hub:
         for sighting in frame.sightings:
             self.memory.add(self._facts.seen(sighting, offset))
 
-    def _told(self, news: EventNews) -> None:
-        self.memory.add(told_event_of(news, self.clock.now()))
+    def _told(self, event: RoomEvent) -> None:
+        self.memory.add(checked_event(event, self.clock.now()))
 
     def answer(self, text: str) -> str:
         """Return the answer to a question, both JSON; thread-safe, never raises."""

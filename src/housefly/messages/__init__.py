@@ -59,14 +59,11 @@ from housefly.messages.steering import (
 )
 from housefly.messages.world import (
     Covariance,
-    EventNews,
     Fact,
     Facts,
     Observation,
     RecordingNews,
     RoomEvent,
-    RoomNews,
-    TaskNews,
 )
 
 __all__ = [
@@ -83,7 +80,6 @@ __all__ = [
     "Estimate",
     "Event",
     "EventCode",
-    "EventNews",
     "Fact",
     "Facts",
     "Inputs",
@@ -109,7 +105,6 @@ __all__ = [
     "RecordingNews",
     "Reference",
     "RoomEvent",
-    "RoomNews",
     "SafetyMode",
     "Scan",
     "SensorReport",
@@ -118,7 +113,6 @@ __all__ = [
     "Severity",
     "SightNews",
     "Sighting",
-    "TaskNews",
     "Telemetry",
     "TrackedFrame",
     "TrajectoryPoint",

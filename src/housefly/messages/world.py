@@ -69,20 +69,6 @@ class RoomEvent:
 
 
 @dataclass(frozen=True, slots=True)
-class RoomNews:
-    """What changed in the room since the last news: ``hub.api.answers.News`` as JSON."""
-
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class TaskNews:
-    """The board of the tasks after a change: ``tasks.api.answers.TaskBoard`` as JSON."""
-
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
 class RecordingNews:
     """Whether the drone's camera is recorded; said again twice a second while it is.
 
@@ -93,10 +79,3 @@ class RecordingNews:
 
     at: float
     records: bool
-
-
-@dataclass(frozen=True, slots=True)
-class EventNews:
-    """What a process other than the hub says has happened: one ``RoomEvent`` as JSON."""
-
-    text: str

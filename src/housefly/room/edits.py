@@ -22,7 +22,7 @@ from housefly.errors import EditsError
 from housefly.geometry import Vec2
 from housefly.room.files import load_room
 from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
-from housefly.room.home_pad import HOME_PAD_RADIUS
+from housefly.room.home_pad import HOME_PAD_RADIUS, with_pads
 from housefly.room.model import Place, Room
 from housefly.room.reach import Mask, flood
 
@@ -34,11 +34,11 @@ _MAX_SHOWN = 160
 
 
 def room_of(site: Site, base: Path | None = None) -> Room:
-    """Return the room of a site with the places of its edits.
+    """Return the room of a site with the pads of its drones and the places of its edits.
 
-    Raises RoomError or ConfigError as ``load_room``.
+    Raises RoomError or ConfigError as ``load_room`` and ``with_pads``.
     """
-    return with_places(load_room(site.room.model, base), site)
+    return with_places(with_pads(load_room(site.room.model, base), site), site)
 
 
 def with_places(room: Room, site: Site) -> Room:

@@ -10,7 +10,7 @@ import socket
 import weakref
 
 from housefly.errors import ConfigError
-from housefly.web.handshakes import HandshakeListener
+from housefly.web.http.handshakes import HandshakeListener
 
 
 class ConsolePort:

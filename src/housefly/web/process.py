@@ -44,20 +44,20 @@ from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
 from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.live_blanker import LiveBlanker
-from housefly.web.audit_log import AuditLog
-from housefly.web.connections import ConnectionLimiter, limited_protocol
-from housefly.web.console_memory import ConsoleMemory
+from housefly.web.access.audit_log import AuditLog
+from housefly.web.access.exposure import checked_exposure, console_address, guest_address
+from housefly.web.access.session import EndedSessions
+from housefly.web.access.tls import authority_of
+from housefly.web.access.users import UserBook
+from housefly.web.access.webhook_key import webhook_key
+from housefly.web.api.coverage_layer import coverage_view
+from housefly.web.api.edit_service import EditService
+from housefly.web.api.simulated_bell import SimulatedBell
 from housefly.web.console_port import inherited_listener, listening
-from housefly.web.coverage_layer import coverage_view
-from housefly.web.edit_service import EditService
-from housefly.web.exposure import checked_exposure, console_address, guest_address
-from housefly.web.handshakes import HandshakeListener
+from housefly.web.http.connections import ConnectionLimiter, limited_protocol
+from housefly.web.http.handshakes import HandshakeListener
 from housefly.web.server import create_app
-from housefly.web.session import EndedSessions
-from housefly.web.simulated_bell import SimulatedBell
-from housefly.web.tls import authority_of
-from housefly.web.users import UserBook
-from housefly.web.webhook_key import webhook_key
+from housefly.web.status.console_memory import ConsoleMemory
 
 _LOG = logging.getLogger(__name__)
 

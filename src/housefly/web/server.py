@@ -34,40 +34,40 @@ from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.tracking import DRONE_BODY
 from housefly.tasks.evidence.live_blanker import LiveBlanker
-from housefly.web.audit_log import AuditLog
-from housefly.web.bell_routes import BellRoutes
-from housefly.web.broadcast import Broadcast
-from housefly.web.clip_files import ClipBook, ClipFiles
-from housefly.web.console import Console
-from housefly.web.console_memory import ConsoleMemory
-from housefly.web.console_routes import console_routes
-from housefly.web.coverage_layer import CoverageLayer, CoverageView
-from housefly.web.coverage_routes import coverage_routes
-from housefly.web.edit_service import EditService
-from housefly.web.edits_api import EditsApi
-from housefly.web.flight_book import FlightBook
-from housefly.web.flight_log_writer import FlightLogWriter
-from housefly.web.flight_routes import flight_routes
-from housefly.web.logins import Logins
-from housefly.web.page_routes import page_routes
-from housefly.web.pilot_link import PilotLink
-from housefly.web.reading_pace import ReadingPace
-from housefly.web.refused_changes import RefusedChanges
-from housefly.web.restart_objection import restart_objection
-from housefly.web.role_guard import RoleGuard
-from housefly.web.room_api import RoomApi
-from housefly.web.security import LOOPBACK_NAMES, HostGuard
-from housefly.web.server_messages import EventView
-from housefly.web.session import EndedSessions
-from housefly.web.session_auth import SessionAuth, api_key
-from housefly.web.session_pages import session_routes
-from housefly.web.simulated_bell import SimulatedBell
-from housefly.web.state_feed import StateFeed
-from housefly.web.task_feed import TaskFeed
-from housefly.web.tasks_api import TasksApi
-from housefly.web.users import UserBook
-from housefly.web.video import VideoRelay
-from housefly.web.video_routes import video_routes
+from housefly.web.access.audit_log import AuditLog
+from housefly.web.access.logins import Logins
+from housefly.web.access.page_routes import page_routes
+from housefly.web.access.reading_pace import ReadingPace
+from housefly.web.access.refused_changes import RefusedChanges
+from housefly.web.access.role_guard import RoleGuard
+from housefly.web.access.security import LOOPBACK_NAMES, HostGuard
+from housefly.web.access.session import EndedSessions
+from housefly.web.access.session_auth import SessionAuth, api_key
+from housefly.web.access.session_pages import session_routes
+from housefly.web.access.users import UserBook
+from housefly.web.api.bell_routes import BellRoutes
+from housefly.web.api.clip_files import ClipBook, ClipFiles
+from housefly.web.api.coverage_layer import CoverageLayer, CoverageView
+from housefly.web.api.coverage_routes import coverage_routes
+from housefly.web.api.edit_service import EditService
+from housefly.web.api.edits_api import EditsApi
+from housefly.web.api.room_api import RoomApi
+from housefly.web.api.simulated_bell import SimulatedBell
+from housefly.web.api.tasks_api import TasksApi
+from housefly.web.camera.video import VideoRelay
+from housefly.web.camera.video_routes import video_routes
+from housefly.web.control.pilot_link import PilotLink
+from housefly.web.control.restart_objection import restart_objection
+from housefly.web.flights.flight_book import FlightBook
+from housefly.web.flights.flight_log_writer import FlightLogWriter
+from housefly.web.flights.flight_routes import flight_routes
+from housefly.web.messages.server_messages import EventView
+from housefly.web.sockets.broadcast import Broadcast
+from housefly.web.sockets.console import Console
+from housefly.web.sockets.console_routes import console_routes
+from housefly.web.status.console_memory import ConsoleMemory
+from housefly.web.status.state_feed import StateFeed
+from housefly.web.status.task_feed import TaskFeed
 
 _LOG = logging.getLogger(__name__)
 

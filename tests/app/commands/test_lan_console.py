@@ -13,14 +13,14 @@ from housefly.app import launcher
 from housefly.cli import main
 from housefly.config.state import users_file
 from housefly.sites.loaded_site import read_site
-from housefly.web.exposure import checked_exposure
+from housefly.web.access.exposure import checked_exposure
 
 
 @pytest.fixture(autouse=True)
 def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path / "run"))
-    monkeypatch.setattr("housefly.web.passwords.COST_LOG2", 4)
+    monkeypatch.setattr("housefly.web.access.passwords.COST_LOG2", 4)
 
 
 def typed(monkeypatch: pytest.MonkeyPatch, text: str, *line: str) -> int:

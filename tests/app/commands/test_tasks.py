@@ -21,7 +21,7 @@ from housefly.hub.query_server import QueryServer
 from housefly.messages import OrderKind
 from housefly.tasks.api.values import ReasonCode, RehearsalReport
 from housefly.tasks.client.tasks_client import TASKS_SOCKET
-from housefly.tasks.drone_state import TakeOffReadiness
+from housefly.tasks.service.drone_state import TakeOffReadiness
 
 
 @pytest.fixture(autouse=True)

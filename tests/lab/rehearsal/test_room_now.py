@@ -17,7 +17,7 @@ from housefly.messages import (
     PilotStep,
     Telemetry,
 )
-from housefly.tasks.live_obstacles import LiveObstacles
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 
 THERE = (5.0, 2.0, 1.1)
 

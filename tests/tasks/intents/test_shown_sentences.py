@@ -12,11 +12,10 @@ from remembered_room import THINGS
 from housefly.hub.api.answers import ThingAnswer
 from housefly.sites.loaded_site import load_site
 from housefly.tasks.intents.intent import LANGUAGES, Intent, Language
-from housefly.tasks.intents.names import Names, names_of
+from housefly.tasks.intents.names import Names, names_of, names_of_room
 from housefly.tasks.intents.phrases import phrases
 from housefly.tasks.intents.recognizer import recognize
 from housefly.tasks.intents.sentence_book import sentence_book
-from housefly.tasks.room_names import names_of_room
 
 ROOT = Path(__file__).parents[3]
 CLIENT = ROOT / "src/housefly/web/client/src/tasks"

@@ -13,7 +13,7 @@ import pytest_asyncio
 from draft_sentences import draft_sentences
 from playwright.async_api import Browser, Page, expect
 
-from housefly.web.page_routes import STATIC_FOLDER
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

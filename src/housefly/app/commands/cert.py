@@ -29,7 +29,7 @@ def _run(options: Namespace) -> int:
     from housefly.app.certificates import fingerprint, make_certificate
     from housefly.config.state import tls_folder
     from housefly.sites.loaded_site import read_site
-    from housefly.web.own_names import own_names
+    from housefly.web.access.own_names import own_names
 
     site = read_site(options.site)
     folder = Path(options.out) if options.out else tls_folder(site)

@@ -86,7 +86,7 @@ def _export(options: Namespace) -> int:
     from housefly.errors import RecordingError
     from housefly.tasks.evidence.clip_export import write_folder
     from housefly.tasks.evidence.clip_picture import clip_picture
-    from housefly.web.audit_log import AuditLog
+    from housefly.web.access.audit_log import AuditLog
 
     site, who = _site(options), f"{getpass.getuser()} at the terminal"
     with _index(site) as index:

@@ -43,7 +43,7 @@ def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.flight import fly_service
     from housefly.twin.installed import require_simulator
-    from housefly.web.exposure import checked_exposure
+    from housefly.web.access.exposure import checked_exposure
 
     loaded = load(options, with_edits=not options.lockstep)
     require_drone(loaded.site)

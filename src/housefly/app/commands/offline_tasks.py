@@ -23,11 +23,11 @@ def answer_offline(options: Namespace, sentence: Sentence) -> SentenceAnswer:
 
     Raises TaskError for a wish: nothing can fly.
     """
+    from housefly.hub.client.room_queries import AskedRoom
     from housefly.sites.loaded_site import open_site
     from housefly.tasks.api.json import task_question_from_json, task_question_to_json
-    from housefly.tasks.asked_room import AskedRoom
-    from housefly.tasks.room_names import names_of_room
-    from housefly.tasks.sentences import SentenceEffects, Sentences
+    from housefly.tasks.intents.names import names_of_room
+    from housefly.tasks.service.sentences import SentenceEffects, Sentences
 
     task_question_from_json(task_question_to_json(sentence))  # refuses what cannot be
     names = names_of_room(open_site(asked_site(options)).room)

@@ -82,7 +82,7 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     from housefly.app.interactive import Screen, run_interactively
     from housefly.app.run_folder import temporary_run_folder
     from housefly.twin.installed import require_simulator
-    from housefly.web.exposure import checked_exposure
+    from housefly.web.access.exposure import checked_exposure
 
     loaded = load(options, with_edits=True)
     checked_exposure(loaded.site)

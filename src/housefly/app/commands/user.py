@@ -12,7 +12,7 @@ from housefly.app.terminal import console, new_table
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
-    from housefly.web.users import UserBook
+    from housefly.web.access.users import UserBook
 
 _ROLES = ("watch", "ask", "fly", "admin")
 
@@ -32,7 +32,7 @@ def _add_user_arguments(parser: ArgumentParser) -> None:
 
 
 def _add(options: Namespace) -> int:
-    from housefly.web.roles import Role
+    from housefly.web.access.roles import Role
 
     book = _book(options.site)
     book.put(options.name, Role(options.role), _password(options.name))
@@ -41,7 +41,7 @@ def _add(options: Namespace) -> int:
 
 
 def _set_role(options: Namespace) -> int:
-    from housefly.web.roles import Role
+    from housefly.web.access.roles import Role
 
     _book(options.site).set_role(options.name, Role(options.role))
     console.print(f"{options.name} may {options.role}", markup=False)
@@ -66,7 +66,7 @@ def _list(options: Namespace) -> int:
 def _book(site_name: str) -> UserBook:
     from housefly.config.state import users_file
     from housefly.sites.loaded_site import read_site
-    from housefly.web.users import UserBook
+    from housefly.web.access.users import UserBook
 
     return UserBook(users_file(read_site(site_name)))
 

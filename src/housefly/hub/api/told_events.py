@@ -1,4 +1,4 @@
-"""Events that other processes tell the hub, as JSON; what they may say is a small vocabulary."""
+"""Events that other processes tell the hub; what they may say is a small vocabulary."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from housefly.errors import WireError
 from housefly.hub.api.json import first_problem
-from housefly.messages import EventNews, RoomEvent
+from housefly.messages import RoomEvent
 
 ToldEventKind = Literal[
     "task asked",
@@ -32,38 +32,27 @@ TOLD_EVENT_SOURCE = "tasks"
 """The only source of told events: whoever may open the bus is trusted, but not with our words."""
 _MAX_AWAY = 300.0
 """An event that is told to be further from now than this [s] is refused."""
-_MAX_NEWS = 16 * 1024
-"""Longest news [letters]."""
 
 _Short = Annotated[str, Field(max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
 _Id = Annotated[str, Field(min_length=1, max_length=100, pattern=r"^[^\x00-\x1f\x7f]*$")]
 _Number = Annotated[float, Field(allow_inf_nan=False)]
 _Facts = Annotated[tuple[tuple[_Id, bool | _Number | _Short], ...], Field(max_length=20)]
 _FACTS: TypeAdapter[_Facts] = TypeAdapter(_Facts)
-_WORDS: TypeAdapter[tuple[_Id, _Short]] = TypeAdapter(tuple[_Id, _Short])
-_EVENT: TypeAdapter[RoomEvent] = TypeAdapter(RoomEvent)
+_NAMES: TypeAdapter[tuple[_Id, _Short]] = TypeAdapter(tuple[_Id, _Short])
 
 
-def told_event_to_news(event: RoomEvent) -> EventNews:
-    """Return an event as it crosses the bus."""
-    return EventNews(_EVENT.dump_json(event).decode())
-
-
-def told_event_of(news: EventNews, now: float) -> RoomEvent:
-    """Return the event, checked.
+def checked_event(event: RoomEvent, now: float) -> RoomEvent:
+    """Return an event that another process tells.
 
     Args:
-        news: as told.
+        event: as told.
         now: Unix time [s].
 
     Raises:
         WireError: it says what nobody may tell, at a time that is not near now, or at length.
     """
-    if len(news.text) > _MAX_NEWS:
-        raise WireError(f"an event of {len(news.text)} letters; allowed: {_MAX_NEWS}")
     try:
-        event = _EVENT.validate_json(news.text)
-        _WORDS.validate_python((event.thing, event.cause))
+        _NAMES.validate_python((event.thing, event.cause))
         _FACTS.validate_python(event.facts)
     except ValidationError as error:
         raise WireError(f"this is no event: {first_problem(error)}") from error

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -136,3 +137,18 @@ class RoomQueries(ABC):
         """
         answer: NightsAnswer = self.ask(NightsQuestion(since, thing, until, from_hour, to_hour))
         return answer.nights
+
+
+class AskedRoom(RoomQueries):
+    """A room behind a function.
+
+    Args:
+        ask: returns the answer; raises ThingError, or LinkError when nobody remembers.
+    """
+
+    def __init__(self, ask: Callable[[Question], Any]) -> None:
+        self._ask = ask
+
+    def ask(self, question: Question) -> Any:
+        """Return the answer to a question."""
+        return self._ask(question)

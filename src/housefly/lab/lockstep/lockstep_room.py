@@ -7,7 +7,7 @@ the drone hears and when. Faults befall the same streams as on the wires.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import inf, isfinite, nan
 from typing import Any
@@ -18,6 +18,7 @@ from housefly.drones.failsafe import Failsafe
 from housefly.drones.pose_rate import PoseRate
 from housefly.errors import ConfigError
 from housefly.lab.lockstep.lockstep_wires import lockstep_wire, onboard_limits
+from housefly.lab.lockstep.shared_tracking import SharedTracking
 from housefly.messages import (
     Command,
     DroneFault,
@@ -29,8 +30,8 @@ from housefly.messages import (
 from housefly.messages.steering import commanded
 from housefly.twin.contracts import (
     FlightState,
-    MocapFrame,
     OnboardState,
+    TwinDrone,
     TwinWorld,
 )
 from housefly.twin.faults.fault import Fault
@@ -38,6 +39,7 @@ from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.onboard_stream import not_numbers
 from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
 
 FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
@@ -82,15 +84,19 @@ _STEPS: PacketCodec[_Step] = PacketCodec(
 
 
 class LockstepRoom:
-    """World, driver and tracking client on one stepped clock.
+    """World, driver and tracking client of one drone on one stepped clock.
 
     Args:
         world: what flies.
-        site: limits, and the faults of its ``[[faults]]``.
+        site: limits, and the faults of its ``[[faults]]``; as the drone's own chain sees it.
         faults: those instead, when somebody else uses them too.
         guarded: False takes the driver's watchdog away; for negative controls only.
+        drone: which drone of the world it is; None for its first.
+        tracking: what hears the tracking system, and as which of its listeners; None for a client
+            of its own.
 
     Attributes:
+        world: as given.
         faults: what fails, and when.
 
     Raises:
@@ -104,10 +110,13 @@ class LockstepRoom:
         faults: FaultInjector | None = None,
         *,
         guarded: bool = True,
+        drone: TwinDrone | None = None,
+        tracking: tuple[SharedTracking, int] | None = None,
     ) -> None:
-        self._world = world
+        self.world, self._drone = world, drone or world
         self.faults = FaultInjector(site) if faults is None else faults
-        world.set_limits(onboard_limits(site))
+        self._tracking, self._listener = tracking or (SharedTracking(world, (self.faults,)), 0)
+        self._drone.set_limits(onboard_limits(site))
         self._failsafe = Failsafe(
             world.now, site.limits.tilt_max, site.drone.airframe, watched=guarded
         )
@@ -129,7 +138,7 @@ class LockstepRoom:
     @property
     def now(self) -> float:
         """World time [s]."""
-        return self._world.now
+        return self.world.now
 
     def inject(self, *faults: Fault) -> None:
         """Let these faults happen, too; raises ConfigError for one that cannot be made here."""
@@ -137,26 +146,29 @@ class LockstepRoom:
 
     def advance(self, seconds: float) -> None:
         """Let the world run while commands are repeated at the driver's rate."""
-        end = self.now + seconds
-        self._disturb()
-        while (beat := min(self._sent_at + self._link.repeat_after, self._next_arrival())) <= end:
-            self._world.advance(max(0.0, beat - self.now))
-            self._deliver()
-            if self._sent_at + self._link.repeat_after <= self.now:
-                self._transmit()
-        self._world.advance(max(0.0, end - self.now))
+        advance_together((self,), seconds)
+
+    @property
+    def next_beat(self) -> float:
+        """When its driver has something to do next [s]."""
+        return min(self._sent_at + self._link.repeat_after, self._next_arrival())
+
+    def beat(self) -> None:
+        """Let the drone hear what has arrived, and repeat the command when it is time to."""
+        self._deliver()
+        if self._sent_at + self._link.repeat_after <= self.now:
+            self._transmit()
 
     def sightings(self) -> tuple[Sighting, ...]:
         """Return what tracking reported since the last call, oldest first."""
-        frames = self.faults.frames(self._world.mocap_frames(), self.now)
-        return tuple(sighting for frame in frames for sighting in _sightings_of(frame))
+        return self._tracking.sightings(self._listener)
 
     def telemetry(self) -> Telemetry | None:
         """Return the drone's newest report; None before the first.
 
         As on the wire: battery in whole percent, no vertical speed.
         """
-        onboard = self._world.onboard()
+        onboard = self._drone.onboard()
         if not self.faults.schedule.faults:
             return self._telemetry_of(onboard)
         if onboard.at > self._reported_at:
@@ -189,7 +201,7 @@ class LockstepRoom:
         """Hand over where tracking saw the drone, to one that wants to know."""
         due = self._pose_rate.due(seen)
         if due is not None:
-            self._world.tell_pose(due.pose, due.captured_at)
+            self._drone.tell_pose(due.pose, due.captured_at)
 
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
@@ -197,9 +209,12 @@ class LockstepRoom:
         if action_changed or self.now - self._sent_at >= self._link.interval_min:
             self._transmit()
 
-    def _disturb(self) -> None:
-        if isinstance(self._world, SimulatedWorld):
-            self.faults.act_on(self._world)
+    def disturb(self) -> None:
+        """Let the faults act on the drone, and on who is in its way."""
+        drone = self._drone
+        if isinstance(self.world, SimulatedWorld):
+            assert isinstance(drone, SimulatedWorld | SimulatedDrone)
+            self.faults.act_on(self.world, drone)
         elif self.faults.schedule.faults:
             raise ConfigError("faults", "need the simulated room; this world has no physics")
 
@@ -224,9 +239,22 @@ class LockstepRoom:
             if number <= self._heard_number:
                 continue
             self._heard_number = number
-            self._world.keep_alive()
+            self._drone.keep_alive()
             for command in commands:
-                self._wire.obey(self._world, command)
+                self._wire.obey(self._drone, command)
+
+
+def advance_together(rooms: Sequence[LockstepRoom], seconds: float) -> None:
+    """Let the world of some drones run, while each driver repeats its commands at its own rate."""
+    world = rooms[0].world
+    end = world.now + seconds
+    for room in rooms:
+        room.disturb()
+    while (beat := min(room.next_beat for room in rooms)) <= end:
+        world.advance(max(0.0, beat - world.now))
+        for room in rooms:
+            room.beat()
+    world.advance(max(0.0, end - world.now))
 
 
 def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Telemetry:
@@ -266,12 +294,3 @@ def as_measured(report: Telemetry, lacks: frozenset[Ability]) -> Telemetry:
 
 def _in_percent(charge: float) -> float:
     return round(charge * 100) / 100 if isfinite(charge) else charge
-
-
-def _sightings_of(frame: MocapFrame) -> tuple[Sighting, ...]:
-    """Return the sightings of the bodies that a frame shows."""
-    return tuple(
-        Sighting(name, pose, frame.captured_at, frame.due_at)
-        for name, pose in frame.bodies
-        if pose is not None
-    )

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from housefly.geometry import Vec3
 from housefly.messages import Obstacle, Phase, PilotStep
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.tasks.execution.live_obstacles import LiveObstacles
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.live_obstacles import LiveObstacles
 
 _COMING_DOWN = frozenset({Phase.RETURNING, Phase.LANDING})
 

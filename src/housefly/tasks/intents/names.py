@@ -7,12 +7,16 @@ from dataclasses import dataclass
 
 from housefly.hub.api.answers import ThingAnswer
 from housefly.hub.things.thing import ThingKind
+from housefly.room.model import Room
 from housefly.tasks.intents.intent import NameKind
 
 _LONGEST_NAME = 80
 _KINDS = {ThingKind.PLACE.value: NameKind.PLACE, ThingKind.PERSON.value: NameKind.PERSON}
 _UNNAMED = frozenset({ThingKind.SENSOR.value})
 """Nobody asks for a camera of the tracking system by name."""
+
+_BUILDING = frozenset({"wall", "floor", "ceiling", "window", "pad"})
+"""Parts that nobody asks to be shown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,3 +64,28 @@ def _subject(thing: ThingAnswer) -> NamedSubject:
     id = place if kind is NameKind.PLACE else thing.thing
     names = tuple(dict.fromkeys(name for name in said if 0 < len(name) <= _LONGEST_NAME))
     return NamedSubject(id, kind, names, thing.thing)
+
+
+def names_of_room(room: Room) -> Names:
+    """Return the names of a room without its memory."""
+    places = tuple(
+        NamedSubject(
+            place.name,
+            NameKind.PLACE,
+            tuple(dict.fromkeys(filter(None, (place.title, place.name)))),
+            f"place-{place.name}",
+        )
+        for place in room.places
+    )
+    known = {name.lower() for place in places for name in place.names}
+    things = dict.fromkeys(solid.thing for solid in room.solids)
+    return Names(
+        (
+            *places,
+            *(
+                NamedSubject(thing.replace(" ", "-"), NameKind.THING, (thing,), thing)
+                for thing in things
+                if thing and thing.lower() not in known | _BUILDING
+            ),
+        )
+    )

@@ -7,6 +7,7 @@ kernel frees it when that process is gone.
 
 from __future__ import annotations
 
+import logging
 import re
 from collections.abc import Iterable
 from contextlib import suppress
@@ -15,12 +16,15 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
+from housefly.errors import StoreError
 from housefly.hub.store.database import Row
 from housefly.tasks.api.questions import TaskHistoryQuestion
 from housefly.tasks.api.values import ENDED, TaskStatus
 from housefly.tasks.scheduler.scheduler import Scheduler
 from housefly.tasks.scheduler.task_file import COUNT_FROM, open_task_file, with_remedy
 from housefly.tasks.scheduler.values import ScheduledTask, SchedulerLimits
+
+_log = logging.getLogger(__name__)
 
 TASK_FILE = "tasks.db"
 """Its name, in the folder of a site's tasks."""
@@ -61,6 +65,7 @@ class TaskStore:
 
     Attributes:
         notices: what was wrong with the file and what was done, in words.
+        problem: why the queue cannot be kept, in words, or "".
     """
 
     def __init__(self, path: Path) -> None:
@@ -70,7 +75,8 @@ class TaskStore:
             StoreError: it cannot be opened, another process holds it, it may only be read, or a
                 newer version made it; says what to do.
         """
-        self._path = path
+        self._path, self.problem = path, ""
+        self._unsaved: dict[int, KeptTask] = {}
         with with_remedy(self._path):
             self._database, self.notices = open_task_file(path)
 
@@ -105,6 +111,22 @@ class TaskStore:
             self._database.many(_SAVE, rows)
             self._database.query(COUNT_FROM, (newest + 1,))
             self._database.query(_FORGET, (newest - HISTORY_MAX,))
+
+    def keep(self, tasks: Iterable[KeptTask]) -> None:
+        """Save tasks, with all that was refused before; a disk that refuses ends no flight."""
+        self._unsaved |= {kept.task.id: kept for kept in tasks}
+        try:
+            self.save(self._unsaved.values())
+            self.problem, self._unsaved = "", {}
+        except StoreError as error:
+            if str(error) != self.problem:
+                _log.error("the queue is not kept: %s", error)
+            self.problem = str(error)
+
+    def retry(self) -> None:
+        """Save what was refused, as soon as there is room."""
+        if self._unsaved:
+            self.keep(())
 
     def history(self, question: TaskHistoryQuestion) -> tuple[TaskStatus, ...]:
         """Return tasks that were asked for between two times, open ones too, the newest first."""

@@ -305,19 +305,21 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     FaultRow(
         "F26", "the browser of the pilot goes away in flight",
         "the errand is finished, then it hovers and lands", _USER,
-        covered_by="tests/web/test_console.py"
+        covered_by="tests/web/sockets/test_console.py"
         "::test_control_is_lost_three_seconds_after_its_holder_left"
         " tests/pilot/test_faults.py::test_a_drone_without_orders_comes_home_and_lands",
     ),
     FaultRow(
         "F27", "two people command at once",
         "the second is refused with the holder's name; STOP and Land from anyone", _USER,
-        covered_by="tests/web/test_console.py::test_a_watcher_may_stop_and_land_and_nothing_else",
+        covered_by="tests/web/sockets/test_console.py::"
+        "test_a_watcher_may_stop_and_land_and_nothing_else",
     ),
     FaultRow(
         "F28", "the web server is flooded, or a client reads slowly",
         "nobody else notices; STOP under 50 ms; the offender is cut off", _USER,
-        covered_by="tests/web/test_console.py::test_a_flood_is_cut_down_but_stop_still_passes",
+        covered_by="tests/web/sockets/test_console.py::"
+        "test_a_flood_is_cut_down_but_stop_still_passes",
     ),
     FaultRow(
         "F29", "the disk is full or read-only, the database locked",

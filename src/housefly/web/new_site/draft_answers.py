@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from starlette.responses import JSONResponse
 
 from housefly.errors import ConfigError, HouseflyError, StaleEdits
-from housefly.web.responses import error_response
+from housefly.web.http.responses import error_response
 
 
 @dataclass(frozen=True, slots=True)

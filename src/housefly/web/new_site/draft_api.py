@@ -19,6 +19,8 @@ from starlette.routing import BaseRoute, Route
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_words
+from housefly.web.access.session_auth import SessionAuth
+from housefly.web.http.responses import error_response, json_response
 from housefly.web.new_site.draft_actions import ACTIONS, DraftRequest, parsed_request
 from housefly.web.new_site.draft_answers import (
     BodyView,
@@ -30,8 +32,6 @@ from housefly.web.new_site.draft_answers import (
 from housefly.web.new_site.draft_service import DraftService
 from housefly.web.new_site.draft_view import DraftView
 from housefly.web.new_site.uploads import Uploads
-from housefly.web.responses import error_response, json_response
-from housefly.web.session_auth import SessionAuth
 
 DRAFT_SIZE_MAX = 4 * 2**20
 """Largest request but for files [bytes]."""

@@ -17,14 +17,14 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
 
-from housefly.web.error_pages import no_draft_session
+from housefly.web.access.page_routes import STATIC_FOLDER
+from housefly.web.access.security import LOOPBACK_NAMES, HostGuard
+from housefly.web.access.session_auth import SessionAuth
+from housefly.web.access.session_pages import session_answer
+from housefly.web.http.error_pages import no_draft_session
+from housefly.web.http.packed_files import PackedFiles
+from housefly.web.http.page_language import page_language
 from housefly.web.new_site.draft_api import DraftApi
-from housefly.web.packed_files import PackedFiles
-from housefly.web.page_language import page_language
-from housefly.web.page_routes import STATIC_FOLDER
-from housefly.web.security import LOOPBACK_NAMES, HostGuard
-from housefly.web.session_auth import SessionAuth
-from housefly.web.session_pages import session_answer
 
 
 def new_site_session(token: str) -> SessionAuth:

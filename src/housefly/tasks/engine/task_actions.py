@@ -1,0 +1,192 @@
+"""Does what a running task wants done: orders, clips, words, questions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from housefly.errors import HouseflyError
+from housefly.hub.api.told_events import ToldEventKind
+from housefly.messages import Order, OrderKind, OrderSource
+from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface, TaskStatus
+from housefly.tasks.engine.task_outlet import TaskOutlet, task_event, task_name
+from housefly.tasks.engine.task_record import TaskRecord
+from housefly.tasks.evidence.clip_news import ClipOrigin
+from housefly.tasks.evidence.clip_recorder import ClipRecorder
+from housefly.tasks.execution.step_inbox import task_sender
+from housefly.tasks.execution.values import (
+    AskPerson,
+    CloseQuestion,
+    GiveOrder,
+    PublishMqtt,
+    Report,
+    Say,
+    StartClip,
+    StopClip,
+    TakeSnapshot,
+    TaskAction,
+)
+from housefly.tasks.scheduler.values import ScheduledTask
+
+_SOURCES = {
+    RequestSurface.RULE: OrderSource.RULE,
+    RequestSurface.ASSISTANT: OrderSource.ASSISTANT,
+}
+"""What gives the orders of a task that no person asked for."""
+_MAX_REPORT = 100
+"""Most lines of a task's report."""
+_KEPT: dict[str, ToldEventKind] = {"clip": "clip kept", "snapshot": "snapshot kept"}
+
+
+class TaskActions:
+    """Does the actions of tasks, one after the other; never raises for what a task wants.
+
+    Args:
+        outlet: takes orders, events and MQTT.
+        clips: the recorder.
+        drone: id of the drone, to which what happens is told.
+    """
+
+    def __init__(self, outlet: TaskOutlet, clips: ClipRecorder, drone: str) -> None:
+        self._outlet, self._clips, self._drone = outlet, clips, drone
+        self._films = 0  # id of the task whose clip is recorded
+        self._by: dict[type[TaskAction], Callable[[_Doing, Any], None]] = {
+            GiveOrder: self._order,
+            StartClip: self._start_clip,
+            StopClip: lambda doing, _: self._stop_clip(doing.task.id),
+            TakeSnapshot: self._snapshot,
+            Say: self._say,
+            AskPerson: self._ask,
+            CloseQuestion: self._close_question,
+            PublishMqtt: lambda _, wanted: self._outlet.publish_mqtt(wanted.topic, wanted.payload),
+            Report: self._report,
+        }
+
+    def perform(
+        self,
+        task: ScheduledTask,
+        record: TaskRecord,
+        actions: tuple[TaskAction, ...],
+        now: float,
+        unix: float,
+    ) -> None:
+        """Do what a task wants.
+
+        Args:
+            task: whose actions these are.
+            record: of the task.
+            actions: in order.
+            now: the pilot's clock, which stamps orders [s].
+            unix: the same moment as Unix time [s].
+        """
+        doing = _Doing(task, record, now, unix)
+        for action in actions:
+            self._by[type(action)](doing, action)
+
+    def tell(
+        self, kind: ToldEventKind, task: ScheduledTask, unix: float, **facts: str | float | bool
+    ) -> None:
+        """Tell the room's memory what became of a task; the cause is the task, or its own cause."""
+        cause = task.request.cause if kind == "task asked" else task_name(task.id)
+        known: dict[str, ParameterValue] = {
+            "task": float(task.id),
+            "service": task.request.service,
+            "because": task.request.cause,
+        }
+        self._outlet.tell(task_event(kind, self._drone, unix, cause, known | facts))
+
+    def tell_asked(self, task: ScheduledTask, unix: float) -> None:
+        """Tell that a task was asked for, and what a person is asked now [Unix time, s]."""
+        by = task.request.asked_by or "somebody"
+        self.tell("task asked", task, unix, title=task.traits.title, by=by)
+        if task.question is not None:
+            # A millisecond later: the memory sorts what happened at once by other things.
+            self.tell("person asked", task, unix + 0.001, words=task.question.words)
+
+    def tell_ended(self, task: ScheduledTask, status: TaskStatus, unix: float) -> None:
+        """Tell how a task ended [Unix time, s]."""
+        self.tell("task ended", task, unix, outcome=status.state.value, words=status.words)
+
+    def tell_clip(self, clip: str, unix: float) -> int:
+        """Tell that a clip is kept; return the number of its task, 0 for a person's or unknown."""
+        try:
+            info = self._clips.index.info(clip)
+        except HouseflyError:
+            return 0
+        facts = {"clip": clip, "place": info.place, "thing": info.thing}
+        cause = task_name(info.task) if info.task else info.cause
+        event = task_event(_KEPT[info.kind], self._drone, unix, cause, dict(facts))
+        self._outlet.tell(event)
+        return info.task
+
+    def send_home(self, now: float) -> None:
+        """Send home a drone that no task flies any more; ``now`` stamps the order [s]."""
+        sender, source = task_sender(0, "home"), OrderSource.TASK
+        self._outlet.order(Order(OrderKind.HOME, issued_at=now, sender=sender, source=source))
+
+    def end_clip(self, number: int) -> None:
+        """End the clip of a task that ends, however it ended."""
+        if number == self._films:
+            self._stop_clip(number)
+
+    def _stop_clip(self, number: int) -> None:
+        if number == self._films:
+            self._films = 0
+            self._clips.stop()
+
+    def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
+        request = doing.task.request
+        sender = task_sender(doing.task.id, request.service)
+        source = _SOURCES.get(request.surface, OrderSource.TASK)
+        order = replace(wanted.order, issued_at=doing.now, sender=sender, source=source)
+        self._outlet.order(order)
+
+    def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
+        self._films = doing.task.id
+        doing.keep(lambda: self._clips.start(wanted, doing.origin))
+
+    def _snapshot(self, doing: _Doing, wanted: TakeSnapshot) -> None:
+        doing.keep(lambda: self._clips.snapshot(wanted, doing.origin))
+
+    def _say(self, doing: _Doing, wanted: Say) -> None:
+        self.tell("said", doing.task, doing.unix, words=wanted.words)
+        self._outlet.say(wanted.words)
+
+    def _ask(self, doing: _Doing, wanted: AskPerson) -> None:
+        until = None if wanted.timeout is None else doing.unix + wanted.timeout
+        question = PersonQuestion(wanted.id, wanted.words, wanted.choices, until, wanted.otherwise)
+        doing.record.question = question
+        self.tell("person asked", doing.task, doing.unix, words=wanted.words)
+
+    def _close_question(self, doing: _Doing, wanted: CloseQuestion) -> None:
+        question = doing.record.question
+        if question is not None and question.id == wanted.id:
+            doing.record.question = None
+
+    def _report(self, doing: _Doing, wanted: Report) -> None:
+        doing.report(wanted.words)
+        self.tell("found", doing.task, doing.unix, words=wanted.words)
+
+
+class _Doing:
+    """For which task something is done, and when."""
+
+    def __init__(self, task: ScheduledTask, record: TaskRecord, now: float, unix: float) -> None:
+        self.task, self.record, self.now, self.unix = task, record, now, unix
+
+    @property
+    def origin(self) -> ClipOrigin:
+        request = self.task.request
+        return ClipOrigin(self.task.id, request.service, request.cause)
+
+    def report(self, words: str) -> None:
+        if len(self.record.report) < _MAX_REPORT:
+            self.record.report.append(words)
+
+    def keep(self, record: Callable[[], str]) -> None:
+        """Record something and remember its id, or report why it cannot be recorded."""
+        try:
+            self.record.clips.append(record())
+        except HouseflyError as error:
+            self.report(str(error))

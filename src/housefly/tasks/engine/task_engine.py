@@ -1,0 +1,339 @@
+"""Runs the tasks of one drone: the queue, and what its decisions mean. Driven by ``tick``.
+
+Nothing here reads a clock or opens a wire: time comes in, orders go out by the outlet.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import replace
+
+from housefly.errors import TaskError
+from housefly.messages import Order, OrderKind, OrderSource
+from housefly.tasks.api.values import (
+    ATTENDED,
+    HouseMode,
+    ReasonCode,
+    RehearsalReport,
+    RequestSurface,
+    TaskRequest,
+    TaskStage,
+    TaskStatus,
+)
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_record import task_status
+from housefly.tasks.engine.task_runs import TaskRuns
+from housefly.tasks.execution.values import GiveOrder, PersonReply
+from housefly.tasks.rules.mode_table import launch_permit
+from housefly.tasks.scheduler.board import board_order, waiting_words
+from housefly.tasks.scheduler.scheduler import Scheduler
+from housefly.tasks.scheduler.task_store import KeptTask, TaskStore
+from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
+from housefly.tasks.scheduler.values import (
+    CONFIRM,
+    Decision,
+    DroneAvailability,
+    RunReport,
+    ScheduledTask,
+    SchedulerLimits,
+    TaskAdmitted,
+    TaskEnded,
+    TaskMerged,
+    TaskTraits,
+)
+
+_CLICK_TIME = 5.0
+"""The same wish of the same asker within this is one wish [s]."""
+_SHOWN = 20
+"""So many ended tasks are on the board."""
+_ONLY_OWN = "you can end only what you asked for; STOP is for all"
+
+
+class TaskEngine:
+    """The open tasks of one drone; not thread-safe.
+
+    Args:
+        store: keeps the queue and what ended.
+        limits: of the queue.
+        runs: of the open tasks.
+        actions: does and tells.
+    """
+
+    def __init__(
+        self,
+        store: TaskStore,
+        limits: SchedulerLimits,
+        runs: TaskRuns,
+        actions: TaskActions,
+    ) -> None:
+        self._drone = DroneAvailability(False, "the tasks have just begun")
+        self._store, self._runs, self._actions = store, runs, actions
+        self._scheduler = store.load(limits)
+        self._ended: deque[TaskStatus] = deque(store.newest_ended(_SHOWN), _SHOWN)
+
+    def restore(self, bind: Callable[[TaskRequest], BoundTask], unix: float) -> None:
+        """Take over the tasks of a program that ended: what flew ends, what waits is asked again.
+
+        Args:
+            bind: binds a request to its document; raises TaskError.
+            unix: Unix time [s].
+        """
+        for task in self._scheduler.tasks:
+            try:
+                bound = bind(task.request)
+                if scheduling_traits(bound) != task.traits:
+                    raise _bad(f"'{task.traits.title}' was changed meanwhile; ask again")
+                record = self._runs.add(task.id, bound, is_urgent=task.is_attended)
+                if (before := self._known(task.id)) is not None:
+                    record.clips, record.report = list(before.clips), list(before.report)
+                    record.steps = before.steps
+                    record.took_off_at, record.flown = before.took_off_at, before.flown
+                    if task.started_at is not None and before.took_off_at is None:
+                        record.flown = None  # it may have flown since it was kept
+            except TaskError as error:
+                report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, str(error))
+                self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
+        self._take(self._scheduler.restarted(unix), unix)
+
+    @property
+    def problem(self) -> str:
+        """Why the queue cannot be kept, in words, or ""."""
+        return self._store.problem
+
+    @property
+    def open(self) -> tuple[TaskStatus, ...]:
+        """The open tasks, as they will fly, each with why it does not yet."""
+        waits = waiting_words(self._scheduler, self._drone)
+        return tuple(
+            task_status(task, self._runs.record(task.id), waits.get(task.id, ""))
+            for task in board_order(self._scheduler)
+        )
+
+    @property
+    def ended(self) -> tuple[TaskStatus, ...]:
+        """The tasks that ended last, the newest first."""
+        return tuple(self._ended)
+
+    def request(self, request: TaskRequest, task: BoundTask, unix: float) -> TaskStatus:
+        """Take a request, its parameters complete; return its task, which may be refused.
+
+        Args:
+            request: who wants what.
+            task: what it is bound to.
+            unix: Unix time [s].
+        """
+        if (same := self._asked_just_now(request, unix)) is not None:
+            return self.status(same.id)
+        outcome = self._scheduler.requested(request, scheduling_traits(task), unix)
+        told = [
+            one.task
+            for one in outcome[1]
+            if isinstance(one, TaskAdmitted | TaskMerged)
+            or (isinstance(one, TaskEnded) and one.task.request is request)
+        ]
+        for decision in outcome[1]:
+            if isinstance(decision, TaskAdmitted):
+                self._runs.add(decision.task.id, task, is_urgent=request.surface in ATTENDED)
+        self._take(outcome, unix)
+        return self.status(told[0].id)
+
+    def _asked_just_now(self, request: TaskRequest, unix: float) -> ScheduledTask | None:
+        """Return the same running task of the same asker: a second click wants no second flight."""
+        wanted = (request.service, request.parameters, request.asked_by, request.owner)
+        for task in self._scheduler.tasks:
+            one = task.request
+            given = (one.service, one.parameters, one.asked_by, one.owner)
+            is_new = 0.0 <= unix - task.asked_at <= _CLICK_TIME
+            if task.state is QueueState.RUNNING and is_new and given == wanted:
+                return task
+        return None
+
+    def reply(self, number: int, question: str, choice: str, by: str, unix: float) -> TaskStatus:
+        """Answer a question of a task; raises TaskError when there is none, or not this answer."""
+        record, task = self._runs.record(number), self._scheduler.task(number)
+        asked = record.question if record is not None and question != CONFIRM else None
+        if asked is None or record is None:
+            if question != CONFIRM:
+                raise _bad(f"task {number} does not ask {question!r} now")
+            self._take(self._scheduler.replied(number, choice, by, unix), unix)
+            self._actions.tell("person answered", task, unix, words=choice, by=by)
+            return self.status(number)
+        if asked.id != question or choice not in asked.choices:
+            raise _bad(f"{choice!r} is no answer to {asked.words!r}: {' or '.join(asked.choices)}")
+        record.question = None
+        record.replies.append(PersonReply(question, choice, by))
+        self._actions.tell("person answered", task, unix, words=choice, by=by)
+        return self.status(number)
+
+    def cancel(
+        self, number: int, by: str, unix: float, only_of: str = ""
+    ) -> tuple[TaskStatus, ...]:
+        """End a task, or with 0 every open one, and return those.
+
+        Args:
+            number: of the task.
+            by: who ends it, for people.
+            unix: Unix time [s].
+            only_of: id of whose tasks may be ended; "" for all.
+
+        Raises:
+            TaskError: there is no such task, or it is of somebody else.
+        """
+        wanted = [self._scheduler.task(number)] if number else list(self._scheduler.tasks)
+        if only_of:
+            wanted = [task for task in wanted if task.request.owner == only_of]
+            if not wanted:
+                raise TaskError(_ONLY_OWN, ReasonCode.NOT_ALLOWED.value)
+        for task in wanted:
+            self._take(self._scheduler.cancelled(task.id, by, unix), unix)
+        return tuple(self.status(task.id) for task in wanted)
+
+    def pause(self, number: int, by: str, unix: float) -> TaskStatus:
+        """Let a task hover, or hold it in the queue; raises TaskError."""
+        self._take(self._scheduler.paused(number, by, unix), unix)
+        return self.status(number)
+
+    def proceed(self, number: int, by: str, unix: float) -> TaskStatus:
+        """Go on with a paused task; raises TaskError."""
+        self._take(self._scheduler.continued(number, by, unix), unix)
+        return self.status(number)
+
+    def tick(self, drone: DroneAvailability, now: float, unix: float) -> None:
+        """Step the runs, take what ended, start what may start.
+
+        Args:
+            drone: whether it may be ordered now.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        self._drone = drone
+        self._store.retry()
+        for number, report in tuple(self._runs.rehearsed(unix)):
+            self._take(self._scheduler.rehearsed(number, report, unix), unix)
+        reports = self._runs.step(self._scheduler.tasks, drone, now, unix)
+        if self._runs.person_ordered:
+            self._take(self._scheduler.taken_over(unix), unix)
+        self._runs.hand_over(reports)
+        self._take(self._scheduler.ticked(unix, reports, drone), unix)
+        if not any(task.traits.flies and task.state in ACTIVE for task in self._scheduler.tasks):
+            self._runs.bring_home(now)
+
+    def change_mode(self, mode: HouseMode, unix: float) -> None:
+        """End the flights that may not be asked for in the new mode of the house.
+
+        Args:
+            mode: of the house.
+            unix: Unix time [s].
+        """
+        for task in self._scheduler.tasks:
+            request = task.request
+            if task.state is QueueState.ENDING:
+                continue  # a second cancel would leave out what it does on the first
+            permit = launch_permit(
+                mode,
+                request.surface,
+                confirm=request.confirm,
+                priority=request.priority,
+                names_mode=request.surface is RequestSurface.RULE,
+                flies=task.traits.flies,
+            )
+            if not permit.is_given:
+                by = f"mode {mode.value} of the house"
+                self._take(self._scheduler.cancelled(task.id, by, unix), unix)
+
+    def foremost(self, only_of: str = "") -> int | None:
+        """Return the task that people mean when they name none: what flies, flies next, is open.
+
+        Args:
+            only_of: id of whose tasks count; "" for all.
+        """
+        tasks = sorted(
+            (one for one in board_order(self._scheduler) if only_of in ("", one.request.owner)),
+            key=lambda task: (not task.traits.flies, task.state not in ACTIVE),
+        )
+        return tasks[0].id if tasks else None
+
+    def close(self, words: str, is_airborne: bool, now: float, unix: float) -> None:
+        """End what runs, because the program ends; what flies is sent home.
+
+        Args:
+            words: why.
+            is_airborne: whether the drone flies.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        active = [task for task in self._scheduler.tasks if task.state in ACTIVE]
+        for task in active:
+            record = self._runs.record(task.id)
+            has_run = record is not None and record.run is not None
+            if has_run and record is not None and task.traits.flies and is_airborne:
+                home = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),)
+                self._actions.perform(task, record, home, now, unix)
+        reports = [
+            RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, words) for task in active
+        ]
+        self._take(self._scheduler.ticked(unix, reports, DroneAvailability(False, words)), unix)
+
+    def keep_clip(self, number: int, clip: str, words: str = "") -> None:
+        """Remember a clip or snapshot of an open task, and report what is wrong with it."""
+        record = self._runs.record(number)
+        if record is None:
+            return
+        if clip not in record.clips:
+            record.clips.append(clip)
+        if words:
+            record.report.append(words)
+
+    def drop_clip(self, clip: str, words: str) -> None:
+        """Forget a clip or snapshot that could not be kept, and report why."""
+        self._runs.drop_clip(clip, words)
+
+    def status(self, number: int) -> TaskStatus:
+        """Return a task, open or ended lately; raises TaskError."""
+        for task in self._scheduler.tasks:
+            if task.id == number:
+                return task_status(task, self._runs.record(number))
+        if (known := self._known(number)) is not None:
+            return known
+        raise TaskError(f"there is no task {number}", ReasonCode.UNKNOWN_TASK.value)
+
+    def _take(self, outcome: tuple[Scheduler, tuple[Decision, ...]], unix: float) -> None:
+        """Take the next queue: it is kept first, then what it means is done."""
+        before = {task.id: task for task in self._scheduler.tasks}
+        self._scheduler, decisions = outcome
+        changed = [task for task in self._scheduler.tasks if before.get(task.id) is not task]
+        ended = [one.task for one in decisions if isinstance(one, TaskEnded)]
+        statuses = {task.id: self._end_status(task) for task in ended}
+        kept = [KeptTask(task, task_status(task, self._runs.record(task.id))) for task in changed]
+        self._store.keep([*kept, *(KeptTask(task, statuses[task.id]) for task in ended)])
+        for decision in decisions:
+            if isinstance(decision, TaskAdmitted):
+                self._actions.tell_asked(decision.task, unix)
+            elif isinstance(decision, TaskEnded):
+                task, status = decision.task, statuses[decision.task.id]
+                self._runs.remove(task.id)
+                self._actions.end_clip(task.id)
+                self._ended.appendleft(status)
+                self._actions.tell_ended(task, status, unix)
+            else:
+                self._runs.decide(decision)
+
+    def _known(self, number: int) -> TaskStatus | None:
+        """Return a task as it ended, or as it was kept last; None when nobody knows it."""
+        found = next((one for one in self._ended if one.id == number), None)
+        return found or self._store.status(number)
+
+    def _end_status(self, task: ScheduledTask) -> TaskStatus:
+        status = task_status(task, self._runs.record(task.id))
+        return replace(status, words=task.words or task.stage.value)
+
+
+def scheduling_traits(task: BoundTask) -> TaskTraits:
+    """Return what the scheduler must know of a task."""
+    return TaskTraits(task.title, task.flies, task.confirm, task.on_preempt)
+
+
+def _bad(words: str) -> TaskError:
+    return TaskError(words, ReasonCode.BAD_PARAMETER.value)

@@ -1,0 +1,213 @@
+"""Rehearsals under way: begun in the background one at a time, looked at each tick."""
+
+from __future__ import annotations
+
+import heapq
+import logging
+from collections.abc import Callable
+from concurrent.futures import CancelledError, Future
+from enum import IntEnum
+from itertools import count
+from threading import Lock
+
+from housefly.errors import HouseflyError, TaskError
+from housefly.tasks.api.values import ATTENDED, ReasonCode, RehearsalReport, RequestSurface
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.task_outlet import TaskRehearser
+from housefly.tasks.engine.task_record import TaskRecord
+
+_log = logging.getLogger(__name__)
+
+FRESH_TIME = 20.0
+"""A rehearsal older than this [s] is done again before the flight: the room may have changed."""
+ATTEMPTS = 3
+"""So often is a rehearsal tried that could not be done at all: its worker may have died."""
+_PATIENCE = 30.0
+"""Longest wait for a rehearsal that somebody asked for by itself [s]."""
+MOST_ASKED, MOST_OF_MACHINES = 3, 1
+"""So many rehearsals asked for by themselves wait or go on at once, and of those so many that no
+person asked for.
+"""
+
+Report = Future[RehearsalReport]
+
+
+class RehearsalUrgency(IntEnum):
+    """Who waits for a rehearsal; the smaller goes first."""
+
+    FLIGHT = 0
+    PERSON = 1
+    MACHINE = 2
+
+
+class TaskRehearsals:
+    """Begins rehearsals and takes their reports.
+
+    Args:
+        rehearser: flies in lock step, elsewhere.
+    """
+
+    def __init__(self, rehearser: TaskRehearser) -> None:
+        self._turns, self._lock = RehearsalTurns(rehearser), Lock()
+        self._asked: list[RehearsalUrgency] = []
+
+    @property
+    def asked(self) -> int:
+        """How many that were asked for by themselves wait or go on."""
+        with self._lock:
+            return len(self._asked)
+
+    def begin(
+        self, record: TaskRecord, urgency: RehearsalUrgency = RehearsalUrgency.FLIGHT
+    ) -> None:
+        """Begin the rehearsal of a task; one that waits already may become the next."""
+        if record.rehearsal is None:
+            record.rehearsal = self._turns.begin(record.task, urgency)
+        elif urgency is RehearsalUrgency.FLIGHT:
+            self._turns.hurry(record.task, record.rehearsal)
+
+    def taken(self, record: TaskRecord, unix: float) -> RehearsalReport | None:
+        """Return what a rehearsal found, once; None while it goes on.
+
+        Args:
+            record: of the task.
+            unix: Unix time [s].
+        """
+        future = record.rehearsal
+        if future is None or not future.done():
+            return None
+        report = report_of(future)
+        record.rehearsal = None
+        record.attempts += 1
+        if report.code is ReasonCode.NOT_READY and record.attempts % ATTEMPTS:
+            self.begin(record)
+            return None
+        record.rehearsed_at = unix
+        return report
+
+    def is_fresh(self, record: TaskRecord, unix: float) -> bool:
+        """Return whether the newest rehearsal still counts."""
+        return 0.0 <= unix - record.rehearsed_at <= FRESH_TIME
+
+    def now(
+        self, task: BoundTask, surface: RequestSurface = RequestSurface.CONSOLE
+    ) -> RehearsalReport:
+        """Rehearse and wait.
+
+        Args:
+            task: which.
+            surface: where it was asked for.
+
+        Raises:
+            TaskError: too many are under way, or it takes too long.
+        """
+        is_person = surface in ATTENDED
+        urgency = RehearsalUrgency.PERSON if is_person else RehearsalUrgency.MACHINE
+        self._admit(urgency)
+        future = self._turns.begin(task, urgency)
+        try:
+            future.exception(_PATIENCE)
+        except TimeoutError as error:
+            future.cancel()
+            raise TaskError(
+                f"the rehearsal takes longer than {_PATIENCE:.0f} s; ask again later",
+                ReasonCode.NOT_READY.value,
+            ) from error
+        finally:
+            with self._lock:
+                self._asked.remove(urgency)
+        return report_of(future)
+
+    def _admit(self, urgency: RehearsalUrgency) -> None:
+        """Count one more that was asked for by itself; raises TaskError where that is too many."""
+        with self._lock:
+            machines = self._asked.count(RehearsalUrgency.MACHINE)
+            is_machine = urgency is RehearsalUrgency.MACHINE
+            if len(self._asked) >= MOST_ASKED or (is_machine and machines >= MOST_OF_MACHINES):
+                raise TaskError(
+                    f"{len(self._asked)} rehearsals are under way; ask again in a few seconds",
+                    ReasonCode.RATE_LIMIT.value,
+                )
+            self._asked.append(urgency)
+
+
+def report_of(future: Future[RehearsalReport]) -> RehearsalReport:
+    """Return what a finished rehearsal found; one that failed lets nothing fly."""
+    try:
+        error = future.exception()
+    except CancelledError as cancelled:
+        error = cancelled
+    if error is None:
+        return future.result()
+    if isinstance(error, TaskError):
+        return RehearsalReport(False, ReasonCode(error.code), str(error))
+    _log.error("a rehearsal failed", exc_info=error)
+    words = str(error) if isinstance(error, HouseflyError) else type(error).__name__
+    return RehearsalReport(
+        False, ReasonCode.NOT_READY, f"it could not be rehearsed ({words}), so it does not fly"
+    )
+
+
+class RehearsalTurns:
+    """Hands rehearsals to the rehearser one by one; thread-safe.
+
+    Args:
+        rehearser: flies in lock step, elsewhere.
+    """
+
+    def __init__(self, rehearser: TaskRehearser) -> None:
+        self._rehearser, self._lock = rehearser, Lock()
+        self._number = count()
+        self._waiting: list[tuple[int, int, BoundTask, Report]] = []
+        self._is_busy = False
+
+    def begin(self, task: BoundTask, urgency: RehearsalUrgency) -> Report:
+        """Return the report to come; cancelled before its turn, it is not rehearsed at all."""
+        report: Report = Future()
+        self._add(task, urgency, report)
+        return report
+
+    def hurry(self, task: BoundTask, report: Report) -> None:
+        """Let a rehearsal that waits be the next."""
+        with self._lock:
+            waits = any(one[3] is report and one[0] for one in self._waiting)
+        if waits:
+            self._add(task, RehearsalUrgency.FLIGHT, report)
+
+    def _add(self, task: BoundTask, urgency: RehearsalUrgency, report: Report) -> None:
+        with self._lock:
+            heapq.heappush(self._waiting, (urgency, next(self._number), task, report))
+        self._next()
+
+    def _next(self) -> None:
+        while True:
+            with self._lock:
+                if self._is_busy or not self._waiting:
+                    return
+                _, _, task, report = heapq.heappop(self._waiting)
+                # One that was hurried stands here twice; one that nobody waits for is cancelled.
+                if report.running() or report.done() or not report.set_running_or_notify_cancel():
+                    continue
+                self._is_busy = True
+            _begun(self._rehearser.rehearse, task).add_done_callback(
+                lambda found, report=report: self._ended(found, report)  # type: ignore[misc]
+            )
+
+    def _ended(self, found: Report, report: Report) -> None:
+        error = found.exception()
+        if error is None:
+            report.set_result(found.result())
+        else:
+            report.set_exception(error)
+        with self._lock:
+            self._is_busy = False
+        self._next()
+
+
+def _begun(rehearse: Callable[[BoundTask], Report], task: BoundTask) -> Report:
+    try:
+        return rehearse(task)
+    except Exception as error:
+        failed: Report = Future()
+        failed.set_exception(error)
+        return failed

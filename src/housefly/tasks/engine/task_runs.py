@@ -1,0 +1,279 @@
+"""The runs of the tasks: begun after a fresh rehearsal, stepped on fresh news of the pilot only."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+
+from housefly.messages import Order, OrderKind, OrderSource, Phase
+from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_record import TaskRecord
+from housefly.tasks.engine.task_rehearsals import RehearsalUrgency, TaskRehearsals
+from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
+from housefly.tasks.execution.task_room import TaskRoom
+from housefly.tasks.execution.task_run import TaskRun
+from housefly.tasks.execution.values import GiveOrder, TaskInputs
+from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
+from housefly.tasks.scheduler.values import (
+    CancelRun,
+    ContinueRun,
+    Decision,
+    DroneAvailability,
+    PauseRun,
+    PreemptTask,
+    ResumeTask,
+    RunReport,
+    ScheduledTask,
+    StartTask,
+)
+
+_log = logging.getLogger(__name__)
+
+READY_TIME = 60.0
+"""A drone that is not ready so long after its task's turn ends the task [s]."""
+LOST_TIME = 3.0
+"""A pilot silent for longer [s] ends the task: by then the drone hovers or lands by itself."""
+_LEFT_IN = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
+"""Phases from which nobody would bring a drone home for a long time."""
+_HOME_REPEAT = 3.0
+"""It is sent home again after this [s]."""
+
+
+class TaskRuns:
+    """The records of the open tasks, and their runs; not thread-safe.
+
+    Attributes:
+        person_ordered: whether a person ordered the drone since the step before the last.
+        recording: folder into which the whole run is recorded, or "".
+
+    Args:
+        room: what runs may ask.
+        rehearsals: each flight is rehearsed first.
+        actions: does what runs want done.
+        inbox: the pilot's steps.
+    """
+
+    def __init__(
+        self,
+        room: TaskRoom,
+        rehearsals: TaskRehearsals,
+        actions: TaskActions,
+        inbox: StepInbox,
+    ) -> None:
+        self._room, self._rehearsals = room, rehearsals
+        self._actions, self._inbox = actions, inbox
+        self._records: dict[int, TaskRecord] = {}
+        self._pilot = inbox.run
+        self._steps = -1
+        self._sent_home_at = float("-inf")
+        self.person_ordered = False
+        self.recording = ""
+        self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
+            StartTask: _start,
+            PreemptTask: _preempt,
+            ResumeTask: lambda record, _: self._resume_task(record),
+            CancelRun: _cancel,
+            PauseRun: lambda record, _: _pause(record),
+            ContinueRun: lambda record, _: _resume(record),
+        }
+
+    def add(self, number: int, task: BoundTask, *, is_urgent: bool = True) -> TaskRecord:
+        """Take a task; one that flies is rehearsed soon, so that people hear early.
+
+        Args:
+            number: of the task.
+            task: bound to its parameters.
+            is_urgent: whether a person waits for it.
+        """
+        record = self._records[number] = TaskRecord(task, recording=self.recording)
+        if task.flies:
+            urgency = RehearsalUrgency.FLIGHT if is_urgent else RehearsalUrgency.MACHINE
+            self._rehearsals.begin(record, urgency)
+        return record
+
+    def record(self, number: int) -> TaskRecord | None:
+        """Return the record of an open task, or None."""
+        return self._records.get(number)
+
+    def remove(self, number: int) -> TaskRecord | None:
+        """Drop a task and its run without another step; return its record."""
+        record = self._records.pop(number, None)
+        if record is not None and record.rehearsal is not None:
+            record.rehearsal.cancel()
+        return record
+
+    def drop_clip(self, clip: str, words: str) -> None:
+        """Forget a clip that could not be kept, and say so in the report of its task."""
+        for record in self._records.values():
+            if clip in record.clips:
+                record.clips.remove(clip)
+                record.report.append(words)
+
+    def decide(self, decision: Decision) -> None:
+        """Do what the scheduler decided about a run; other decisions are not for here."""
+        act = self._decided.get(type(decision))
+        record = self._records.get(getattr(decision, "id", 0))
+        if act is not None and record is not None:
+            act(record, decision)
+
+    def rehearsed(self, unix: float) -> Iterable[tuple[int, RehearsalReport]]:
+        """Yield the rehearsals that ended since the last call, by task."""
+        for number, record in self._records.items():
+            report = self._rehearsals.taken(record, unix)
+            if report is not None:
+                yield number, report
+
+    def step(
+        self, tasks: Iterable[ScheduledTask], drone: DroneAvailability, now: float, unix: float
+    ) -> tuple[RunReport, ...]:
+        """Step every active run once, as far as the pilot's news are fresh; return how far it is.
+
+        Args:
+            tasks: of the queue.
+            drone: whether it may be ordered now.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        age = self._inbox.age(now)
+        is_fresh = self._inbox.steps != self._steps and age <= SILENT_TIME
+        inputs = self._inbox.drain(now, unix, keep=not is_fresh)
+        lost = self._lost(age)
+        self._steps, self._pilot = self._inbox.steps, self._inbox.run
+        self.person_ordered = bool(inputs.orders)
+        reports = []
+        for task in tasks:
+            record = self._records.get(task.id)
+            if record is None or task.state not in ACTIVE:
+                continue
+            if record.run is None or record.resumes:
+                if task.traits.flies and self.person_ordered:
+                    words = "a person ordered the drone before it began"
+                    record.abandon(ReasonCode.PERSON_TOOK_OVER, words, TaskStage.CANCELLED)
+                elif task.state is QueueState.RUNNING:  # not while it is paused
+                    self._begin(task, record, drone, unix)
+            elif task.traits.flies and lost:
+                record.abandon(ReasonCode.NOT_READY, lost)
+            # What begins now gives its first order now: no tick is lost on the way into the air.
+            if not record.resumes and (not task.traits.flies or (is_fresh and not lost)):
+                self._step_one(task, record, inputs)
+            if task.traits.flies and record.run is not None:
+                record.watch_flight(self._inbox.is_airborne, now, unix)
+            reports.append(_report_of(task.id, record))
+        return tuple(reports)
+
+    def hand_over(self, reports: Iterable[RunReport]) -> None:
+        """Leave the drone to the pilot after a flight that ended; no other task takes it over."""
+        for report in reports:
+            record = self._records.get(report.id)
+            has_run = record is not None and record.run is not None and record.task.flies
+            if report.stage in ENDED and has_run:
+                self._inbox.give_up()
+
+    def bring_home(self, now: float) -> None:
+        """Send home a drone that a task left in the air, as when the next one was called off.
+
+        Args:
+            now: the pilot's clock [s]; no task has the drone then.
+        """
+        is_left = self._inbox.is_airborne and self._inbox.is_flown_by_task
+        step, is_due = self._inbox.newest, now - self._sent_home_at > _HOME_REPEAT
+        if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
+            self._sent_home_at = now
+            self._actions.send_home(now)
+
+    def _resume_task(self, record: TaskRecord) -> None:
+        """Go on with a run that was set aside; from the ground only after another rehearsal."""
+        if self._inbox.is_airborne or not record.task.flies:
+            _resume(record)
+        else:
+            record.resumes = True
+            self._rehearsals.begin(record)
+
+    def _lost(self, age: float) -> str:
+        """Return why a flight can no longer be followed, or ""."""
+        if self._inbox.run != self._pilot:
+            return "the pilot was started again; the drone comes home or lands by itself"
+        if age > LOST_TIME:
+            return "the pilot does not answer; the drone lands by itself"
+        return ""
+
+    def _begin(
+        self, task: ScheduledTask, record: TaskRecord, drone: DroneAvailability, unix: float
+    ) -> None:
+        """Begin a run as soon as its rehearsal is fresh and says that it may fly."""
+        if record.ending is not None:
+            return
+        if task.traits.flies and not self._rehearsals.is_fresh(record, unix):
+            self._rehearsals.begin(record)
+            return
+        report = task.rehearsal if task.traits.flies else None
+        if report is not None and not report.may_fly:
+            record.abandon(report.code, report.words, TaskStage.REFUSED)
+            return
+        if task.traits.flies and not drone.is_ready:
+            if task.started_at is not None and unix - task.started_at > READY_TIME:
+                record.abandon(ReasonCode.NOT_READY, drone.words)
+            return
+        if record.run is not None:
+            record.resumes = False
+            record.run.resume()
+            return
+        record.run = TaskRun(record.task, self._room)
+        self._actions.tell("task started", task, unix, title=task.traits.title)
+
+    def _step_one(self, task: ScheduledTask, record: TaskRecord, inputs: TaskInputs) -> None:
+        run = record.run
+        if run is None or record.ending is not None:
+            return
+        try:
+            actions = run.step(replace(inputs, replies=record.take_replies()))
+        except Exception as error:
+            _log.exception("task %d failed", task.id)
+            words = f"a step failed inside ({type(error).__name__}); the log says why"
+            record.abandon(ReasonCode.STEP_FAILED, words)
+            is_up = task.traits.flies and self._inbox.is_airborne
+            actions = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),) if is_up else ()
+        record.steps = run.steps
+        self._actions.perform(task, record, actions, inputs.now, inputs.unix)
+
+
+def _report_of(number: int, record: TaskRecord) -> RunReport:
+    if record.ending is not None:
+        return replace(record.ending, id=number)
+    run = record.run
+    if run is None:
+        return RunReport(number, is_safe_point=True)
+    stage = run.stage if run.stage in ENDED else TaskStage.RUNNING
+    return RunReport(number, stage, run.code, run.words, run.is_safe_point)
+
+
+def _start(record: TaskRecord, _: StartTask) -> None:
+    record.run, record.ending, record.resumes = None, None, False
+
+
+def _preempt(record: TaskRecord, decision: PreemptTask) -> None:
+    if decision.is_kept:
+        _pause(record)
+    else:
+        record.run = None
+
+
+def _pause(record: TaskRecord) -> None:
+    if record.run is not None:
+        record.run.pause()
+
+
+def _resume(record: TaskRecord) -> None:
+    if record.run is not None:
+        record.run.resume()
+
+
+def _cancel(record: TaskRecord, decision: CancelRun) -> None:
+    if record.run is None:
+        record.abandon(ReasonCode.CANCELLED, decision.words, TaskStage.CANCELLED)
+    else:
+        record.run.cancel(decision.words)

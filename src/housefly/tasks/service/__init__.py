@@ -1,0 +1,1 @@
+"""Who is asked: requests, sentences, notices, and every question to the tasks."""

@@ -1,0 +1,413 @@
+"""Answers every question to the tasks, JSON in and out, and drives what flies. Needs no bus.
+
+The parts do the work: library, queue and runs, rules, clips, intents. Here stands who is asked.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from secrets import token_hex
+from threading import Lock
+from typing import Any
+
+from housefly.errors import HouseflyError, TaskError
+from housefly.hub.client.room_queries import AskedRoom
+from housefly.messages import Order, OrderKind, Phase
+from housefly.messages.order_fault import NAME_LENGTH_MAX
+from housefly.tasks.api.answers import (
+    ClipsAnswer,
+    FiringsAnswer,
+    ModeAnswer,
+    RehearsalAnswer,
+    SentenceAnswer,
+    ServicesAnswer,
+    TaskAnswer,
+    TaskBoard,
+    TasksAnswer,
+)
+from housefly.tasks.api.json import (
+    task_answer_to_json,
+    task_question_from_json,
+    task_refusal_to_json,
+)
+from housefly.tasks.api.questions import (
+    BoardQuestion,
+    CancelTask,
+    ClipsQuestion,
+    ContinueTask,
+    DeleteClip,
+    DryRunQuestion,
+    KeepClip,
+    PauseTask,
+    RehearseTask,
+    ReplyToTask,
+    RequestTask,
+    RulesQuestion,
+    Sentence,
+    ServicesQuestion,
+    SetMode,
+    TakePhoto,
+    TaskHistoryQuestion,
+    TaskQuestion,
+    Webhook,
+)
+from housefly.tasks.api.values import ATTENDED, ReasonCode, RequestSurface, TaskRequest, TaskStatus
+from housefly.tasks.document.open_library import NO_DRONE, OpenLibrary
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_engine import TaskEngine
+from housefly.tasks.engine.task_outlet import TaskOutlet
+from housefly.tasks.engine.task_rehearsals import TaskRehearsals
+from housefly.tasks.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
+from housefly.tasks.evidence.clip_recorder import ClipRecorder
+from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.execution.values import TakeSnapshot
+from housefly.tasks.intents.intent_reply import TaskAct
+from housefly.tasks.intents.names import Names
+from housefly.tasks.intents.stop_words import says_stop
+from housefly.tasks.rules.dry_run import dry_run, stored_events
+from housefly.tasks.rules.room_facts import AskedRoomFacts
+from housefly.tasks.rules.rule_service import RuleService
+from housefly.tasks.rules.trigger import WebhookTrigger
+from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.scheduler.values import DroneAvailability
+from housefly.tasks.service.drone_state import (
+    DronePlace,
+    TakeOffReadiness,
+    drone_availability,
+    drone_place,
+    drone_words,
+)
+from housefly.tasks.service.sentences import SentenceEffects, Sentences
+from housefly.tasks.service.task_desk import TaskDesk
+
+_log = logging.getLogger(__name__)
+
+_PHOTO_PATIENCE = 3.0
+"""How long a person waits for the disk to keep a photo [s]."""
+
+AT_ONCE = 20
+"""So many requests, sentences and rehearsals of one surface after a pause."""
+_PERIOD = 3.0
+"""Then one more each [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceParts:
+    """What the service is made of.
+
+    Attributes:
+        library: task documents by name, and what is wrong with one's own.
+        engine: queue and runs.
+        store: of the queue and the history.
+        rehearsals: in lock step.
+        actions: does and tells.
+        inbox: the pilot's steps.
+        rules: with the mode of the house.
+        clips: recorder and index.
+        room: the memory.
+        outlet: orders and events go out here.
+        names: of the room, until its memory tells more.
+        own_sentences: folder with sentence files of one's own, or None.
+        has_drone: whether there is a drone.
+    """
+
+    library: OpenLibrary
+    engine: TaskEngine
+    store: TaskStore
+    rehearsals: TaskRehearsals
+    actions: TaskActions
+    inbox: StepInbox
+    rules: RuleService
+    clips: ClipRecorder
+    room: AskedRoom
+    outlet: TaskOutlet
+    names: Names
+    own_sentences: Path | None = None
+    has_drone: bool = True
+
+
+class TaskService:
+    """Answers from any thread; ``tick`` is called by one, at 10 to 20 Hz.
+
+    Args:
+        parts: what it is made of.
+        clock: the pilot's clock [s].
+        wall: Unix time [s].
+
+    Attributes:
+        desk: takes requests; the rules hear of triggers there.
+        readiness: what the pilot's pre-flight list says; whoever asks the pilot sets it.
+    """
+
+    def __init__(
+        self, parts: ServiceParts, clock: Callable[[], float], wall: Callable[[], float]
+    ) -> None:
+        self.readiness = TakeOffReadiness()
+        self._parts, self._clock, self._wall = parts, clock, wall
+        self._pace = _RequestRate(clock)
+        self.desk = TaskDesk(
+            parts.library, parts.engine, parts.rules, parts.outlet, parts.store, wall
+        )
+        effects = SentenceEffects(
+            self.desk.request,
+            self._order,
+            self._act,
+            self._ask,
+            self.desk.notices.add,
+        )
+        self._sentences = Sentences(
+            parts.room,
+            effects,
+            wall,
+            parts.names,
+            parts.own_sentences,
+            has_drone=parts.has_drone,
+        )
+        self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
+            RequestTask: self._request,
+            RehearseTask: self._rehearse,
+            ReplyToTask: self._reply,
+            CancelTask: self._cancel,
+            PauseTask: self._pause,
+            ContinueTask: self._continue,
+            BoardQuestion: lambda _: self.board(),
+            ServicesQuestion: self._services,
+            TaskHistoryQuestion: self._history,
+            Sentence: self._sentence,
+            SetMode: self._set_mode,
+            RulesQuestion: lambda _: parts.rules.rules_answer(),
+            DryRunQuestion: self._dry_run,
+            ClipsQuestion: parts.clips.index.answer,
+            Webhook: self._webhook,
+            KeepClip: parts.clips.index.answer,
+            DeleteClip: parts.clips.index.answer,
+            TakePhoto: self._photo,
+        }
+        parts.engine.restore(self._bound, wall())
+
+    def answer(self, text: str) -> str:
+        """Return the answer to a question, both JSON; a refusal says why. Never raises."""
+        try:
+            return task_answer_to_json(self._ask(task_question_from_json(text)))
+        except HouseflyError as error:
+            return task_refusal_to_json(error)
+        except Exception:
+            _log.exception("a question could not be answered: %s", text[:500])
+            return task_refusal_to_json(
+                HouseflyError("the tasks could not answer that; their log says why")
+            )
+
+    def tick(self) -> None:
+        """Do what is to be done now."""
+        parts, now, unix = self._parts, self._clock(), self._wall()
+        drone = (
+            drone_availability(parts.inbox, self.readiness, now)
+            if parts.has_drone
+            else DroneAvailability(False, NO_DRONE)
+        )
+        with self.desk.lock:
+            parts.engine.tick(drone, now, unix)
+            for news in parts.clips.tick(
+                now, unix, parts.inbox.fresh_status(now), parts.rules.mode
+            ):
+                if news.outcome not in KEPT:
+                    parts.engine.drop_clip(news.clip, news.words)
+                    continue
+                task = parts.actions.tell_clip(news.clip, unix)
+                words = news.words if news.outcome is ClipOutcome.CUT_OFF else ""
+                parts.engine.keep_clip(task, news.clip, words)
+
+    def board(self) -> TaskBoard:
+        """Return everything that a screen of the tasks shows."""
+        parts = self._parts
+        with self.desk.lock:
+            return TaskBoard(
+                self._wall(),
+                parts.rules.mode,
+                drone_words(parts.inbox, self.readiness, self._clock())
+                if parts.has_drone
+                else NO_DRONE,
+                parts.clips.records,
+                parts.engine.open,
+                parts.engine.ended,
+                self._notices(),
+            )
+
+    def close(self, words: str) -> None:
+        """End what runs, sending home what flies; then close clips and store."""
+        parts = self._parts
+        with self.desk.lock:
+            parts.engine.close(words, parts.inbox.is_airborne, self._clock(), self._wall())
+            parts.clips.close()
+            parts.store.close()
+
+    def _notices(self) -> tuple[str, ...]:
+        clips, engine = self._parts.clips, self._parts.engine
+        unkept = f"the queue is not kept: {engine.problem}" if engine.problem else ""
+        found = (*clips.index.notices, clips.problem, unkept)
+        return tuple(words for words in found if words)
+
+    def _ask(self, question: TaskQuestion) -> TaskAnswer:
+        # STOP never waits for anything, whoever says it.
+        if not (isinstance(question, Sentence) and says_stop(question.text)):
+            self._pace.spend(getattr(question, "surface", RequestSurface.CONSOLE))
+        return self._by[type(question)](question)
+
+    def _bound(self, request: TaskRequest) -> BoundTask:
+        return self.desk.bound(request.service, request.parameters)
+
+    def _request(self, question: RequestTask) -> TasksAnswer:
+        request = TaskRequest(
+            question.service,
+            dict(question.parameters),
+            question.by,
+            question.surface,
+            question.cause,
+            question.confirm,
+            question.priority,
+            question.deadline,
+            question.owner,
+        )
+        return TasksAnswer((self.desk.request(request),))
+
+    def _rehearse(self, question: RehearseTask) -> RehearsalAnswer:
+        task = self.desk.bound(question.service, question.parameters)
+        return RehearsalAnswer(self._parts.rehearsals.now(task, question.surface))
+
+    def _reply(self, question: ReplyToTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(
+                (
+                    self._parts.engine.reply(
+                        question.task,
+                        question.question,
+                        question.choice,
+                        question.by,
+                        self._wall(),
+                    ),
+                )
+            )
+
+    def _cancel(self, question: CancelTask) -> TasksAnswer:
+        with self.desk.lock:
+            ended = self._parts.engine.cancel(
+                question.task, question.by, self._wall(), question.only_of
+            )
+        return TasksAnswer(ended)
+
+    def _pause(self, question: PauseTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(
+                (self._parts.engine.pause(question.task, question.by, self._wall()),)
+            )
+
+    def _continue(self, question: ContinueTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(
+                (self._parts.engine.proceed(question.task, question.by, self._wall()),)
+            )
+
+    def _services(self, _: ServicesQuestion) -> ServicesAnswer:
+        return ServicesAnswer(self._parts.library.services())
+
+    def _history(self, question: TaskHistoryQuestion) -> TasksAnswer:
+        with self.desk.lock:
+            kept = self._parts.store.history(question)
+            now = {task.id: task for task in (*self._parts.engine.open, *self._parts.engine.ended)}
+        return TasksAnswer(tuple(now.get(task.id, task) for task in kept))
+
+    def _sentence(self, question: Sentence) -> SentenceAnswer:
+        return self._sentences.answer(question)
+
+    def _set_mode(self, question: SetMode) -> ModeAnswer:
+        change = self._parts.rules.set_mode(question.mode, question.by, self._wall())
+        with self.desk.lock:
+            self._parts.engine.change_mode(question.mode, self._wall())
+        if change.event is not None:
+            self._parts.outlet.tell(change.event)
+        return change.answer
+
+    def _dry_run(self, question: DryRunQuestion) -> FiringsAnswer:
+        rules, room = self._parts.rules, self._parts.room
+        until = self._wall() if question.until is None else question.until
+        events = stored_events(room.ask, question.since, until)
+        facts = AskedRoomFacts(room.ask, live=False)
+        return dry_run(rules.engine, events, question.since, until, rules.mode, facts)
+
+    def _photo(self, question: TakePhoto) -> ClipsAnswer:
+        self._refuse_without_drone()
+        clips, step = self._parts.clips, self._parts.inbox.newest
+        looks = step is not None and step.outputs.phase is Phase.LOOKING
+        wanted = TakeSnapshot(step.outputs.goal_name if step is not None and looks else "")
+        name = clips.snapshot(wanted, ClipOrigin(cause=question.by), question.at or None)
+        clips.flush(_PHOTO_PATIENCE)
+        try:
+            return ClipsAnswer((clips.index.info(name),))
+        except TaskError as error:
+            words = "the photo could not be kept: the log of the tasks says why"
+            raise TaskError(words, ReasonCode.NOT_READY.value) from error
+
+    def _webhook(self, question: Webhook) -> FiringsAnswer:
+        decisions = self.desk.heard(WebhookTrigger(question.name, self._wall(), question.by))
+        return FiringsAnswer(tuple(decision.firing for decision in decisions))
+
+    def _refuse_without_drone(self) -> None:
+        if not self._parts.has_drone:
+            raise TaskError(NO_DRONE, ReasonCode.NO_DRONE.value)
+
+    def _order(self, kind: OrderKind, by: str) -> DronePlace:
+        """Give the pilot an order of a person, for which the tasks make way; return what is true.
+
+        The order is not done yet then: the pilot tells what became of it.
+        """
+        self._refuse_without_drone()
+        now = self._clock()
+        sender, order_id = by[:NAME_LENGTH_MAX], token_hex(6)
+        self._parts.outlet.order(Order(kind, issued_at=now, sender=sender, id=order_id))
+        return drone_place(self._parts.inbox, now)
+
+    def _act(self, act: TaskAct, by: str, only_of: str = "") -> TaskStatus | None:
+        """Cancel, pause or continue the task that flies, or is next; None when there is none."""
+        with self.desk.lock:
+            engine = self._parts.engine
+            task = engine.foremost(only_of)
+            if task is None:
+                return None
+            unix = self._wall()
+            match act:
+                case TaskAct.CANCEL:
+                    return engine.cancel(task, by, unix)[0]
+                case TaskAct.PAUSE:
+                    return engine.pause(task, by, unix)
+                case TaskAct.CONTINUE:
+                    return engine.proceed(task, by, unix)
+
+
+class _RequestRate:
+    """A bucket of requests a surface on which nobody may be looking; thread-safe.
+
+    Args:
+        clock: monotonic time [s].
+    """
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock, self._lock = clock, Lock()
+        self._left: dict[RequestSurface, tuple[float, float]] = {}
+
+    def spend(self, surface: RequestSurface) -> None:
+        """Count a request; raises TaskError RATE_LIMIT when it is one too many."""
+        if surface in ATTENDED:
+            return
+        with self._lock:
+            now = self._clock()
+            left, since = self._left.get(surface, (float(AT_ONCE), now))
+            left = min(AT_ONCE, left + (now - since) / _PERIOD)
+            is_over = left < 1.0
+            self._left[surface] = (left if is_over else left - 1.0), now
+        if is_over:
+            words = f"too many requests over {surface.value}; wait {_PERIOD:.0f} s"
+            raise TaskError(words, ReasonCode.RATE_LIMIT.value)

@@ -1,0 +1,1 @@
+"""The room, its tasks and its places over HTTP."""

@@ -1,0 +1,1 @@
+"""Who flies, what they order, and STOP."""

@@ -1,0 +1,1 @@
+"""Logs of flights that anybody can look at again."""

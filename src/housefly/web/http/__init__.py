@@ -1,0 +1,1 @@
+"""What every request passes: bounds, pace, pages, languages."""

@@ -1,0 +1,1 @@
+"""What a browser and the server say to each other."""

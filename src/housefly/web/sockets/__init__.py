@@ -1,0 +1,1 @@
+"""The WebSocket of a console: what each message does, and what all are sent."""

@@ -1,0 +1,76 @@
+"""The console's WebSocket, one reader and one writer a browser, and STOP without a socket."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import BaseRoute, Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from housefly.web.access.session import Session
+from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol
+from housefly.web.sockets.console import Console
+from housefly.web.viewers.viewer import Viewer
+
+
+def console_routes(console: Console, auth: SessionAuth) -> list[BaseRoute]:
+    """Return ``/socket`` and ``/stop``."""
+
+    async def socket(websocket: WebSocket) -> None:
+        if session := await auth.admit(websocket):
+            with console.seats.taken(session.owner) as seated:
+                await _serve(websocket, console, session, seated=seated)
+
+    async def stop(request: Request) -> Response:
+        session = auth.session_of(request) if auth.is_own_page(request) else None
+        if session is None:
+            return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
+        console.stop(session.user or "a browser without a socket", session.name)
+        return JSONResponse({"stopped": True})
+
+    return [WebSocketRoute("/socket", socket), Route("/stop", stop, methods=["POST"])]
+
+
+HELLO_TIMEOUT = 10.0
+"""A socket that has not said hello by then [s] is closed."""
+
+
+_READ_AT_ONCE, _FLOOD_PAUSE = 20, 0.02
+"""After so many refused messages a socket is not read for a moment [s]."""
+
+
+def _expect_hello(viewer: Viewer) -> None:
+    if not viewer.present:
+        viewer.close(1008, "a browser says hello first")
+
+
+async def _serve(websocket: WebSocket, console: Console, session: Session, *, seated: bool) -> None:
+    """Carry messages both ways until either side leaves."""
+    if not seated:
+        await websocket.close(1013, "too many viewers, in all or of this browser")
+        return
+    viewer = Viewer(websocket, session)
+    await websocket.accept(chosen_subprotocol(websocket))
+    console.viewers.add(viewer)
+    hello = asyncio.get_running_loop().call_later(HELLO_TIMEOUT, _expect_hello, viewer)
+    writer = asyncio.create_task(viewer.write())
+    try:
+        # The writer ends when the console closes this viewer; reading ends with it.
+        while not writer.done():
+            message = await websocket.receive()
+            if message["type"] == "websocket.disconnect":
+                break
+            console.receive(viewer, message.get("text") or "")
+            # Messages that wait in a queue are taken without waiting: others must have their turn.
+            # Whoever sends too much is read slowly, so that the network holds it back.
+            slow = viewer.limiter.refused % _READ_AT_ONCE == _READ_AT_ONCE - 1
+            await asyncio.sleep(_FLOOD_PAUSE if slow else 0.0)
+    finally:
+        hello.cancel()
+        console.remove_viewer(viewer)
+        writer.cancel()
+        with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
+            await writer

@@ -1,0 +1,1 @@
+"""What the console knows of the drone, and says in one line."""

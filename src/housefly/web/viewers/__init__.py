@@ -1,0 +1,1 @@
+"""The open consoles: who they are, and the queue to each."""
