@@ -21,6 +21,7 @@ from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
 from housefly.lab.lockstep.lockstep_perception import own_footprint
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
+from housefly.messages.words import literal
 from housefly.perception.laser_tracker import LaserTracker
 from housefly.perception.sight import Sight
 from housefly.room.tracked import untracked
@@ -85,7 +86,7 @@ class PerceptionProcess:
 
     def _laser(self, name: str, client: LaserClient) -> SensorReport:
         now, rate = self._clock.now(), self._rates[name]
-        problem = client.problem or self._doubts.get(name, "")
+        problem = client.problem or literal(self._doubts.get(name, ""))
         return SensorReport(
             name, "laser scanner", client.connected, rate.rate_hz(now), rate.age(now), problem
         )
