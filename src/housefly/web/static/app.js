@@ -1,1 +1,1 @@
-import"./chunk-chunk-3EKDO2TE.js";
+import"./chunk-chunk-47SXU5KT.js";
