@@ -42,10 +42,14 @@ from housefly.messages import (
     VideoFrame,
 )
 from housefly.messages.steering import commanded
+from housefly.messages.words import Words, literal
 
 numbers = st.floats(allow_nan=False)
 vectors = st.tuples(numbers, numbers, numbers)
-words = st.lists(st.text(max_size=30), max_size=3).map(tuple)
+problems = st.text(max_size=30).map(literal) | st.builds(
+    lambda name: Words("not connected to {name} yet", name=name), st.text(max_size=30)
+)
+words = st.lists(problems, max_size=3).map(tuple)
 motions = st.builds(KnownMotion, numbers, numbers, numbers, numbers, st.booleans()) | st.builds(
     KnownMotion, theta=numbers, phi=numbers, hovers=st.booleans()
 )
@@ -83,25 +87,32 @@ cameras = st.builds(
     height=st.integers(16, 8192),
     ahead=st.floats(-1.0, 1.0),
 )
-abilities = st.builds(
-    Capabilities,
-    setpoints=st.lists(st.sampled_from(SetpointForm)).map(
-        lambda others: (SetpointForm.VELOCITY, *others)
-    ),
-    manoeuvres=st.frozensets(st.sampled_from(OwnManoeuvre)),
-    measures=st.frozensets(st.sampled_from(OwnMeasurement)),
-    arms=st.booleans(),
-    external_pose_rate=st.none() | st.floats(0.1, 1000.0),
-    light=st.booleans(),
-    camera=st.none() | cameras,
-    silence=st.builds(Silence, after=st.floats(0.0, 60.0), answer=st.sampled_from(SilenceAnswer)),
+forms = st.lists(st.sampled_from(SetpointForm), min_size=1).map(tuple)
+rates = st.floats(0.1, 1000.0)
+told_places = st.tuples(forms, rates) | st.tuples(
+    forms.filter(lambda some: SetpointForm.POSITION not in some), st.none()
+)
+abilities = told_places.flatmap(
+    lambda told: st.builds(
+        Capabilities,
+        setpoints=st.just(told[0]),
+        external_pose_rate=st.just(told[1]),
+        manoeuvres=st.frozensets(st.sampled_from(OwnManoeuvre)),
+        measures=st.frozensets(st.sampled_from(OwnMeasurement)),
+        arms=st.booleans(),
+        light=st.booleans(),
+        camera=st.none() | cameras,
+        silence=st.builds(
+            Silence, after=st.floats(0.0, 60.0), answer=st.sampled_from(SilenceAnswer)
+        ),
+    )
 )
 states = st.builds(
     DriverStatus,
     st.booleans(),
     st.booleans(),
     numbers,
-    st.text(max_size=50),
+    problems,
     st.none() | abilities,
 )
 lights = st.builds(LightOrder, st.booleans())

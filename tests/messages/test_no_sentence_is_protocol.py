@@ -24,8 +24,7 @@ from housefly import messages
 from housefly.messages.words import Words
 from housefly.pilot.behavior import mission
 from housefly.pilot.safety import gate
-from housefly.web.sockets import server_messages
-from housefly.web.status import verdict_message
+from housefly.web.messages import server_messages, verdict_message
 
 COMMON = {"text", "words", "value", "limit", "title", "place", "fault", "why", "known"}
 OWNERS = {"event", "trouble", "rule", "refused", "answer", "failing", "check", "verdict", "stop"}

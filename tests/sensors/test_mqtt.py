@@ -182,9 +182,7 @@ async def test_a_message_larger_than_any_devices_never_reaches_us(broker, listen
         assert not heard.knows("floor-1")
 
 
-@pytest.mark.parametrize(
-    ("offset", "side"), [(3600.0, "3600 s ahead of"), (-7200.0, "7200 s behind")]
-)
+@pytest.mark.parametrize(("offset", "side"), [(3600.0, "3600 s ahead"), (-7200.0, "7200 s behind")])
 async def test_a_time_from_the_future_or_the_far_past_is_refused_and_counted(
     broker, listen, until, offset, side
 ):
@@ -195,7 +193,7 @@ async def test_a_time_from_the_future_or_the_far_past_is_refused_and_counted(
         assert seen.captured_at == seen.received_at
         assert dict(seen.facts)["clock_error"] == pytest.approx(offset, abs=2.0)
         assert heard.counts("entrance-door")["clock refused"] == 1
-        assert f"its clock is {side} ours" in heard.health("entrance-door").problem
+        assert f"its clock is {side};" in heard.health("entrance-door").problem
 
 
 async def test_a_device_that_freezes_grows_old_and_its_health_says_so(broker, listen, until):

@@ -86,7 +86,7 @@ async def test_a_system_that_falls_silent_is_named_and_asked_again(
     async with bench.running(tracker.run(frames.append)):
         async with bench.running(feed(server)):
             await bench.until(lambda: len(frames) >= 3)
-        await bench.until(lambda: "no new poses" in tracker.problem)
+        await bench.until(lambda: "nothing new arrives" in tracker.problem)
         await bench.until(lambda: "silent" in tracker.problem)
         frames.clear()
         async with bench.running(feed(server)):

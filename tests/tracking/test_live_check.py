@@ -10,8 +10,9 @@ from tracking_bench import Bench
 from housefly.app.new_site.live import hear_tracking
 from housefly.clock import RealClock
 from housefly.config.tracking import TrackingConfig
+from housefly.messages.words import UNSAID
 from housefly.room.draft.model import DraftTracking
-from housefly.tracking.counts import UNIT_QUESTION
+from housefly.tracking.counts import UNIT_QUESTION, FrameCounts
 from housefly.tracking.live_check import Heard, HeardBody, heard_from, heard_words
 from housefly.tracking.vicon import ViconTracker
 from housefly.twin.mocap.vicon_server import ViconServer
@@ -57,10 +58,12 @@ async def test_a_server_without_bodies_says_so(loopback: str) -> None:
 
 
 def test_poses_in_millimetres_are_asked_about_and_markers_are_not() -> None:
-    far = Heard("vrpn", 100.0, (HeardBody("ardrone", (400.0, 300.0, 50.0), 0.0, 100.0, 0.0),), "")
-    assert UNIT_QUESTION in heard_words(far, "ardrone")[-1]
-    refused = Heard(
-        "vrpn", 100.0, (), f"poses are refused, 'ardrone' at (3200, 0, 0) m: {UNIT_QUESTION}"
+    far = Heard(
+        "vrpn", 100.0, (HeardBody("ardrone", (400.0, 300.0, 50.0), 0.0, 100.0, 0.0),), UNSAID
     )
+    assert UNIT_QUESTION in heard_words(far, "ardrone")[-1]
+    counts = FrameCounts()
+    counts.refuse("ardrone", (3200.0, 0.0, 0.0), 1.0)
+    refused = Heard("vrpn", 100.0, (), counts.unit_problem(1.0))
     told = " ".join(heard_words(refused, "ardrone"))
     assert UNIT_QUESTION in told and "uncover" not in told

@@ -67,7 +67,7 @@ async def test_the_client_comes_back_when_the_server_does(loopback: str) -> None
         await until(lambda: "nobody answers" in tracker.problem)
         assert (
             tracker.problem
-            == f"nobody answers at {loopback}:8010; is the Vicon Tracker running and streaming?"
+            == f"nobody answers at {loopback}:8010; is Vicon Tracker running, and does it stream?"
         )
         for _ in range(2):
             frames.clear()
@@ -86,7 +86,7 @@ async def test_a_server_without_frames_is_named(loopback: str) -> None:
     await server.start()
     tracker = ViconTracker(config(loopback))
     async with running(tracker.run(lambda frame: None)):
-        await until(lambda: "no frames arrive" in tracker.problem)
+        await until(lambda: "nothing new arrives" in tracker.problem)
         assert not tracker.connected
     await server.stop()
 

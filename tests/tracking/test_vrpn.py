@@ -239,7 +239,7 @@ async def test_a_server_that_freezes_is_named_and_connected_to_anew(
         saying(loopback, freeze) as connections,
         bench.running(tracker.run(lambda frame: None)),
     ):
-        await bench.until(lambda: "no new poses arrive" in tracker.problem)
+        await bench.until(lambda: "nothing new arrives" in tracker.problem)
         assert not tracker.connected
         await bench.until(lambda: "silent" in tracker.problem)
         await bench.until(lambda: len(connections) >= 2)
@@ -319,7 +319,7 @@ async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(
     frames: list[tuple[Sighting, ...]] = []
     async with saying(loopback, flood), bench.running(tracker.run(frames.append)):
         await bench.until(lambda: tracker.counts.flooded > 1000)
-        assert "more than 2000 messages a second" in tracker.problem
+        assert "more than 2000 frames a second" in tracker.problem
     assert tracker.counts.frames < 20_000
 
 

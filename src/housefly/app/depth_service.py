@@ -12,6 +12,7 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import DEPTH_TOPIC, OBSTACLE_TOPIC
 from housefly.clock import Clock
 from housefly.messages import DepthImage, SensorReport
+from housefly.messages.words import UNSAID, Words, literal
 from housefly.perception.depth_tracker import DepthTracker
 from housefly.perception.laser_tracker import OwnFootprint
 from housefly.perception.sensor_freshness import SensorFreshness
@@ -59,7 +60,9 @@ class DepthService:
     def _report(self, name: str, rate: MessageRate, now: float) -> SensorReport:
         age = rate.age(now)
         is_sending = age <= CAMERA_SILENT_AFTER
-        problem = self._refusal(name, now) or ("" if is_sending else f"{name}: no depth images")
+        problem = self._refusal(name, now) or (
+            UNSAID if is_sending else Words("{name}: no depth images", name=name)
+        )
         return SensorReport(name, "depth camera", is_sending, rate.rate_hz(now), age, problem)
 
     def _strangers(self, now: float) -> tuple[SensorReport, ...]:
@@ -70,9 +73,9 @@ class DepthService:
             else ()
         )
 
-    def _refusal(self, name: str, now: float) -> str:
+    def _refusal(self, name: str, now: float) -> Words:
         words, at = self._refused[name]
-        return words if now - at < REFUSED_IMAGE_SHOWN_FOR else ""
+        return literal(words) if now - at < REFUSED_IMAGE_SHOWN_FOR else UNSAID
 
     def close(self) -> None:
         """Stop listening."""

@@ -22,6 +22,7 @@ from housefly.config.site import Site
 from housefly.config.text import without_numbers
 from housefly.lab.lockstep.lockstep_perception import own_footprints
 from housefly.messages import DroneStatus, PilotStep, Scan, SensorReport, SightNews
+from housefly.messages.words import literal
 from housefly.perception.laser_tracker import LaserTracker, OwnFootprint
 from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.tracked import untracked
@@ -95,7 +96,7 @@ class PerceptionProcess:
 
     def _laser(self, name: str, client: LaserClient) -> SensorReport:
         now, rate = self._clock.now(), self._rates[name]
-        problem = client.problem or self._doubts.get(name, "")
+        problem = client.problem or literal(self._doubts.get(name, ""))
         return SensorReport(
             name, "laser scanner", client.connected, rate.rate_hz(now), rate.age(now), problem
         )

@@ -10,9 +10,11 @@ import aiomqtt
 from paho.mqtt.packettypes import PacketTypes
 from paho.mqtt.properties import Properties
 
+from housefly.bus.reconnect import connection_lost
 from housefly.config.devices import MqttConfig
 from housefly.config.text import read_text_file
 from housefly.errors import ConfigError
+from housefly.messages.words import Words
 
 MQTT_ERRORS = (aiomqtt.MqttError, OSError, UnicodeError)
 """What a connection may raise; UnicodeError comes from a malformed broker name."""
@@ -76,34 +78,46 @@ def read_password(config: MqttConfig) -> str | None:
         ) from error
 
 
-async def mqtt_problem(error: Exception, config: MqttConfig, was_connected: bool) -> str:
-    """Return why there is no connection and what to do about it, in words.
+async def mqtt_problem(error: Exception, config: MqttConfig, was_connected: bool) -> Words:
+    """Return why there is no connection and what to do about it.
 
     Where a broker does not say why, it is asked which version of the protocol it speaks.
     """
     at = f"{config.broker}:{config.port}"
-    where = f"the MQTT broker at {at}"
     code = getattr(getattr(error, "rc", None), "value", getattr(error, "rc", None))
     if code in _REFUSED:
-        return f"{where} refuses us; check mqtt.username and mqtt.password_file"
+        return Words(
+            "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file",
+            name=at,
+        )
     if was_connected:
-        return f"the connection to {where} was lost"
+        return connection_lost(f"MQTT {at}")
     if isinstance(code, int) and code >= _REASONS and code != _OTHER_VERSION:
-        return f"{where} refuses us ({error})"
+        return Words("the MQTT broker at {name} refuses us ({error})", name=at, error=str(error))
     try:
         speaks = await _spoken_version(config)
     except (OSError, UnicodeError):
-        return f"no MQTT broker answers at {at}; is it running (mosquitto), is mqtt.port right?"
-    if speaks == _MQTT_5:
-        return f"{where} answers, but no connection comes about ({error})"
-    if speaks:
-        return (
-            f"{where} speaks MQTT {speaks} and not MQTT 5, which Housefly speaks; update it"
-            " (mosquitto from 1.6 on)"
+        return Words(
+            "no MQTT broker answers at {name}; is it running (mosquitto), is mqtt.port right?",
+            name=at,
         )
-    return (
-        f"something answers at {at}, but not as an MQTT broker without TLS does; is"
-        " mqtt.port right?"
+    if speaks == _MQTT_5:
+        return Words(
+            "the MQTT broker at {name} answers, but no connection comes about ({error})",
+            name=at,
+            error=str(error),
+        )
+    if speaks:
+        return Words(
+            "the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks;"
+            " update it (mosquitto from 1.6 on)",
+            name=at,
+            version=speaks,
+        )
+    return Words(
+        "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port"
+        " right?",
+        name=at,
     )
 
 

@@ -11,6 +11,7 @@ from typing import ClassVar, Generic, NoReturn, TypeVar
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_traceback
 from housefly.errors import LinkError, MissingPartError, WireError
+from housefly.messages.words import UNSAID, Words, error_words
 
 DATA_AGE_MAX = 1.0
 """A client is connected while its newest data are at most this old [s]."""
@@ -43,7 +44,7 @@ class ReconnectingClient(ABC, Generic[_Item]):
         self._where = where
         self._clock = clock or RealClock()
         self._data_at = float("-inf")
-        self._problem = f"not connected to {where} yet"
+        self._problem = Words("not connected to {name} yet", name=where)
         self._pause = _FIRST_PAUSE
 
     @property
@@ -52,9 +53,9 @@ class ReconnectingClient(ABC, Generic[_Item]):
         return self._clock.now() - self._data_at <= DATA_AGE_MAX
 
     @property
-    def problem(self) -> str:
-        """Why no data arrive, in words, or ""."""
-        return self._problem or ("" if self.connected else self._no_data_problem())
+    def problem(self) -> Words:
+        """Why no data arrive; UNSAID while they do."""
+        return self._problem or (UNSAID if self.connected else self._no_data_problem())
 
     async def run(self, sink: Callable[[_Item], None]) -> NoReturn:
         """Connect and read for ever; ends only when cancelled."""
@@ -65,10 +66,14 @@ class ReconnectingClient(ABC, Generic[_Item]):
                 self.malformed += 1
                 self._problem = self._protocol_problem(error)
             except (LinkError, MissingPartError) as error:
-                self._problem = str(error)
+                self._problem = error_words(error)
             except Exception as error:
                 # Nobody waits for this task: a defect here would end all data in silence.
-                self._problem = f"{self._where}: reading failed ({type(error).__name__}: {error})"
+                self._problem = Words(
+                    "{name}: reading failed ({error})",
+                    name=self._where,
+                    error=f"{type(error).__name__}: {error}",
+                )
                 log_traceback()
             stop_if_cancelled()
             await asyncio.sleep(self._pause)
@@ -78,13 +83,13 @@ class ReconnectingClient(ABC, Generic[_Item]):
     async def _read_connection(self, sink: Callable[[_Item], None]) -> None:
         """Read one connection to its end; raises LinkError, WireError or MissingPartError."""
 
-    def _protocol_problem(self, error: WireError) -> str:
-        """Return why the other side's bytes make no sense, in words."""
-        return str(error)
+    def _protocol_problem(self, error: WireError) -> Words:
+        """Return why the other side's bytes make no sense."""
+        return error_words(error)
 
-    def _no_data_problem(self) -> str:
-        """Return why an open connection brings no data, in words."""
-        return f"connected to {self._where}, but it is silent"
+    def _no_data_problem(self) -> Words:
+        """Return why an open connection brings no data."""
+        return Words("connected to {name}, but it is silent", name=self._where)
 
     def _data_arrived(self, now: float) -> None:
         """Note new data [s]; the next reconnection begins soon."""
@@ -97,13 +102,18 @@ class ReconnectingClient(ABC, Generic[_Item]):
         try:
             yield stream
         except (asyncio.IncompleteReadError, OSError) as error:
-            raise LinkError(f"the connection to {self._where} was lost") from error
+            raise LinkError(connection_lost(self._where)) from error
         finally:
             stream[1].transport.abort()
 
     async def _before_timeout(self, reading: Awaitable[_Result], silence: str) -> _Result:
         """Await a read; raises LinkError with this text after ``SILENCE_TIMEOUT``."""
         return await within(self.SILENCE_TIMEOUT, reading, silence)
+
+
+def connection_lost(where: str) -> Words:
+    """Return that a connection ended."""
+    return Words("the connection to {name} was lost", name=where)
 
 
 def stop_if_cancelled() -> None:

@@ -72,7 +72,7 @@ class Drone(Protocol):
 
     @property
     def problem(self) -> str:
-        """What is wrong with drone or link, in words, or ""."""
+        """What is wrong with drone or link, a text or words; "" for nothing."""
         ...
 
     def show_recording(self, records: bool) -> None:
@@ -128,7 +128,7 @@ class DroneDriver(Drone, Protocol):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is not as it should be with the drone's settings, in words."""
+        """What is not as it should be with the drone's settings, each a text or words."""
         ...
 
     def abandon(self) -> None:

@@ -32,6 +32,7 @@ from housefly.messages import (
     VideoFrame,
 )
 from housefly.messages.steering import commanded, numbers_of
+from housefly.messages.words import UNSAID, Words, from_tree, tree
 
 _MAGIC = b"HFd1"
 _COMMAND = struct.Struct("<BBd4d???4d")
@@ -75,14 +76,14 @@ class DriverStatus:
     Attributes:
         connected, video_connected: whether reports arrive, and pictures.
         telemetry_rate_hz: reports per second.
-        problem: what is wrong, in words, or "".
+        problem: what is wrong; UNSAID for nothing.
         capabilities: what the drone can do; None before that is known.
     """
 
     connected: bool = False
     video_connected: bool = False
     telemetry_rate_hz: float = 0.0
-    problem: str = ""
+    problem: Words = UNSAID
     capabilities: Capabilities | None = None
 
 
@@ -187,15 +188,15 @@ def _telemetry(body: bytes) -> Telemetry:
 
 
 @lru_cache(maxsize=16)
-def _words_bytes(faults: tuple[DroneFault, ...], notes: tuple[str, ...]) -> bytes:
+def _words_bytes(faults: tuple[DroneFault, ...], notes: tuple[Words, ...]) -> bytes:
     """Return the words of a report, which are the same in most."""
-    return json.dumps([[fault.value for fault in faults], notes]).encode()
+    return json.dumps([[fault.value for fault in faults], [*map(tree, notes)]]).encode()
 
 
 @lru_cache(maxsize=16)
-def _words(data: bytes) -> tuple[tuple[DroneFault, ...], tuple[str, ...]]:
+def _words(data: bytes) -> tuple[tuple[DroneFault, ...], tuple[Words, ...]]:
     faults, notes = json.loads(data)
-    return tuple(map(DroneFault, faults)), tuple(map(str, notes))
+    return tuple(map(DroneFault, faults)), tuple(map(from_tree, notes))
 
 
 def _status_bytes(status: DriverStatus) -> bytes:
@@ -209,16 +210,16 @@ def _status(body: bytes) -> DriverStatus:
 
 
 @lru_cache(maxsize=16)
-def _health_bytes(problem: str, capabilities: Capabilities | None) -> bytes:
+def _health_bytes(problem: Words, capabilities: Capabilities | None) -> bytes:
     """Return what seldom changes of a driver's health."""
     able = None if capabilities is None else capabilities.model_dump(mode="json")
-    return json.dumps([problem, able]).encode()
+    return json.dumps([tree(problem), able]).encode()
 
 
 @lru_cache(maxsize=16)
-def _health(data: bytes) -> tuple[str, Capabilities | None]:
+def _health(data: bytes) -> tuple[Words, Capabilities | None]:
     problem, able = json.loads(data)
-    return str(problem), None if able is None else Capabilities.model_validate(able)
+    return from_tree(problem), None if able is None else Capabilities.model_validate(able)
 
 
 def _video_bytes(frame: VideoFrame) -> bytes:

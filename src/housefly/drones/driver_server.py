@@ -28,6 +28,7 @@ from housefly.drones.failsafe import LAND_AFTER
 from housefly.errors import LinkError, WireError
 from housefly.messages import Action, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import literal
 
 if TYPE_CHECKING:
     from housefly.drones.contract import DroneDriver
@@ -168,7 +169,7 @@ class DriverServer:
             drone.connected,
             drone.video_connected,
             drone.telemetry_rate_hz,
-            drone.problem,
+            literal(drone.problem),
             drone.capabilities,
         )
 

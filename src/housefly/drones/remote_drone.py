@@ -25,7 +25,9 @@ from housefly.drones.driver_messages import (
 from housefly.errors import LinkError, WireError
 from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
 from housefly.messages.sensing import REPORT_AGE_MAX
+from housefly.messages.words import Words
 
+_UNREACHED = Words("the driver's process does not answer (its log: driver.log)")
 _CONNECT_TIMEOUT = 5.0
 """How long ``connect`` waits for the driver [s]."""
 _RECONNECT_PAUSE = 0.05
@@ -66,7 +68,7 @@ class RemoteDrone(asyncio.Protocol):
             async with asyncio.timeout(_CONNECT_TIMEOUT):
                 await self._reached.wait()
         except TimeoutError as error:
-            raise LinkError(self._unreached) from error
+            raise LinkError(_UNREACHED) from error
 
     async def close(self) -> None:
         """End the connection; in the air the driver takes that as a pilot that is gone."""
@@ -117,9 +119,9 @@ class RemoteDrone(asyncio.Protocol):
         return self._status.video_connected
 
     @property
-    def problem(self) -> str:
-        """What is wrong with drone, driver or link, in words, or ""."""
-        return self._status.problem if self._reached.is_set() else self._unreached
+    def problem(self) -> Words:
+        """What is wrong with drone, driver or link; UNSAID for nothing."""
+        return self._status.problem if self._reached.is_set() else _UNREACHED
 
     def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
         """Call the handler with each picture from the first key frame on."""
@@ -173,7 +175,3 @@ class RemoteDrone(asyncio.Protocol):
                 await loop.create_unix_connection(lambda: self, str(self._path))
                 await self._lost.wait()
             await asyncio.sleep(_RECONNECT_PAUSE)
-
-    @property
-    def _unreached(self) -> str:
-        return "the driver's process does not answer (its log: driver.log)"

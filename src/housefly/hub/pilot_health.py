@@ -8,10 +8,11 @@ from math import inf
 from housefly.clock import Clock
 from housefly.config.drone import DRONE_NAME
 from housefly.messages import PilotStep, Sighting
+from housefly.messages.words import UNSAID, Words
 from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.message_rate import MessageRate
 
-_NO_PILOT = "the pilot is not heard"
+_NO_PILOT = Words("the pilot is not heard")
 _SILENT_AFTER = 1.0
 """A source silent for longer is a problem [s]."""
 
@@ -56,14 +57,14 @@ class PilotHealth:
                     "mocap",
                     "motion capture",
                     self._frames,
-                    "no body is seen; is the tracking system live?",
+                    Words("no body is seen; is the tracking system live?"),
                 ),
                 (
                     self._drone,
                     "drone",
                     "the drone's own report",
                     self._reports,
-                    "the drone is silent; is it switched on?",
+                    Words("the drone is silent; is it switched on?"),
                 ),
             )
             return tuple(
@@ -81,8 +82,8 @@ class PilotHealth:
 
 
 def _health(
-    name: str, kind: str, title: str, rate: MessageRate, now: float, words: str
+    name: str, kind: str, title: str, rate: MessageRate, now: float, words: Words
 ) -> SensorHealth:
     age = rate.age(now)
     well = age < _SILENT_AFTER
-    return SensorHealth(name, kind, title, well, rate.rate_hz(now), age, "" if well else words)
+    return SensorHealth(name, kind, title, well, rate.rate_hz(now), age, UNSAID if well else words)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from math import isfinite
 
 from housefly.hub.api.answers import ObstacleAnswer, SensorAnswer, SensorsAnswer, SituationAnswer
+from housefly.messages.words import literal
 from housefly.sensors.contracts import SensorHealth
 
 _HealthSource = Callable[[], tuple[SensorHealth, ...]]
@@ -72,6 +73,6 @@ def _sensor(health: SensorHealth) -> SensorAnswer:
         health.connected,
         health.rate_hz,
         age,
-        health.problem,
+        literal(health.problem),
         counts,
     )

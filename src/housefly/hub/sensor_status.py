@@ -8,11 +8,12 @@ from math import inf
 from housefly.clock import Clock
 from housefly.config.site import Site
 from housefly.messages import SensorReport
+from housefly.messages.words import Words
 from housefly.sensors.contracts import SensorHealth
 
 REPORT_TIMEOUT = 5.0
 """Reports come every second; after this time the reporting process counts as gone [s]."""
-NO_REPORT = "nobody listens to it; is the perception process running?"
+NO_REPORT = Words("nobody listens to it; is the perception process running?")
 
 
 class SensorStatus:

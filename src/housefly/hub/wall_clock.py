@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from threading import Lock
 
+from housefly.messages.words import Words, figure
 from housefly.sensors.contracts import SensorHealth
 
 STEP = 1.0
@@ -55,8 +56,9 @@ class WallClock:
         self.offset()
         if not self.set_back:
             return ()
-        problem = (
-            f"the machine's clock was set back by {self.set_back:.0f} s; the memory counts on from"
-            " before, so its times run ahead by that until Housefly is started again"
+        problem = Words(
+            "the machine's clock was set back by {n} s; the memory counts on from before, so its"
+            " times run ahead by that until Housefly is started again",
+            n=figure(self.set_back, ".0f"),
         )
         return (SensorHealth("clock", "clock", "the machine's clock", False, problem=problem),)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from housefly.geometry import IDENTITY, Quaternion, Vec3, yaw_of
+from housefly.messages.words import UNSAID, Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +56,7 @@ class SensorReport:
         connected: whether it sends as often as it should.
         rate_hz: its rate over the last seconds [Hz].
         age: time since it last sent [s]; infinite when never.
-        problem: what is wrong, in words, or "".
+        problem: what is wrong; UNSAID for nothing.
     """
 
     id: str
@@ -63,7 +64,7 @@ class SensorReport:
     connected: bool
     rate_hz: float
     age: float
-    problem: str
+    problem: Words = UNSAID
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,7 +127,7 @@ class Telemetry:
         faults: the drone's complaints.
         acceleration: specific force in the body [m/s^2]; None where the drone does not tell it.
         configured: its limits were written, acknowledged and read back; no take-off before.
-        notes: what is not as it should be with its settings or sensors, in words.
+        notes: what is not as it should be with its settings or sensors.
         drone_time: when the drone wrote it, by its own clock [s]; None where it does not tell it.
         hears_us: whether our commands reach the drone; so where it does not say.
     """
@@ -142,7 +143,7 @@ class Telemetry:
     faults: tuple[DroneFault, ...] = ()
     acceleration: Vec3 | None = None
     configured: bool = True
-    notes: tuple[str, ...] = ()
+    notes: tuple[Words, ...] = ()
     drone_time: float | None = None
     hears_us: bool = True
 

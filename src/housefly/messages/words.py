@@ -116,6 +116,12 @@ def literal(text: str) -> Words:
     return text if isinstance(text, Words) else _made("", (text,), "%s")
 
 
+def error_words(error: BaseException) -> Words:
+    """Return what an error says: the words that it was raised with, or its text."""
+    said_by = error.args[0] if len(error.args) == 1 else ""
+    return said_by if isinstance(said_by, Words) else literal(str(error))
+
+
 def parts_of(words: str) -> Iterator[str]:
     """Yield words and all that they are made of."""
     yield words

@@ -25,7 +25,7 @@ class SensorHealth:
         connected: whether it is there and reports as often as it should.
         rate_hz: recent messages per second [Hz].
         age: time since it was last heard [s]; infinite if never.
-        problem: what is wrong and what to do about it, in words, or "".
+        problem: what is wrong and what to do about it, a text or words; "" for nothing.
         counts: numbers of received and dropped messages, by name.
         is_offline: whether its own word, or its last will, is that it is gone.
     """
@@ -55,7 +55,7 @@ class Sensor(Protocol):
 
     @property
     def problem(self) -> str:
-        """Why it is not, in words, or ""."""
+        """Why it is not, a text or words; "" while it is."""
         ...
 
     def health(self) -> tuple[SensorHealth, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 
+from housefly.messages.words import UNSAID, Words, figure, literal
 from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.message_rate import MessageRate, TokenBucket
 from housefly.wires.devices import Channel, DeviceAddress, DeviceKind, Reading
@@ -15,6 +16,9 @@ _THINGS_KEPT = 3600.0
 """... until it has not spoken of others for this long [s]."""
 _RECENT = 5.0
 """How long a flood or a wrong clock counts as a problem after it occurred [s]."""
+
+
+_OFFLINE = Words("offline: its last will says so; is it switched on and in reach of the network?")
 
 
 class DeviceMonitor:
@@ -31,10 +35,10 @@ class DeviceMonitor:
         self._rate, self._bucket = MessageRate(), TokenBucket(rate_max_hz)
         self._things: dict[str, float] = {}
         self._online: bool | None = None
-        self._complaints: dict[str, tuple[float, str]] = {}
+        self._complaints: dict[str, tuple[float, Words]] = {}
         self._last_state = b""
-        self._refusals: dict[Channel, str] = {}
-        self._partial = ""
+        self._refusals: dict[Channel, Words] = {}
+        self._partial = UNSAID
 
     @property
     def kind(self) -> DeviceKind:
@@ -48,7 +52,10 @@ class DeviceMonitor:
         self._note(
             "flooded",
             now,
-            f"sends more than {self._rate_max:g} messages a second; the rest is dropped",
+            Words(
+                "sends more than {n} messages a second; the rest is dropped",
+                n=figure(self._rate_max, "g"),
+            ),
         )
         return False
 
@@ -59,7 +66,8 @@ class DeviceMonitor:
                 known: at for known, at in self._things.items() if now - at < _THINGS_KEPT
             }
             if len(self._things) >= MAX_THINGS:
-                self._note("too many things", now, f"speaks of more than {MAX_THINGS} things")
+                words = Words("speaks of more than {n} things", n=figure(MAX_THINGS))
+                self._note("too many things", now, words)
                 return False
         self._things[thing] = now
         return True
@@ -78,16 +86,16 @@ class DeviceMonitor:
         if reading.absent:
             self.counts["without a value"] += 1
             if not self.counts["heard"]:  # a topic may carry other messages between the values
-                self._refusals[channel] = reading.absent
+                self._refusals[channel] = literal(reading.absent)
             return
         self.counts["unknown keys"] += len(reading.unknown)
         if reading.refused:
             self.counts["not understood"] += 1
         if not reading.is_understood:
-            self._refusals[channel] = reading.refused[0]
+            self._refusals[channel] = literal(reading.refused[0])
             return
         if channel is Channel.STATE:
-            self._partial = next(iter(reading.refused), "")
+            self._partial = literal(next(iter(reading.refused), ""))
         self.counts["heard"] += 1
         self._refusals.pop(channel, None)
         if reading.online is not None:
@@ -96,23 +104,24 @@ class DeviceMonitor:
             self._online = True
             self._rate.add(now)
         if reading.clock_error is not None:
-            side = "ahead of" if reading.clock_error > 0 else "behind"
-            text = (
-                f"its clock is {abs(reading.clock_error):.0f} s {side} ours; times of arrival are"
-                " taken instead"
+            off = figure(abs(reading.clock_error), ".0f")
+            words = (
+                Words("its clock is {n} s ahead; times of arrival are taken instead", n=off)
+                if reading.clock_error > 0
+                else Words("its clock is {n} s behind; times of arrival are taken instead", n=off)
             )
-            self._note("clock refused", now, text)
+            self._note("clock refused", now, words)
 
     def record_past_event(self) -> None:
         """Record an event that the broker retained: it is over."""
         self.counts["past events"] += 1
 
-    def record_malformed(self, complaint: str, channel: Channel = Channel.STATE) -> None:
+    def record_malformed(self, complaint: Words, channel: Channel = Channel.STATE) -> None:
         """Record a message that could not be decoded; it stays a problem until a good one comes."""
         self.counts["malformed"] += 1
         self._refusals[channel] = complaint
 
-    def health(self, now: float, link_problem: str) -> SensorHealth:
+    def health(self, now: float, link_problem: Words) -> SensorHealth:
         """Return the health of the device; it cannot be healthy without the broker."""
         problem = link_problem or self._problem(now)
         quiet = self._is_silent(now) or self._online is False or Channel.STATE in self._refusals
@@ -128,42 +137,43 @@ class DeviceMonitor:
             is_offline=self._online is False,
         )
 
-    def _problem(self, now: float) -> str:
+    def _problem(self, now: float) -> Words:
         """Return the most serious problem."""
-        checks: tuple[Callable[[float], str], ...] = (
+        checks: tuple[Callable[[float], Words], ...] = (
             self._absence,
             self._refusal,
             self._latest_complaint,
             self._silence,
         )
-        return next((words for check in checks if (words := check(now))), "")
+        return next((words for check in checks if (words := check(now))), UNSAID)
 
-    def _absence(self, now: float) -> str:
-        return (
-            "offline: its last will says so; is it switched on and in reach of the network?"
-            if self._online is False
-            else ""
-        )
+    def _absence(self, now: float) -> Words:
+        return _OFFLINE if self._online is False else UNSAID
 
-    def _refusal(self, now: float) -> str:
+    def _refusal(self, now: float) -> Words:
         """Return what of the last messages was refused; it stays until a good one comes."""
         return next(iter(self._refusals.values()), self._partial)
 
-    def _latest_complaint(self, now: float) -> str:
+    def _latest_complaint(self, now: float) -> Words:
         recent = [(at, text) for at, text in self._complaints.values() if now - at <= _RECENT]
-        return max(recent)[1] if recent else ""
+        return max(recent)[1] if recent else UNSAID
 
-    def _silence(self, now: float) -> str:
+    def _silence(self, now: float) -> Words:
         if not self._is_silent(now):
-            return ""
-        age = self._rate.age(now)
-        since = f"silent for {age:.0f} s" if age < float("inf") else "not heard yet"
-        return f"{since}; it sends its state at least every {self._kind.heartbeat:g} s"
+            return UNSAID
+        age, every = self._rate.age(now), figure(self._kind.heartbeat, "g")
+        if age == float("inf"):
+            return Words("not heard yet; it sends its state at least every {k} s", k=every)
+        return Words(
+            "silent for {n} s; it sends its state at least every {k} s",
+            n=figure(age, ".0f"),
+            k=every,
+        )
 
     def _is_silent(self, now: float) -> bool:
         return self._rate.age(now) > 2 * self._kind.heartbeat
 
-    def _note(self, count: str, now: float, text: str) -> None:
+    def _note(self, count: str, now: float, text: Words) -> None:
         self.counts[count] += 1
         self._complaints[count] = (now, text)
 

@@ -14,6 +14,7 @@ from housefly.clock import Clock
 from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
+from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.sensors.scan_clock import ScanClock
 from housefly.wires.scip import (
@@ -60,18 +61,26 @@ class LaserClient(ReconnectingClient[Scan]):
         self._config = config
         self._stamp, self._scan_clock, self._unread = -1, ScanClock(), b""
 
-    def _no_data_problem(self) -> str:
-        return f"connected to {self._where}, but no scans arrive"
+    def _no_data_problem(self) -> Words:
+        return Words("connected to {name}, but no scans arrive", name=self._where)
 
-    def _protocol_problem(self, error: WireError) -> str:
-        return f"what answers at {self._where} does not speak SCIP ({error})"
+    def _protocol_problem(self, error: WireError) -> Words:
+        return Words(
+            "what answers at {name} does not speak {protocol} ({error})",
+            name=self._where,
+            protocol="SCIP",
+            error=str(error),
+        )
 
     async def _read_connection(self, sink: Callable[[Scan], None]) -> None:
         stream = await open_tcp(
             self._config.address,
             self._config.port,
             _CONNECT_TIMEOUT,
-            f"nobody answers at {self._where}; is the scanner on, and in this network?",
+            Words(
+                "nobody answers at {name}; is it switched on, and in this network?",
+                name=self._where,
+            ),
             limit=MAX_REPLY,
         )
         async with self._open(stream) as (reader, writer):
@@ -83,7 +92,7 @@ class LaserClient(ReconnectingClient[Scan]):
                 raise LinkError(
                     f"the scanner at {self._where} does not measure (status {answer.status})"
                 )
-            self.parameters, self._stamp, self._problem = parameters, -1, ""
+            self.parameters, self._stamp, self._problem = parameters, -1, UNSAID
             self._scan_clock, self._unread = ScanClock(), b""
             while True:
                 found = decode_measurement(await self._newest_reply(reader))

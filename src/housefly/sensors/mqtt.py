@@ -16,6 +16,7 @@ from housefly.clock import Clock
 from housefly.config.devices import MqttConfig
 from housefly.errors import ConfigError, LinkError, WireError
 from housefly.messages import Observation, RoomEvent
+from housefly.messages.words import UNSAID, Words, error_words
 from housefly.sensors.contracts import SensorHealth, SensorSink
 from housefly.sensors.device_monitor import DeviceMonitor
 from housefly.sensors.measured_topics import MeasuredTopics
@@ -75,7 +76,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             for known in self._measured
         }
         self._rate = MessageRate()
-        self._complaint = (-inf, "")
+        self._complaint = (-inf, UNSAID)
         self._connected = False
 
     @property
@@ -84,10 +85,12 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         return self._connected
 
     @property
-    def problem(self) -> str:
-        """Why the broker is not there, or what an unknown device sent, in words, or ""."""
+    def problem(self) -> Words:
+        """Why the broker is not there, or what an unknown device sent; UNSAID for nothing."""
         at, complaint = self._complaint
-        return self._problem or (complaint if self._clock.now() - at <= _COMPLAINT_SHOWN else "")
+        return self._problem or (
+            complaint if self._clock.now() - at <= _COMPLAINT_SHOWN else UNSAID
+        )
 
     def health(self) -> tuple[SensorHealth, ...]:
         """Return the health of the link, then of each device."""
@@ -126,7 +129,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             for topic in self._measured.topics:
                 await link.subscribe(topic, qos=1)
             await link.publish(presence, b"online", qos=1, retain=True)
-            self._connected, self._problem = True, ""
+            self._connected, self._problem = True, UNSAID
             self._data_arrived(self._clock.now())
             self.counts["connections"] += 1
             async for message in link.messages:
@@ -145,7 +148,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             monitor = self._monitor(address)
         except WireError as error:
             self.counts["strange"] += 1
-            self._complaint = (now, str(error))
+            self._complaint = (now, error_words(error))
             return
         if monitor.admit(now):
             payload = message.payload if isinstance(message.payload, bytes) else b""
@@ -193,7 +196,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         try:
             reading = decode()
         except WireError as error:
-            monitor.record_malformed(str(error), message.channel)
+            monitor.record_malformed(error_words(error), message.channel)
             return
         monitor.record(reading, now, message.retained, message.channel)
         told: tuple[Observation | RoomEvent, ...] = (*reading.observations, *reading.events)

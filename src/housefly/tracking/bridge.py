@@ -22,6 +22,7 @@ from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, MissingPartError, WireError
 from housefly.messages import Sighting
+from housefly.messages.words import UNSAID, Words
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
@@ -40,18 +41,24 @@ class BridgeTracker(ReconnectingClient[tuple[Sighting, ...]]):
         self._config = config
 
     @property
-    def problem(self) -> str:
-        """Why no poses arrive, or why they are refused, in words, or ""."""
+    def problem(self) -> Words:
+        """Why no poses arrive, or why they are refused; UNSAID where all is well."""
         return self._problem or self.counts.unit_problem(self._clock.now()) or super().problem
 
-    def _no_data_problem(self) -> str:
-        return (
-            f"connected to {self._where}, but no new poses arrive; is the body seen, the system not"
-            " paused?"
+    def _no_data_problem(self) -> Words:
+        return Words(
+            "connected to {name}, but nothing new arrives; is {what} live, not paused?",
+            name=self._where,
+            what="motioncapture",
         )
 
-    def _protocol_problem(self, error: WireError) -> str:
-        return f"the bridge to {self._where} talks nonsense ({error})"
+    def _protocol_problem(self, error: WireError) -> Words:
+        return Words(
+            "what answers at {name} does not speak {protocol} ({error})",
+            name=self._where,
+            protocol="motioncapture",
+            error=str(error),
+        )
 
     async def _read_connection(self, sink: SightingSink) -> None:
         if importlib.util.find_spec("motioncapture") is None:
@@ -68,7 +75,7 @@ class BridgeTracker(ReconnectingClient[tuple[Sighting, ...]]):
                 line = await self._line(child)
                 now = self._clock.now()
                 sightings = lines.read(line, now)
-                self._problem = ""
+                self._problem = UNSAID
                 if sightings is not None:
                     self._data_arrived(now)
                     sink(sightings)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from housefly.messages import Sighting
+from housefly.messages.words import Words
 
 SightingSink = Callable[[tuple[Sighting, ...]], None]
 """Receives the sightings of one frame."""
@@ -24,6 +25,6 @@ class Tracker(Protocol):
         ...
 
     @property
-    def problem(self) -> str:
-        """Why not, in words, or ""."""
+    def problem(self) -> Words:
+        """Why not; UNSAID where all is well."""
         ...

@@ -7,9 +7,10 @@ from math import inf, isfinite
 
 from housefly.bus.reconnect import DATA_AGE_MAX
 from housefly.geometry import Vec3
+from housefly.messages.words import UNSAID, Words
 from housefly.tracking.poses import POSITION_MAX
 
-UNIT_QUESTION = "is its unit millimetres? choose metres in the tracking software"
+UNIT_QUESTION = Words("is its unit millimetres? choose metres in the tracking software")
 
 
 @dataclass(slots=True)
@@ -47,10 +48,14 @@ class FrameCounts:
         self.refused += 1
         if all(map(isfinite, position)) and max(map(abs, position)) > POSITION_MAX:
             x, y, z = position
-            self._far = f"{body!r} at ({x:.0f}, {y:.0f}, {z:.0f}) m: {UNIT_QUESTION}"
+            self._far = f"{body!r} at ({x:.0f}, {y:.0f}, {z:.0f}) m"
             self._far_at = now
 
-    def unit_problem(self, now: float) -> str:
-        """Return that poses are refused because they cannot be metres, in words, or ""."""
+    def unit_problem(self, now: float) -> Words:
+        """Return that poses are refused because they cannot be metres; UNSAID if none are."""
         recent = now - self._far_at <= DATA_AGE_MAX
-        return f"poses are refused, {self._far}" if recent else ""
+        return (
+            Words("poses are refused, {pose}: {ask}", pose=self._far, ask=UNIT_QUESTION)
+            if recent
+            else UNSAID
+        )

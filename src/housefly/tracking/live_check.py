@@ -11,6 +11,7 @@ import numpy as np
 from housefly.clock import Clock
 from housefly.geometry import Vec3
 from housefly.messages import Sighting
+from housefly.messages.words import UNSAID, Words, error_words
 from housefly.tracking.contracts import Tracker
 from housefly.tracking.counts import UNIT_QUESTION
 
@@ -53,13 +54,13 @@ class Heard:
         where: names it.
         rate_hz: frames per second; 0 when none came.
         bodies: by name.
-        problem: why nothing came, or what is wrong, in words, or "".
+        problem: why nothing came, or what is wrong; UNSAID for nothing.
     """
 
     where: str
     rate_hz: float
     bodies: tuple[HeardBody, ...]
-    problem: str
+    problem: Words
 
     def body(self, name: str) -> HeardBody | None:
         """Return a body by its name, None when it was not seen."""
@@ -96,7 +97,7 @@ async def heard_from(
 
     work = asyncio.create_task(tracker.run(take_in))
     began = clock.now()
-    problem = ""
+    problem = UNSAID
     try:
         while not work.done():
             await asyncio.sleep(0.02)
@@ -105,12 +106,12 @@ async def heard_from(
                 break
         problem = tracker.problem
         if work.done() and not work.cancelled() and (error := work.exception()) is not None:
-            problem = str(error)
+            problem = error_words(error)
     finally:
         work.cancel()
         await asyncio.gather(work, return_exceptions=True)
     if not arrivals:
-        return Heard(where, 0.0, (), problem or f"nothing came from {where}")
+        return Heard(where, 0.0, (), problem or Words("nothing came from {name}", name=where))
     length = max(clock.now() - arrivals[0], 1e-3)
     bodies = tuple(_body(name, seen[name], length) for name in sorted(seen))
     return Heard(where, len(arrivals) / length, bodies, problem)
@@ -152,7 +153,7 @@ def heard_words(heard: Heard, body: str) -> tuple[str, ...]:
         for seen in heard.bodies
         if max(map(abs, seen.position)) > _ROOM_MAX
     ]
-    if heard.body(body) is None and UNIT_QUESTION not in heard.problem:
+    if heard.body(body) is None and UNIT_QUESTION not in heard.problem.values:
         names = ", ".join(repr(seen.name) for seen in heard.bodies) or "none"
         words.append(
             f"the drone's body {body!r} is not among them (seen: {names}): uncover its markers, or"

@@ -8,6 +8,7 @@ from math import cos, sin
 from housefly.config.tracking import TrackingConfig
 from housefly.geometry import Quaternion, quaternion_from_euler, quaternion_product
 from housefly.messages import Pose, Sighting
+from housefly.messages.words import Words
 from housefly.tracking.contracts import SightingSink, Tracker
 
 
@@ -52,8 +53,8 @@ class MapFrameTracker:
         return self._inner.connected
 
     @property
-    def problem(self) -> str:
-        """Why not, in words, or ""."""
+    def problem(self) -> Words:
+        """Why not; UNSAID where all is well."""
         return self._inner.problem
 
 

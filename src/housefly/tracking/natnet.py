@@ -6,6 +6,7 @@ from housefly.bus.reconnect import ReconnectingClient
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
+from housefly.messages.words import UNSAID, Words
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.natnet_session import NatNetSession
@@ -25,14 +26,14 @@ class NatNetTracker(ReconnectingClient[tuple[Sighting, ...]]):
         self._session: NatNetSession | None = None
 
     @property
-    def problem(self) -> str:
-        """Why no poses arrive, or why some are dropped, in words, or ""."""
+    def problem(self) -> Words:
+        """Why no poses arrive, or why some are dropped; UNSAID where all is well."""
         if self._session is None or not self._session.greeted:
             return self._problem
         return (
             self._session.flood_problem
             or self.counts.unit_problem(self._clock.now())
-            or ("" if self.connected else self._session.silence)
+            or (UNSAID if self.connected else self._session.silence)
         )
 
     async def _read_connection(self, sink: SightingSink) -> None:

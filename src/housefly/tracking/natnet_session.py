@@ -8,6 +8,7 @@ from collections.abc import Callable
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, WireError
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.datagrams import DatagramReceiver, SocketAddress, multicast_receiver
@@ -74,41 +75,55 @@ class NatNetSession:
         return self._frames is not None
 
     @property
-    def flood_problem(self) -> str:
-        """That more arrives than any tracking system sends, in words, or ""."""
+    def flood_problem(self) -> Words:
+        """That more arrives than any tracking system sends; UNSAID where it does not."""
         flooded = self._clock.now() - self._flooded_at <= _GREET_AGAIN
         return (
-            f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} datagrams a second; the others"
-            " are dropped"
+            Words(
+                "{name} sends more than {n} frames a second; the rest is dropped",
+                name=self._where,
+                n=figure(FRAMES_PER_SECOND_MAX),
+            )
             if flooded
-            else ""
+            else UNSAID
         )
 
     @property
-    def silence(self) -> str:
-        """Why no new frame comes, in words."""
+    def silence(self) -> Words:
+        """Why no new frame comes."""
         now = self._clock.now()
         if now - self._arrived_at <= _GREET_AGAIN:
-            return (
-                f"frames arrive from {self._where}, but their time stands still; is Motive paused?"
+            return Words(
+                "frames arrive from {name}, but their time stands still; is {what} paused?",
+                name=self._where,
+                what="Motive",
             )
         if self._malformed:
-            return (
-                f"what arrives from {self._where} is not NatNet"
-                f" {self._version[0]}.{self._version[1]} ({self._malformed})"
+            return Words(
+                "what answers at {name} does not speak {protocol} ({error})",
+                name=self._where,
+                protocol=f"NatNet {self._version[0]}.{self._version[1]}",
+                error=self._malformed,
             )
         if self._other_host:
-            return (
-                f"frames come from {self._other_host}, not from {self._host}; set"
-                f" tracking.address to {self._other_host}"
+            return Words(
+                "frames do not come from {name}; set tracking.address to {other}",
+                name=self._host,
+                other=self._other_host,
             )
         if self._info is not None and self._info.multicast:
-            return (
-                f"{self._where} streams to the multicast group"
-                f" {self._info.group}:{self._info.data_port}, but nothing arrives at"
-                f" {self._interface}; let firewall and switch pass it, or choose unicast in Motive"
+            return Words(
+                "{name} streams to the multicast group {group}, but nothing arrives at {own}; let"
+                " firewall and switch pass it, or choose unicast in Motive",
+                name=self._where,
+                group=f"{self._info.group}:{self._info.data_port}",
+                own=self._interface,
             )
-        return f"connected to {self._where}, but it is silent; is Motive live, not paused?"
+        return Words(
+            "connected to {name}, but nothing new arrives; is {what} live, not paused?",
+            name=self._where,
+            what="Motive",
+        )
 
     async def run(self) -> None:
         """Listen until the server falls silent; raises LinkError."""
@@ -154,10 +169,19 @@ class NatNetSession:
                 return self._info
         if self._malformed:
             raise LinkError(
-                f"what answers at {self._where} does not speak NatNet ({self._malformed})"
+                Words(
+                    "what answers at {name} does not speak {protocol} ({error})",
+                    name=self._where,
+                    protocol="NatNet",
+                    error=self._malformed,
+                )
             )
         raise LinkError(
-            f"nobody answers at {self._where}; is Motive running, with streaming switched on?"
+            Words(
+                "nobody answers at {name}; is {what} running, and does it stream?",
+                name=self._where,
+                what="Motive",
+            )
         )
 
     async def _negotiate_version(self, info: ServerInfo) -> None:
@@ -203,8 +227,11 @@ class NatNetSession:
                 raise LinkError(f"another server answers at {self._where} now")
             if self._receiver.refused and quiet > _GREET_AGAIN:
                 raise LinkError(
-                    f"the server at {self._where} is gone; is Motive running, with streaming"
-                    " switched on?"
+                    Words(
+                        "nobody answers at {name}; is {what} running, and does it stream?",
+                        name=self._where,
+                        what="Motive",
+                    )
                 )
             if quiet > _GREET_AGAIN:
                 self._send(Connect(_NEWEST_VERSION))

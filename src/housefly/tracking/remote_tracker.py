@@ -11,6 +11,7 @@ from housefly.bus.private_socket import is_own_user
 from housefly.clock import Clock
 from housefly.errors import WireError
 from housefly.messages import TrackedFrame
+from housefly.messages.words import Words
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.tracking_messages import TrackerStatus, TrackingMessageReader
 
@@ -18,7 +19,7 @@ _RECONNECT_PAUSE = 0.05
 """Pause between two attempts to reach the room's process [s]."""
 _SILENT_AFTER = 1.0
 """The room's process, which tells how tracking is four times a second, does not answer [s]."""
-_UNREACHED = TrackerStatus(problem="the room's process does not answer (its log: room.log)")
+_UNREACHED = TrackerStatus(problem=Words("the room's process does not answer (its log: room.log)"))
 
 
 class RemoteTracker:
@@ -57,8 +58,8 @@ class RemoteTracker:
         return self._told().connected
 
     @property
-    def problem(self) -> str:
-        """Why not, in words, or ""."""
+    def problem(self) -> Words:
+        """Why not; UNSAID where all is well."""
         return self._told().problem
 
     def note(self, status: TrackerStatus) -> None:

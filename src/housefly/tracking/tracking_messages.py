@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -10,6 +11,7 @@ from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.private_socket import FrameCutter, framed
 from housefly.errors import WireError
 from housefly.messages import TrackedFrame
+from housefly.messages.words import UNSAID, Words, from_tree, tree
 
 _MAGIC = b"HFt1"
 _FRAME, _STATUS = 0, 1
@@ -23,11 +25,11 @@ class TrackerStatus:
 
     Attributes:
         connected: whether frames arrive.
-        problem: why not, in words, or "".
+        problem: why not; UNSAID while they do.
     """
 
     connected: bool = False
-    problem: str = ""
+    problem: Words = UNSAID
 
 
 TrackingMessage = TrackedFrame | TrackerStatus
@@ -38,7 +40,10 @@ def encode_tracking_message(message: TrackingMessage) -> bytes:
     if isinstance(message, TrackedFrame):
         kind, body = _FRAME, to_cdr(message)
     else:
-        kind, body = _STATUS, bytes([message.connected]) + message.problem.encode()
+        kind, body = (
+            _STATUS,
+            bytes([message.connected]) + json.dumps(tree(message.problem)).encode(),
+        )
     return framed(_MAGIC, kind, body)
 
 
@@ -59,8 +64,8 @@ class TrackingMessageReader:
 
 def _status(body: bytes) -> TrackerStatus:
     try:
-        return TrackerStatus(bool(body[0]), body[1:].decode())
-    except (IndexError, UnicodeDecodeError) as error:
+        return TrackerStatus(bool(body[0]), from_tree(json.loads(body[1:])))
+    except (IndexError, ValueError, RecursionError) as error:
         raise WireError(f"a tracker's status that cannot be read: {error}") from error
 
 

@@ -11,6 +11,7 @@ from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Sighting
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
@@ -64,30 +65,41 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
         self._flooded_at = -inf
 
     @property
-    def problem(self) -> str:
-        """Why no data arrive, or what is wrong with those that do, in words, or ""."""
+    def problem(self) -> Words:
+        """Why no data arrive, or what is wrong with those that do; UNSAID where all is well."""
         if not self._problem and self._clock.now() - self._flooded_at <= DATA_AGE_MAX:
-            return (
-                f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} frames a second; the rest"
-                " is dropped"
+            return Words(
+                "{name} sends more than {n} frames a second; the rest is dropped",
+                name=self._where,
+                n=figure(FRAMES_PER_SECOND_MAX),
             )
         return super().problem
 
-    def _no_data_problem(self) -> str:
-        return (
-            f"connected to {self._where}, but no frames arrive; is the Vicon Tracker live, not"
-            " paused?"
+    def _no_data_problem(self) -> Words:
+        return Words(
+            "connected to {name}, but nothing new arrives; is {what} live, not paused?",
+            name=self._where,
+            what="Vicon Tracker",
         )
 
-    def _protocol_problem(self, error: WireError) -> str:
-        return f"what answers at {self._where} does not speak Vicon DataStream ({error})"
+    def _protocol_problem(self, error: WireError) -> Words:
+        return Words(
+            "what answers at {name} does not speak {protocol} ({error})",
+            name=self._where,
+            protocol="Vicon DataStream",
+            error=str(error),
+        )
 
     async def _read_connection(self, sink: SightingSink) -> None:
         stream = await open_tcp(
             self._config.address,
             self._config.port,
             _CONNECT_TIMEOUT,
-            f"nobody answers at {self._where}; is the Vicon Tracker running and streaming?",
+            Words(
+                "nobody answers at {name}; is {what} running, and does it stream?",
+                name=self._where,
+                what="Vicon Tracker",
+            ),
         )
         async with self._open(stream) as (reader, writer):
             frames = ViconFrames(self._config.latency, self.counts)
@@ -103,9 +115,12 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
                     continue
                 self._data_arrived(now)
                 self._problem = (
-                    ""
+                    UNSAID
                     if not frames.y_up
-                    else f"{self._where} streams with y up; choose z up in the Vicon software"
+                    else Words(
+                        "{name} streams with y up; choose z up in the tracking software",
+                        name=self._where,
+                    )
                 )
                 sink(sightings)
 
@@ -143,15 +158,12 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
                 f" {_listed(lacking)} (9 is the poses of segments in the room, 5 the numbers of"
                 " frames); update the Vicon software"
             )
-        self._problem = ""
+        self._problem = UNSAID
         writer.write(encode_packet([ObjectEnums(_WANTED & offers[0])]))
         writer.write(encode_packet([RequestFrame(streaming=True)]))
 
     async def _packet(self, reader: asyncio.StreamReader) -> bytes:
-        silence = (
-            f"connected to {self._where}, but it is silent; is the Vicon Tracker live, not paused?"
-        )
-        return await self._before_timeout(_read_packet(reader), silence)
+        return await self._before_timeout(_read_packet(reader), self._no_data_problem())
 
 
 def _listed(kinds: Iterable[int]) -> str:

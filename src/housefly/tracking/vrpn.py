@@ -7,11 +7,18 @@ from __future__ import annotations
 
 import asyncio
 
-from housefly.bus.reconnect import DATA_AGE_MAX, ReconnectingClient, TcpStream, within
+from housefly.bus.reconnect import (
+    DATA_AGE_MAX,
+    ReconnectingClient,
+    TcpStream,
+    connection_lost,
+    within,
+)
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Sighting
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
@@ -45,23 +52,30 @@ class VrpnTracker(ReconnectingClient[tuple[Sighting, ...]]):
         self._flooded_at = float("-inf")
 
     @property
-    def problem(self) -> str:
-        """Why no poses arrive, or why some are dropped, in words, or ""."""
+    def problem(self) -> Words:
+        """Why no poses arrive, or why some are dropped; UNSAID where all is well."""
         if not self._problem and self._clock.now() - self._flooded_at <= DATA_AGE_MAX:
-            return (
-                f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} messages a second; the"
-                " others are dropped"
+            return Words(
+                "{name} sends more than {n} frames a second; the rest is dropped",
+                name=self._where,
+                n=figure(FRAMES_PER_SECOND_MAX),
             )
         return self._problem or self.counts.unit_problem(self._clock.now()) or super().problem
 
-    def _no_data_problem(self) -> str:
-        return (
-            f"connected to {self._where}, but no new poses arrive; is the body seen, the server not"
-            " paused?"
+    def _no_data_problem(self) -> Words:
+        return Words(
+            "connected to {name}, but nothing new arrives; is {what} live, not paused?",
+            name=self._where,
+            what="VRPN",
         )
 
-    def _protocol_problem(self, error: WireError) -> str:
-        return f"what answers at {self._where} does not speak VRPN {MAJOR_VERSION} ({error})"
+    def _protocol_problem(self, error: WireError) -> Words:
+        return Words(
+            "what answers at {name} does not speak {protocol} ({error})",
+            name=self._where,
+            protocol=f"VRPN {MAJOR_VERSION}",
+            error=str(error),
+        )
 
     async def _read_connection(self, sink: SightingSink) -> None:
         open_stream = _TRANSPORTS[self._config.vrpn_transport]
@@ -92,16 +106,15 @@ class VrpnTracker(ReconnectingClient[tuple[Sighting, ...]]):
                 f"the server at {self._where} speaks VRPN {version}; Housefly speaks"
                 f" {MAJOR_VERSION}.x"
             )
-        self._problem = ""
+        self._problem = UNSAID
 
     async def _chunk(self, reader: asyncio.StreamReader) -> bytes:
         chunk = await self._before_timeout(
             reader.read(_CHUNK),
-            f"connected to {self._where}, but it is silent; is the body seen, the server not"
-            " paused?",
+            super()._no_data_problem(),
         )
         if not chunk:
-            raise LinkError(f"the connection to {self._where} was lost")
+            raise LinkError(connection_lost(self._where))
         return chunk
 
     def _within_limit(self, messages: tuple[VrpnMessage, ...], now: float) -> list[VrpnMessage]:

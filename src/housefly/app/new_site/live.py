@@ -9,6 +9,7 @@ from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones import driver_of
 from housefly.errors import HouseflyError
+from housefly.messages.words import error_words
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.room.draft.site_of_draft import tracking_config
 from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_from
@@ -29,7 +30,7 @@ def hear_tracking(tracking: DraftTracking, seconds: float = LISTEN_SECONDS) -> H
         try:
             return await heard_from(tracker_of(config, clock), clock, seconds, where)
         except HouseflyError as error:  # such as a part that is not installed
-            return Heard(where, 0.0, (), str(error))
+            return Heard(where, 0.0, (), error_words(error))
 
     return asyncio.run(listen())
 

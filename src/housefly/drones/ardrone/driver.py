@@ -33,6 +33,7 @@ from housefly.messages import (
     Telemetry,
     VideoFrame,
 )
+from housefly.messages.words import Words, error_words, figure, joined
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.config import VideoChannel
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
-_FOUND_IN_THE_AIR = "found in the air by a new driver: it only hovers and lands"
+_FOUND_IN_THE_AIR = Words("found in the air by a new driver: it only hovers and lands")
 
 
 class ArDrone:
@@ -102,15 +103,18 @@ class ArDrone:
         try:
             await self._greet()
         except LinkError as error:
-            self._limits.problem = str(error)
+            self._limits.problem = error_words(error)
             raise
 
     async def _greet(self) -> None:
         if await self._navdata.wait_for(lambda packet: True, FIRST_REPORT_TIMEOUT) is None:
             raise LinkError(
-                f"no drone answers at {self._config.address}:{NAVDATA_PORT} within"
-                f" {FIRST_REPORT_TIMEOUT:g} s: is it switched on, and is your computer in the"
-                " drone's Wi-Fi?"
+                Words(
+                    "no drone answers at {name} within {n} s: is it switched on, and is your"
+                    " computer in the drone's Wi-Fi?",
+                    name=f"{self._config.address}:{NAVDATA_PORT}",
+                    n=figure(FIRST_REPORT_TIMEOUT, "g"),
+                )
             )
         await self._limits.write()
         self._use_limits()
@@ -172,8 +176,8 @@ class ArDrone:
         return told[1]
 
     @property
-    def notes(self) -> tuple[str, ...]:
-        """What is not as it should be with the drone's settings, in words."""
+    def notes(self) -> tuple[Words, ...]:
+        """What is not as it should be with the drone's settings."""
         found = (_FOUND_IN_THE_AIR,) if self._failsafe.permit is Permit.HOVER_AND_LAND else ()
         return (*self._limits.notes, *found)
 
@@ -188,10 +192,10 @@ class ArDrone:
         return self._limits.texts.get("general:num_version_soft", "")
 
     @property
-    def problem(self) -> str:
-        """What is wrong with drone or link, in words, or ""."""
+    def problem(self) -> Words:
+        """What is wrong with drone or link; UNSAID for nothing."""
         is_known = self._failsafe.permit is not None
-        return "; ".join(self.notes) if is_known else self._limits.problem
+        return joined("; ", self.notes) if is_known else self._limits.problem
 
     @property
     def telemetry_rate_hz(self) -> float:

@@ -21,12 +21,13 @@ from housefly.drones.ardrone.settings import (
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.errors import LinkError
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import UNSAID, Words, error_words
 from housefly.wires.ardrone.conversions import Maxima
 from housefly.wires.ardrone.navdata import StateBits
 
 _PAUSE = 1.0
 """Pause before the drone is configured again after a failure [s]."""
-_NOT_CONFIRMED = "the drone has not confirmed its limits yet"
+_NOT_CONFIRMED = Words("the drone has not confirmed its limits yet")
 
 
 class LimitsKeeper:
@@ -35,7 +36,7 @@ class LimitsKeeper:
     Attributes:
         texts: the drone's configuration as it reported it, by key; empty before the first time.
         maxima: what a full stick means now.
-        problem: why it could not be configured, in words, or "".
+        problem: why it could not be configured; UNSAID for nothing.
     """
 
     def __init__(
@@ -48,10 +49,10 @@ class LimitsKeeper:
     ) -> None:
         self.texts: dict[str, str] = {}
         self.maxima: Maxima = maxima_of(limits)
-        self.problem = ""
+        self.problem = UNSAID
         self._limits, self._full_navdata = limits, full_navdata
         self._configurator, self._navdata = configurator, navdata
-        self._mismatches: dict[str, str] = {}
+        self._mismatches: dict[str, Words] = {}
         self._is_done = False
 
     @property
@@ -62,8 +63,8 @@ class LimitsKeeper:
         return self._is_done and not rebooted
 
     @property
-    def notes(self) -> tuple[str, ...]:
-        """What is not as it should be with the settings, in words."""
+    def notes(self) -> tuple[Words, ...]:
+        """What is not as it should be with the settings."""
         lacking = () if self._is_done else (self.problem or _NOT_CONFIRMED,)
         return (*lacking, *self._mismatches.values())
 
@@ -82,7 +83,7 @@ class LimitsKeeper:
         self.maxima = maxima_in(dump, maxima_of(self._limits))
         self._mismatches = setting_mismatches(dump, self._limits)
         self._is_done = not any(map(is_needed_to_fly, self._mismatches))
-        self.problem = ""
+        self.problem = UNSAID
         if not self._full_navdata:
             await self._configurator.write("general:navdata_demo", True)
 
@@ -97,7 +98,7 @@ class LimitsKeeper:
                 await self.write()
                 on_change()
             except LinkError as error:
-                self.problem = str(error)
+                self.problem = error_words(error)
                 await asyncio.sleep(_PAUSE)
 
     def _is_airborne(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isclose
 
 from housefly.config.limits import LimitsConfig
+from housefly.messages.words import Words
 from housefly.wires.ardrone.config import (
     COM_WATCHDOG_TIME,
     ConfigValue,
@@ -55,10 +56,15 @@ def maxima_in(dump: Dump, wanted: Maxima) -> Maxima:
     )
 
 
-def setting_mismatches(dump: Dump, limits: LimitsConfig) -> dict[str, str]:
+def setting_mismatches(dump: Dump, limits: LimitsConfig) -> dict[str, Words]:
     """Return the settings that the drone did not accept: keys, and what is wrong in words."""
     return {
-        name: f"the drone keeps {name} = {dump.texts.get(name, 'nothing')} instead of {value}"
+        name: Words(
+            "the drone keeps {setting} = {kept} instead of {wanted}",
+            setting=name,
+            kept=dump.texts.get(name, "-"),
+            wanted=str(value),
+        )
         for name, value in wanted_settings(limits)
         if not _same(dump.values.get(name), value)
     }

@@ -181,7 +181,7 @@ class SensorAnswer:
     connected: bool
     rate_hz: float
     age: float | None
-    problem: str
+    problem: Words
     counts: dict[str, int]
 
 

@@ -20,6 +20,7 @@ from housefly.clock import Clock
 from housefly.config.devices import MqttConfig
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, LinkError, TaskError, WireError
+from housefly.messages.words import UNSAID
 from housefly.tasks.api.json import task_question_to_json, task_refusal_to_json
 from housefly.tasks.api.questions import RehearseTask, Sentence, TaskQuestion
 from housefly.tasks.api.values import ReasonCode
@@ -103,7 +104,7 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
                 options = SubscribeOptions(qos=1, noLocal=True)
                 for topic in (*self._triggers, *self._requests):
                     await link.subscribe(topic, options=options)
-                was_connected, self._problem = True, ""
+                was_connected, self._problem = True, UNSAID
                 self._data_arrived(self._clock.now())
                 working = {asyncio.create_task(self._send(link))}
                 try:

@@ -1,1 +1,1 @@
-import"./chunk-chunk-X2RRVNL4.js";
+import"./chunk-chunk-47SXU5KT.js";

@@ -855,4 +855,85 @@ export const DE_TOLD: Templates = {
   "to whom; anybody is whoever is nearest": "zu wem; anybody ist, wer am nächsten ist",
   "what must be off at night": "was nachts aus sein muss",
   "names with commas between them": "Namen, mit Komma getrennt",
+  "connected to {name}, but it is silent": "mit {name} verbunden, doch es kommt nichts",
+  "connected to {name}, but no scans arrive":
+    "mit {name} verbunden, doch es kommen keine Messungen",
+  "connected to {name}, but nothing new arrives; is {what} live, not paused?":
+    "mit {name} verbunden, doch es kommt nichts Neues; läuft {what}, ohne Pause?",
+  "found in the air by a new driver: it only hovers and lands":
+    "ein neuer Treiber fand sie in der Luft: sie schwebt nur und landet",
+  "frames arrive from {name}, but their time stands still; is {what} paused?":
+    "von {name} kommen Bilder, doch ihre Zeit steht; ist {what} angehalten?",
+  "frames do not come from {name}; set tracking.address to {other}":
+    "Daten kommen nicht von {name}; in tracking.address {other} eintragen",
+  "is its unit millimetres? choose metres in the tracking software":
+    "sind es Millimeter? In der Tracking-Software Meter wählen",
+  "its clock is {n} s ahead; times of arrival are taken instead":
+    "seine Uhr geht {n} s vor; es gilt die Zeit der Ankunft",
+  "its clock is {n} s behind; times of arrival are taken instead":
+    "seine Uhr geht {n} s nach; es gilt die Zeit der Ankunft",
+  "no MQTT broker answers at {name}; is it running (mosquitto), is mqtt.port right?":
+    "kein MQTT-Broker antwortet unter {name}; läuft er (mosquitto), stimmt mqtt.port?",
+  "no body is seen; is the tracking system live?": "kein Körper ist zu sehen; läuft das Tracking?",
+  ["no drone answers at {name} within {n} s: is it switched on, and is your computer in the " +
+    "drone's Wi-Fi?"]:
+    "unter {name} antwortet nach {n} s keine Drohne: ist sie eingeschaltet und der Rechner " +
+      "in ihrem WLAN?",
+  "nobody answers at {name}; is it switched on, and in this network?":
+    "niemand antwortet unter {name}; ist das Gerät an und in diesem Netz?",
+  "nobody answers at {name}; is {what} running, and does it stream?":
+    "niemand antwortet unter {name}; läuft {what}, und sendet es?",
+  "nobody listens to it; is the perception process running?":
+    "niemand hört darauf; läuft der Prozess „perception“?",
+  "not connected to {name} yet": "noch nicht mit {name} verbunden",
+  "not heard yet; it sends its state at least every {k} s":
+    "noch nicht gehört; sendet sonst mindestens alle {k} s",
+  "nothing came from {name}": "von {name} kam nichts",
+  "offline: its last will says so; is it switched on and in reach of the network?":
+    "abgemeldet; ist das Gerät an und in Reichweite des Netzes?",
+  "poses are refused, {pose}: {ask}": "Posen werden abgelehnt, {pose}: {ask}",
+  "sends more than {n} messages a second; the rest is dropped":
+    "sendet mehr als {n} Nachrichten je Sekunde; der Rest fällt weg",
+  "silent for {n} s; it sends its state at least every {k} s":
+    "schweigt seit {n} s; sendet sonst mindestens alle {k} s",
+  "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port right?":
+    "unter {name} antwortet etwas, aber kein MQTT-Broker ohne TLS; stimmt mqtt.port?",
+  "speaks of more than {n} things": "meldet mehr als {n} Dinge",
+  "the MQTT broker at {name} answers, but no connection comes about ({error})":
+    "der MQTT-Broker unter {name} antwortet, doch keine Verbindung kommt zustande ({error})",
+  "the MQTT broker at {name} refuses us ({error})":
+    "der MQTT-Broker unter {name} weist uns ab ({error})",
+  "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file":
+    "der MQTT-Broker unter {name} weist uns ab; mqtt.username und mqtt.password_file prüfen",
+  ["the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks; " +
+    "update it (mosquitto from 1.6 on)"]:
+    "der MQTT-Broker unter {name} spricht MQTT {version}, nicht 5; bitte aktualisieren " +
+      "(mosquitto ab 1.6)",
+  "the connection to {name} was lost": "die Verbindung zu {name} ging verloren",
+  "the driver's process does not answer (its log: driver.log)":
+    "der Prozess des Treibers antwortet nicht (Protokoll: driver.log)",
+  "the drone has not confirmed its limits yet":
+    "die Drohne hat ihre Grenzwerte noch nicht bestätigt",
+  "the drone is silent; is it switched on?": "die Drohne schweigt; ist sie eingeschaltet?",
+  "the drone keeps {setting} = {kept} instead of {wanted}":
+    "die Drohne behält {setting} = {kept} statt {wanted}",
+  ["the machine's clock was set back by {n} s; the memory counts on from before, so its times " +
+    "run ahead by that until Housefly is started again"]:
+    "die Uhr des Rechners wurde um {n} s zurückgestellt; bis zum Neustart gehen die Zeiten " +
+      "des Gedächtnisses um so viel vor",
+  "the pilot is not heard": "der Autopilot schweigt",
+  "the room's process does not answer (its log: room.log)":
+    "der Prozess des Raums antwortet nicht (Protokoll: room.log)",
+  "what answers at {name} does not speak {protocol} ({error})":
+    "was unter {name} antwortet, spricht nicht {protocol} ({error})",
+  "{name} sends more than {n} frames a second; the rest is dropped":
+    "{name} sendet mehr als {n} Bilder je Sekunde; der Rest fällt weg",
+  ["{name} streams to the multicast group {group}, but nothing arrives at {own}; let firewall " +
+    "and switch pass it, or choose unicast in Motive"]:
+    "{name} sendet an die Multicast-Gruppe {group}, doch bei {own} kommt nichts an; in " +
+      "Firewall und Switch freigeben oder in Motive Unicast wählen",
+  "{name} streams with y up; choose z up in the tracking software":
+    "{name} sendet mit y nach oben; in der Tracking-Software z nach oben wählen",
+  "{name}: no depth images": "{name}: keine Tiefenbilder",
+  "{name}: reading failed ({error})": "{name}: Lesen misslang ({error})",
 };

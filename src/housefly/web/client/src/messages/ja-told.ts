@@ -789,4 +789,82 @@ export const JA_TOLD: Templates = {
   "to whom; anybody is whoever is nearest": "誰に。anybody は一番近い人",
   "what must be off at night": "夜に切っておく物",
   "names with commas between them": "名前（カンマ区切り）",
+  "connected to {name}, but it is silent": "{name}に接続しましたが、応答がありません",
+  "connected to {name}, but no scans arrive": "{name}に接続しましたが、測定値が届きません",
+  "connected to {name}, but nothing new arrives; is {what} live, not paused?":
+    "{name}に接続しましたが、新しい値が届きません。{what}は動作中ですか、一時停止していませんか",
+  "found in the air by a new driver: it only hovers and lands":
+    "新しいドライバーが飛行中に見つけました。停止飛行と着陸だけをします",
+  "frames arrive from {name}, but their time stands still; is {what} paused?":
+    "{name}から届く値の時刻が止まっています。{what}は一時停止中ですか",
+  "frames do not come from {name}; set tracking.address to {other}":
+    "データは{name}から届いていません。tracking.addressを{other}にしてください",
+  "is its unit millimetres? choose metres in the tracking software":
+    "単位がミリメートルではありませんか。追跡ソフトでメートルを選んでください",
+  "its clock is {n} s ahead; times of arrival are taken instead":
+    "時計が{n}秒進んでいます。届いた時刻を使います",
+  "its clock is {n} s behind; times of arrival are taken instead":
+    "時計が{n}秒遅れています。届いた時刻を使います",
+  "no MQTT broker answers at {name}; is it running (mosquitto), is mqtt.port right?":
+    "{name}でMQTTブローカーが応答しません。動作中ですか（mosquitto）、mqtt.portは正しいですか",
+  "no body is seen; is the tracking system live?": "物体が見えません。追跡は動作中ですか",
+  ["no drone answers at {name} within {n} s: is it switched on, and is your computer in the " +
+    "drone's Wi-Fi?"]:
+    "{name}で{n}秒以内にドローンが応答しません。電源は入っていますか、ドローンのWi-Fiに接続し" +
+      "ていますか",
+  "nobody answers at {name}; is it switched on, and in this network?":
+    "{name}で応答がありません。電源は入っていますか、このネットワークにありますか",
+  "nobody answers at {name}; is {what} running, and does it stream?":
+    "{name}で応答がありません。{what}は動作中で、送信していますか",
+  "nobody listens to it; is the perception process running?":
+    "受信されていません。perceptionプロセスは動作中ですか",
+  "not connected to {name} yet": "{name}にまだ接続していません",
+  "not heard yet; it sends its state at least every {k} s":
+    "まだ応答なし。通常は{k}秒以内ごとに送信します",
+  "nothing came from {name}": "{name}から何も届きません",
+  "offline: its last will says so; is it switched on and in reach of the network?":
+    "オフラインです。電源は入っていますか、ネットワークに届いていますか",
+  "poses are refused, {pose}: {ask}": "位置を受け付けません。{pose}：{ask}",
+  "sends more than {n} messages a second; the rest is dropped":
+    "毎秒{n}件を超えて送信しています。残りは捨てます",
+  "silent for {n} s; it sends its state at least every {k} s":
+    "{n}秒間応答なし。通常は{k}秒以内ごとに送信します",
+  "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port right?":
+    "{name}の応答は、TLSなしのMQTTブローカーのものではありません。mqtt.portは正しいですか",
+  "speaks of more than {n} things": "{n}個を超える物を報告しています",
+  "the MQTT broker at {name} answers, but no connection comes about ({error})":
+    "{name}のMQTTブローカーは応答しますが、接続できません（{error}）",
+  "the MQTT broker at {name} refuses us ({error})":
+    "{name}のMQTTブローカーに拒否されました（{error}）",
+  "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file":
+    "{name}のMQTTブローカーに拒否されました。mqtt.usernameとmqtt.password_fileを確認してください",
+  ["the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks; " +
+    "update it (mosquitto from 1.6 on)"]:
+    "{name}のMQTTブローカーはMQTT {version}で、5ではありません。更新してください（mosquitto " +
+      "1.6以降）",
+  "the connection to {name} was lost": "{name}との接続が切れました",
+  "the driver's process does not answer (its log: driver.log)":
+    "ドライバーのプロセスが応答しません（記録：driver.log）",
+  "the drone has not confirmed its limits yet": "ドローンが制限値をまだ確認していません",
+  "the drone is silent; is it switched on?": "ドローンから応答がありません。電源は入っていますか",
+  "the drone keeps {setting} = {kept} instead of {wanted}":
+    "ドローンの{setting}が{wanted}ではなく{kept}のままです",
+  ["the machine's clock was set back by {n} s; the memory counts on from before, so its times " +
+    "run ahead by that until Housefly is started again"]:
+    "パソコンの時計が{n}秒戻されました。再起動するまで、記録の時刻はその分進みます",
+  "the pilot is not heard": "自動操縦の応答がありません",
+  "the room's process does not answer (its log: room.log)":
+    "部屋のプロセスが応答しません（記録：room.log）",
+  "what answers at {name} does not speak {protocol} ({error})":
+    "{name}の応答は{protocol}ではありません（{error}）",
+  "{name} sends more than {n} frames a second; the rest is dropped":
+    "{name}は毎秒{n}件を超えて送信しています。残りは捨てます",
+  ["{name} streams to the multicast group {group}, but nothing arrives at {own}; let firewall " +
+    "and switch pass it, or choose unicast in Motive"]:
+    "{name}はマルチキャスト{group}に送信していますが、{own}に届きません。ファイアウォールとス" +
+      "イッチを通すか、Motiveでユニキャストを選んでください",
+  "{name} streams with y up; choose z up in the tracking software":
+    "{name}はy軸が上です。追跡ソフトでz軸を上にしてください",
+  "{name}: no depth images": "{name}：深度画像がありません",
+  "{name}: reading failed ({error})": "{name}：読み取れません（{error}）",
 };
