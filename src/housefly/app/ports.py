@@ -7,6 +7,7 @@ import socket
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from housefly.config.airframe import installed_models
 from housefly.config.site import Site
 from housefly.config.tracking import MocapWire
 from housefly.errors import LinkError
@@ -49,7 +50,7 @@ class PortNeed:
 def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
     """Return the ports that a site needs on this machine, and which are in use."""
     needs = []
-    if site.twin.enabled and site.drone.enabled:
+    if site.twin.enabled and site.drone.enabled and site.drone.kind not in installed_models():
         remedy = "drone.address, for example 127.0.0.2"
         needs.append(_need("simulated drone", site.drone.address, _DRONE_PORTS, remedy))
     if site.twin.enabled:
