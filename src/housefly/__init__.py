@@ -17,7 +17,7 @@ Lab               run_campaign, CampaignResult, identify, Identified, choose_gai
 The room          connect, HouseClient, RoomClient, play_scene, PlayedScene
 Sensors           Sensor, SensorHealth, SensorSink, MessageRate
 Drones            Airframe, airframe_in, Capabilities, DroneDriver, Failsafe, DriverServer,
-                  RemoteDrone, RealClock
+                  RemoteDrone, Clock, RealClock, DroneConfig, LimitsConfig, TwinDrone, PlainDrone
 Messages          everything in ``housefly.messages``
 Errors            HouseflyError and those below it
 
@@ -50,9 +50,11 @@ if TYPE_CHECKING:
         DroneTopics,
     )
     from housefly.bus.zenoh_bus import ZenohBus
-    from housefly.clock import RealClock
+    from housefly.clock import Clock, RealClock
     from housefly.config.airframe import Airframe, airframe_in
     from housefly.config.capabilities import Capabilities
+    from housefly.config.drone import DroneConfig
+    from housefly.config.limits import LimitsConfig
     from housefly.config.site import Site
     from housefly.drones.ardrone.driver import ArDrone
     from housefly.drones.contract import DroneDriver
@@ -145,6 +147,8 @@ if TYPE_CHECKING:
     from housefly.tasks.api.topics import TASK_NEWS_TOPIC
     from housefly.tasks.client.connect import connect
     from housefly.tasks.client.house_client import HouseClient
+    from housefly.twin.contracts import TwinDrone
+    from housefly.twin.plain_drone import PlainDrone
     from housefly.twin.process import run_twin
 
 # fmt: off
@@ -152,22 +156,22 @@ __all__ = [
     "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "OBSTACLE_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC",
     "ROOM_TOPICS", "SENSOR_TOPIC", "SIGHT_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "Action",
     "Advice", "Airframe", "AnySetpoint", "ArDrone", "Behavior", "Bus", "CampaignResult",
-    "Capabilities", "Clearing", "Command", "ConfigError", "Covariance", "DepthImage",
-    "DriverServer", "DroneDriver", "DroneFault", "DroneStatus", "DroneTopics", "EditsError",
-    "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe", "Flight", "HouseClient",
-    "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion", "LinkError", "LinkStatus",
-    "LoadedSite", "MessageRate", "MissingPartError", "Observation", "Obstacle", "ObstacleKind",
-    "OccupancyGrid", "Order", "OrderAnswer", "OrderKind", "OrderOutcome", "OrderSource", "Outputs",
-    "Path", "Phase", "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose",
-    "PositionSetpoint", "PreflightCheck", "RealClock", "RecordingError", "RecordingNews",
-    "Reference", "RemoteDrone", "ReplayResult", "Room", "RoomClient", "RoomError", "RoomEvent",
-    "SafetyMode", "Scan", "Sensor", "SensorHealth", "SensorReport", "SensorSink", "Setpoint",
-    "SetpointForm", "Severity", "SharedStoreError", "SightNews", "Sighting", "Simulation", "Site",
-    "StaleEdits", "StoreError", "Summary", "TaskError", "Telemetry", "ThingError", "TrackedFrame",
-    "TrajectoryPoint", "UnknownState", "VelocitySetpoint", "VideoFrame", "WireError", "ZenohBus",
-    "airframe_in", "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map",
-    "judge_gains", "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin",
-    "text_map",
+    "Capabilities", "Clearing", "Clock", "Command", "ConfigError", "Covariance", "DepthImage",
+    "DriverServer", "DroneConfig", "DroneDriver", "DroneFault", "DroneStatus", "DroneTopics",
+    "EditsError", "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe", "Flight",
+    "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion",
+    "LimitsConfig", "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError",
+    "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderAnswer", "OrderKind",
+    "OrderOutcome", "OrderSource", "Outputs", "Path", "Phase", "PilotStep", "PlainDrone",
+    "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose", "PositionSetpoint", "PreflightCheck",
+    "RealClock", "RecordingError", "RecordingNews", "Reference", "RemoteDrone", "ReplayResult",
+    "Room", "RoomClient", "RoomError", "RoomEvent", "SafetyMode", "Scan", "Sensor", "SensorHealth",
+    "SensorReport", "SensorSink", "Setpoint", "SetpointForm", "Severity", "SharedStoreError",
+    "SightNews", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary",
+    "TaskError", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint", "TwinDrone",
+    "UnknownState", "VelocitySetpoint", "VideoFrame", "WireError", "ZenohBus", "airframe_in",
+    "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains",
+    "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
 # fmt: on
 
@@ -186,9 +190,11 @@ _MODULES = {
         " SENSOR_TOPIC SIGHT_TOPIC TASKS_QUERY"
     ),
     "bus.zenoh_bus": "ZenohBus",
-    "clock": "RealClock",
+    "clock": "Clock RealClock",
     "config.airframe": "Airframe airframe_in",
     "config.capabilities": "Capabilities",
+    "config.drone": "DroneConfig",
+    "config.limits": "LimitsConfig",
     "config.site": "Site",
     "drones.ardrone.driver": "ArDrone",
     "drones.contract": "DroneDriver",
@@ -215,6 +221,8 @@ _MODULES = {
     "tasks.api.topics": "TASK_NEWS_TOPIC",
     "tasks.client.connect": "connect",
     "tasks.client.house_client": "HouseClient",
+    "twin.contracts": "TwinDrone",
+    "twin.plain_drone": "PlainDrone",
     "twin.process": "run_twin",
 }
 """Names by the module that they come from; all others come from ``housefly.messages``."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 import tomllib
 from enum import Enum
 from functools import lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Self
 
@@ -262,16 +263,47 @@ _NEEDED: dict[SetpointForm, tuple[str, ...]] = {
 """Constants of the response that the pilot needs for a form of setpoints."""
 
 
+@lru_cache
+def installed_models() -> dict[str, str]:
+    """Return the packages of drones that others have installed, by the names of their models.
+
+    Each says so by one line, an entry point of the group ``housefly.drones``, and holds
+    ``airframe.toml``, ``driver.py`` with a ``Driver``, and ``twin.py`` with a ``Server``.
+    """
+    # not loaded where all drones are ours: the driver's process is kept small
+    from importlib.metadata import entry_points
+
+    return {entry.name: entry.value for entry in entry_points(group="housefly.drones")}
+
+
 def airframe_names() -> tuple[str, ...]:
-    """Return the models that are known, by the names of their files."""
-    return tuple(sorted(path.stem for folder in folders for path in folder.glob("*.toml")))
+    """Return the models that are known: ours by the names of their files, and installed ones."""
+    ours = {path.stem for folder in folders for path in folder.glob("*.toml")}
+    return tuple(sorted(ours | installed_models().keys()))
+
+
+def is_model(name: str) -> bool:
+    """Return whether there is a model of this name."""
+    is_plain = name.isidentifier()
+    return is_plain and (_own_file(name) is not None or name in installed_models())
 
 
 @lru_cache
 def airframe_named(model: str) -> Airframe:
     """Return the airframe of a model; raises ConfigError as ``airframe_in`` does."""
+    return airframe_in(_own_file(model) or _installed_file(model))
+
+
+def _own_file(model: str) -> Path | None:
     files = (folder / f"{model}.toml" for folder in folders)
-    return airframe_in(next(filter(Path.is_file, files), FOLDER / f"{model}.toml"))
+    return next(filter(Path.is_file, files), None)
+
+
+def _installed_file(model: str) -> Path:
+    found = find_spec(installed_models().get(model, "")) if model in installed_models() else None
+    if found is None or found.origin is None:
+        raise ConfigError("drone.kind", f"is {model!r}; there is no airframe of that name")
+    return Path(found.origin).parent / "airframe.toml"
 
 
 def airframe_in(path: Path) -> Airframe:

@@ -12,6 +12,7 @@ from housefly.room.model import Room
 from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.camera.process import CameraProcess
+from housefly.twin.drone_servers import server_of
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
@@ -49,13 +50,15 @@ class ServedDrone:
         self.faults = faults
         self._world, self._drone = world, world.drones[stand.name]
         self._rate_hz = stand.site.twin.video_rate_hz
-        self._server = ArDroneServer(
+        self._server = server_of(
+            stand.config.kind,
             self._drone,
             stand.config.address,
             beyond_loopback=beyond_loopback,
             filters=faulty_links(faults, self._now),
         )
-        has_video = stand.site.twin.video and stand.config.enabled
+        self._filmed = self._server if isinstance(self._server, ArDroneServer) else None
+        has_video = stand.site.twin.video and stand.config.enabled and self._filmed is not None
         self._camera = CameraProcess(stand.site, room, people) if has_video else None
         self._camera_state = (0, "")
 
@@ -66,8 +69,8 @@ class ServedDrone:
 
     @property
     def counters(self) -> Counters:
-        """What happened on its ports so far."""
-        return self._server.counters
+        """What happened on its ports so far, where its server counts."""
+        return self._filmed.counters if self._filmed else Counters()
 
     async def start(self, open_parts: contextlib.AsyncExitStack) -> list[Coroutine[Any, Any, None]]:
         """Open its ports until the stack closes; return what must run meanwhile.
@@ -76,12 +79,12 @@ class ServedDrone:
         """
         open_parts.push_async_callback(self._server.stop)
         await self._server.start()
-        if self._camera is None:
+        if self._camera is None or self._filmed is None:
             return []
         open_parts.callback(self._camera.close)
-        self._camera.on_picture(faulty_pictures(self.faults, self._now, self._server.publish))
+        self._camera.on_picture(faulty_pictures(self.faults, self._now, self._filmed.publish))
         self._camera.start()
-        return [self._film(self._camera)]
+        return [self._film(self._camera, self._filmed)]
 
     def act(self) -> None:
         """Let its faults act on it, and on who is in its way."""
@@ -90,7 +93,7 @@ class ServedDrone:
     def _now(self) -> float:
         return self._world.now
 
-    async def _film(self, camera: CameraProcess) -> None:
+    async def _film(self, camera: CameraProcess, server: ArDroneServer) -> None:
         rate = Rate(self._rate_hz)
         while True:
             await rate.sleep()
@@ -100,7 +103,7 @@ class ServedDrone:
                 camera.request_picture(
                     view,
                     self._world.visitor_present,
-                    self._server.camera,
+                    server.camera,
                     truth.at,
                     self._world.people(),
                 )

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from housefly.pilot.control.forms import (
     FormCode,
     FormModel,
-    position_command,
-    velocity_command,
+    place_asked,
+    velocity_asked,
 )
 from housefly.pilot.estimation.estimator_state import ControlState
 
@@ -43,7 +43,7 @@ def at(x: float, y: float, z: float) -> ControlState:
 def test_a_velocity_points_where_it_is_to_accelerate_and_is_never_too_fast(
     ax: float, ay: float, heading: float
 ) -> None:
-    asked = velocity_command(ax, ay, heading, GLIDER)
+    asked = velocity_asked(ax, ay, heading, GLIDER)
     c, s = cos(heading), sin(heading)
     vx, vy = c * asked.forward - s * asked.left, s * asked.forward + c * asked.left
     assert hypot(vx, vy) <= GLIDER.speed_max + 1e-9
@@ -56,7 +56,7 @@ def test_a_velocity_points_where_it_is_to_accelerate_and_is_never_too_fast(
 def test_a_place_lies_in_the_room_and_the_estimator_is_told_what_it_makes_of_it(
     ax: float, ay: float, x: float, y: float, climb: float
 ) -> None:
-    asked = position_command(ax, ay, climb, at(x, y, 1.9), HOMER)
+    asked = place_asked(ax, ay, climb, at(x, y, 1.9), HOMER)
     assert 0.0 <= asked.x <= 10.0 and 0.0 <= asked.y <= 5.0 and asked.z <= 2.0
     reach = HOMER.speed_max * HOMER.pull / HOMER.stiffness
     assert hypot(asked.x - x, asked.y - y) <= reach + 1e-9
@@ -65,7 +65,7 @@ def test_a_place_lies_in_the_room_and_the_estimator_is_told_what_it_makes_of_it(
 
 
 def test_where_nothing_is_wanted_a_velocity_is_none_and_a_place_is_here() -> None:
-    still = velocity_command(0.0, 0.0, 1.0, GLIDER)
+    still = velocity_asked(0.0, 0.0, 1.0, GLIDER)
     assert (still.forward, still.left) == (0.0, 0.0)
-    here = position_command(0.0, 0.0, 0.0, at(3.0, 2.0, 1.0), HOMER)
+    here = place_asked(0.0, 0.0, 0.0, at(3.0, 2.0, 1.0), HOMER)
     assert (here.x, here.y, here.z) == (3.0, 2.0, 1.0)

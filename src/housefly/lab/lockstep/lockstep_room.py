@@ -7,12 +7,10 @@ the drone hears and when. Faults befall the same streams as on the wires.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Sequence
-from dataclasses import replace
-from math import inf, isfinite, nan
+from collections.abc import Sequence
+from math import inf, nan
 from typing import Any
 
-from housefly.config.airframe import Ability
 from housefly.config.site import Site
 from housefly.drones.failsafe import Failsafe
 from housefly.drones.pose_rate import PoseRate
@@ -21,15 +19,12 @@ from housefly.lab.lockstep.lockstep_wires import lockstep_wire, onboard_limits
 from housefly.lab.lockstep.shared_tracking import SharedTracking
 from housefly.messages import (
     Command,
-    DroneFault,
-    DroneStatus,
     KnownMotion,
     Sighting,
     Telemetry,
 )
 from housefly.messages.steering import commanded
 from housefly.twin.contracts import (
-    FlightState,
     OnboardState,
     TwinDrone,
     TwinWorld,
@@ -39,28 +34,11 @@ from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.onboard_stream import not_numbers
 from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.plain_drone import as_measured, telemetry_of
 from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
 
-FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
-    FlightState.LANDED: DroneStatus.LANDED,
-    FlightState.TAKING_OFF: DroneStatus.TAKING_OFF,
-    FlightState.FLYING: DroneStatus.FLYING,
-    FlightState.HOVERING: DroneStatus.FLYING,
-    FlightState.LANDING: DroneStatus.LANDING,
-    FlightState.EMERGENCY: DroneStatus.EMERGENCY,
-}
-
 _ROUNDING = 1e-9
-_FAULTS: tuple[tuple[DroneFault, Callable[[OnboardState], bool]], ...] = (
-    (DroneFault.MOTORS_PROBLEM, lambda onboard: onboard.motors_problem),
-    (DroneFault.BATTERY_LOW, lambda onboard: onboard.low_battery),
-    (DroneFault.TILTED_TOO_FAR, lambda onboard: onboard.angles_out_of_range),
-    (DroneFault.COMMANDS_LOST, lambda onboard: onboard.com_lost),
-    (DroneFault.ULTRASOUND_DEAF, lambda onboard: onboard.ultrasound_deaf),
-)
-
-
 _Datagram = tuple[int, tuple[Any, ...]]
 """Sequence number and commands of what would be one datagram."""
 _COMMANDS: PacketCodec[_Datagram] = PacketCodec(
@@ -255,42 +233,3 @@ def advance_together(rooms: Sequence[LockstepRoom], seconds: float) -> None:
         for room in rooms:
             room.beat()
     world.advance(max(0.0, end - world.now))
-
-
-def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Telemetry:
-    """Return a report of the drone as the driver would understand it.
-
-    Args:
-        onboard: what it reports.
-        received_at: when the report arrives [s]; at once where it is not given.
-    """
-    forward, left, _ = onboard.velocity
-    return Telemetry(
-        received_at=onboard.at if received_at is None else received_at,
-        status=FLIGHT_STATUS[onboard.flight],
-        battery=_in_percent(onboard.battery),
-        phi=onboard.phi,
-        theta=onboard.theta,
-        psi=onboard.psi,
-        height=onboard.height,
-        velocity=(forward, left, 0.0),
-        faults=tuple(fault for fault, applies in _FAULTS if applies(onboard)),
-        acceleration=onboard.acceleration,
-        drone_time=onboard.at,
-        hears_us=not (onboard.com_watchdog or onboard.com_lost),
-    )
-
-
-def as_measured(report: Telemetry, lacks: frozenset[Ability]) -> Telemetry:
-    """Return a report without what the drone does not measure."""
-    if not lacks & {Ability.ATTITUDE, Ability.HEIGHT, Ability.VELOCITY}:
-        return report
-    if Ability.ATTITUDE in lacks:
-        report = replace(report, phi=0.0, theta=0.0, psi=0.0, acceleration=None)
-    if Ability.HEIGHT in lacks:
-        report = replace(report, height=0.0)
-    return replace(report, velocity=(0.0, 0.0, 0.0)) if Ability.VELOCITY in lacks else report
-
-
-def _in_percent(charge: float) -> float:
-    return round(charge * 100) / 100 if isfinite(charge) else charge

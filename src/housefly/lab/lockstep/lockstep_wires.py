@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from housefly.config.site import Site
-from housefly.messages import Action, Command, Setpoint, Telemetry
+from housefly.messages import Command, Telemetry
 from housefly.messages.steering import Instruction
 from housefly.twin.contracts import OnboardLimits, TwinDrone
+from housefly.twin.plain_drone import Obedience
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import CommandEncoder
-from housefly.wires.ardrone.conversions import Maxima, Stick, pcmd_from_setpoint, stick_from_pcmd
+from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
 
 class LockstepWire(Protocol):
@@ -59,37 +60,22 @@ class ArDroneWire:
 
 
 class PlainWire:
-    """Commands as they are: of a drone whose bytes nobody simulates.
+    """Commands as they are: of a drone whose bytes are not simulated.
 
     Args:
         maxima: what a full stick means.
     """
 
     def __init__(self, maxima: Maxima) -> None:
-        self._maxima = maxima
-        self._was_cutting = False
+        self._obedience = Obedience(maxima)
 
     def encoded(self, told: Instruction, now: float, report: Telemetry | None) -> tuple[Any, ...]:
         """Return the command."""
         return (told.command,)
 
-    def obey(self, drone: TwinDrone, command: Command) -> None:
-        """Obey a command; cutting the motors and ending an emergency are one button."""
-        presses = command.action in (Action.CUT, Action.RESET)
-        if presses and not self._was_cutting:
-            drone.toggle_emergency()
-        self._was_cutting = presses
-        match command.action, command.asked:
-            case Action.TAKE_OFF, _:
-                drone.request_take_off()
-            case ((Action.LAND | Action.IDLE), _):
-                drone.request_land()
-            case Action.HOVER, _:
-                drone.set_stick(Stick())
-            case Action.FLY, Setpoint() as tilted:
-                drone.set_stick(stick_from_pcmd(pcmd_from_setpoint(tilted, self._maxima)))
-            case Action.FLY, asked:
-                drone.steer(asked)
+    def obey(self, world: TwinDrone, command: Command) -> None:
+        """Obey a command."""
+        self._obedience.obey(world, command)
 
 
 def lockstep_wire(site: Site) -> LockstepWire:
