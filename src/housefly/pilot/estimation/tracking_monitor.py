@@ -312,10 +312,12 @@ class TrackingMonitor:
             share = min(max(at - self._height_at, 0.0) / HEIGHT_TIME, 1.0)
             error = self._height_error + share * (error - self._height_error)
         self._height_error, self._height_at = error, at
-        # The smoothed error is late, the newest reading noisy: where both say so is the floor.
-        if max(abs(error), abs(position[2] - self._climb.height)) < FLOOR_SEEN:
+        # The smoothed error is late, the newest reading noisy: what both say counts. A sighting
+        # may be the last for half a second, just as the floor steps away below the drone.
+        newest = position[2] - self._climb.height
+        if max(abs(error), abs(newest)) < FLOOR_SEEN:
             self._climb = self._climb.over_floor()
-        self._height_drift = error + self._climb.stepped if self._airborne else nan
+        self._height_drift = min(error, newest) + self._climb.stepped if self._airborne else nan
 
     def consistency(self, now: float) -> TrackingConsistency:
         """Return how well tracking agrees with the drone's own report, now [s]."""
