@@ -96,6 +96,11 @@ def test_right_of_way_is_nothing_against_one_that_flies_at_us_for_a_while() -> N
     assert flown(anna(), "a", "bert", (6.2, 2.0), (0.8, 0.0)).kind is ObstacleKind.THING
 
 
+def test_nobody_has_the_right_of_way_over_one_that_takes_off_or_lands() -> None:
+    assert flown(anna(), "a", "bert", (6.2, 2.0), height=0.5).kind is ObstacleKind.DRONE
+    assert flown(anna(), "a", "bert", (6.2, 2.0), height=1.0).kind is ObstacleKind.THING
+
+
 @pytest.mark.parametrize(("others", "own", "other"), [(anna, "a", "bert"), (bert, "bert", "a")])
 def test_one_that_stands_is_a_low_thing_and_no_floor(others, own: str, other: str) -> None:
     told = flown(others(), own, other, (2.0, 2.0), height=0.06)

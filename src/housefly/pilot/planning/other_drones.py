@@ -1,9 +1,10 @@
 """The other drones of the site, as tracking shows them: what flies is kept away from as people are.
 
 Two drones that made way for each other would dance. So the one that stands earlier in the site has
-the right of way: to it the other is a thing where it is now, once it is near or hovers, unless that
-one comes at it all the same. One that was lost sight of in the air may still fly: its last place is
-kept clear for a while.
+the right of way: to it the other is a thing where it is now, once it is near or hovers. Nobody has
+the right of way over one that takes off or lands, which cannot make way, nor over one that comes at
+it all the same. One that was lost sight of in the air may still fly: its last place is kept clear
+for a while.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ DRONE_REPORT_PERIOD = 0.1
 """A drone is told again after this [s]."""
 OFF_GROUND = 0.15
 """A drone this much higher than it stands flies, or is carried [m]."""
+LOW = 0.3
+"""One that flies so much lower than drones do takes off or lands [m]."""
 LOST_AFTER = 0.5
 """Tracking that shows us, and another drone not for so long, has lost it [s]."""
 LOST_KEPT = 60.0
@@ -72,6 +75,7 @@ class OtherDrone:
 class _Seen:
     pose: TrackedPose
     flies: bool
+    is_low: bool
     urgent_until: float = -inf
 
 
@@ -89,6 +93,7 @@ class OtherDrones:
         names = site.drone_names
         own = names.index(site.drone.name) if site.drones and site.drone.name in names else None
         self._own, self._radius = site.tracking.body, site.drone.reach
+        self._low = site.map.flight_height - LOW
         self._drones = {
             drone.tracked_body: OtherDrone(
                 drone.name,
@@ -140,11 +145,12 @@ class OtherDrones:
         pose = _updated(before.pose if before else None, sighting, now)
         if pose is None:
             return
-        flies = sighting.pose.position[2] > drone.standing_height + OFF_GROUND
+        height = sighting.pose.position[2]
+        flies = height > drone.standing_height + OFF_GROUND
         until = before.urgent_until if before else -inf
         if flies and drone.gives_way and self._comes_at_us(pose, drone.radius):
             until = now + URGENT_KEPT
-        self._seen[body] = _Seen(pose, flies, until)
+        self._seen[body] = _Seen(pose, flies, height < self._low, until)
 
     def _comes_at_us(self, pose: TrackedPose, radius: float) -> bool:
         """Return whether a drone flies at ours, were that to stay where it is."""
@@ -169,7 +175,8 @@ class OtherDrones:
     def _obstacle(self, body: str, now: float) -> Obstacle:
         drone, seen = self._drones[body], self._seen[body]
         is_lost = self._is_lost(seen)
-        is_met = seen.flies and not is_lost and (not drone.gives_way or now <= seen.urgent_until)
+        has_way = not drone.gives_way or seen.is_low or now <= seen.urgent_until
+        is_met = seen.flies and not is_lost and has_way
         margin = 0.0
         if seen.flies and not is_met:
             margin = LOST_MARGIN if is_lost else PASSING_MARGIN
