@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
@@ -49,7 +51,7 @@ class MissionManager:
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
         )
-        self._monitors: dict[Watch, Monitor] = {
+        monitors: dict[Watch, Monitor] = {
             Watch.LANDING: self._landings,
             Watch.BLIND_LANDING: self._blind,
             Watch.COLLISION: self._collisions,
@@ -59,6 +61,14 @@ class MissionManager:
             Watch.SEPARATION: self._separation,
             Watch.NUDGE: self._nudges,
         }
+        holds: dict[Situation, Callable[[], bool]] = {
+            Situation.MAKING_WAY: lambda: self._separation.is_yielding,
+            Situation.AWAITING_PASSAGE: lambda: self._passing.is_waiting,
+        }
+        self._rows = tuple(
+            (monitors[row.watch], tuple(holds[situation] for situation in row.silenced_by))
+            for row in PRIORITIES
+        )
 
     @property
     def state(self) -> MissionState:
@@ -134,20 +144,12 @@ class MissionManager:
             answer = self._commander.obey(order, vehicle)
             events.extend(self._nudges.heard(order, answer, vehicle.now))
         events.extend(self._monitor.step(vehicle, target, facing))
-        for row in PRIORITIES:
-            silent = any(self._is(situation) for situation in row.silenced_by)
+        for monitor, silencers in self._rows:
+            silent = bool(silencers) and any(holds() for holds in silencers)
             rate, share = self._passing.rate, self._separation.speed_factor
-            look = Look(vehicle, target, silent, rate, share)
-            proposal = self._monitors[row.watch].propose(look)
+            proposal = monitor.propose(Look(vehicle, target, silent, rate, share))
             if proposal is not NOTHING:
                 self._commander.carry_out(proposal)
                 events.extend(proposal.events)
         events.extend(self._lost_drones.step(vehicle.now))
         return events
-
-    def _is(self, situation: Situation) -> bool:
-        match situation:
-            case Situation.MAKING_WAY:
-                return self._separation.is_yielding
-            case Situation.AWAITING_PASSAGE:
-                return self._passing.is_waiting
