@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from housefly.messages.words import Words
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
@@ -59,7 +60,7 @@ class TaskBoard:
 
     at: float
     mode: HouseMode
-    drone: str
+    drone: Words
     records: bool
     tasks: tuple[TaskStatus, ...]
     ended: tuple[TaskStatus, ...]
@@ -97,7 +98,7 @@ class SentenceAnswer:
 
     understood: bool
     intent: str
-    words: str
+    words: Words
     slots: dict[str, ParameterValue] = field(default_factory=dict)
     task: TaskStatus | None = None
     suggestions: tuple[str, ...] = ()

@@ -9,6 +9,7 @@ from typing import Any
 from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource
+from housefly.messages.words import literal
 from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface, TaskStatus
 from housefly.tasks.engine.task_outlet import TaskOutlet, task_event, task_name
 from housefly.tasks.engine.task_record import TaskRecord
@@ -155,7 +156,8 @@ class TaskActions:
 
     def _ask(self, doing: _Doing, wanted: AskPerson) -> None:
         until = None if wanted.timeout is None else doing.unix + wanted.timeout
-        question = PersonQuestion(wanted.id, wanted.words, wanted.choices, until, wanted.otherwise)
+        words = literal(wanted.words)
+        question = PersonQuestion(wanted.id, words, wanted.choices, until, wanted.otherwise)
         doing.record.question = question
         self.tell("person asked", doing.task, doing.unix, words=wanted.words)
 

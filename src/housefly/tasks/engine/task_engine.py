@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from housefly.errors import TaskError
 from housefly.messages import Order, OrderKind, OrderSource
+from housefly.messages.words import UNSAID, Words, error_words, literal, said
 from housefly.tasks.api.values import (
     ATTENDED,
     HouseMode,
@@ -68,7 +69,7 @@ class TaskEngine:
         runs: TaskRuns,
         actions: TaskActions,
     ) -> None:
-        self._drone = DroneAvailability(False, "the tasks have just begun")
+        self._drone = DroneAvailability(False, Words("the tasks have just begun"))
         self._store, self._runs, self._actions = store, runs, actions
         self._scheduler = store.load(limits)
         self._ended: deque[TaskStatus] = deque(store.newest_ended(_SHOWN), _SHOWN)
@@ -93,7 +94,7 @@ class TaskEngine:
                     if task.started_at is not None and before.took_off_at is None:
                         record.flown = None  # it may have flown since it was kept
             except TaskError as error:
-                report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, str(error))
+                report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, error_words(error))
                 self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
         self._take(self._scheduler.restarted(unix), unix)
 
@@ -107,7 +108,7 @@ class TaskEngine:
         """The open tasks, as they will fly, each with why it does not yet."""
         waits = waiting_words(self._scheduler, self._drone)
         return tuple(
-            task_status(task, self._runs.record(task.id), waits.get(task.id, ""))
+            task_status(task, self._runs.record(task.id), waits.get(task.id, UNSAID))
             for task in board_order(self._scheduler)
         )
 
@@ -271,10 +272,11 @@ class TaskEngine:
             if has_run and record is not None and task.traits.flies and is_airborne:
                 home = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),)
                 self._actions.perform(task, record, home, now, unix)
+        why = literal(words)
         reports = [
-            RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, words) for task in active
+            RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, why) for task in active
         ]
-        self._take(self._scheduler.ticked(unix, reports, DroneAvailability(False, words)), unix)
+        self._take(self._scheduler.ticked(unix, reports, DroneAvailability(False, why)), unix)
 
     def keep_clip(self, number: int, clip: str, words: str = "") -> None:
         """Remember a clip or snapshot of an open task, and report what is wrong with it."""
@@ -327,7 +329,7 @@ class TaskEngine:
 
     def _end_status(self, task: ScheduledTask) -> TaskStatus:
         status = task_status(task, self._runs.record(task.id))
-        return replace(status, words=task.words or task.stage.value)
+        return replace(status, words=task.words or said(task.stage))
 
 
 def scheduling_traits(task: BoundTask) -> TaskTraits:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from housefly.messages import Order, OrderKind, OrderSource, Phase
+from housefly.messages.words import Words, literal
 from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.task_actions import TaskActions
@@ -151,12 +152,12 @@ class TaskRuns:
                 continue
             if record.run is None or record.resumes:
                 if task.traits.flies and self.person_ordered:
-                    words = "a person ordered the drone before it began"
+                    words = Words("a person ordered the drone before it began")
                     record.abandon(ReasonCode.PERSON_TOOK_OVER, words, TaskStage.CANCELLED)
                 elif task.state is QueueState.RUNNING:  # not while it is paused
                     self._begin(task, record, drone, unix)
             elif task.traits.flies and lost:
-                record.abandon(ReasonCode.NOT_READY, lost)
+                record.abandon(ReasonCode.NOT_READY, literal(lost))
             # What begins now gives its first order now: no tick is lost on the way into the air.
             if not record.resumes and (not task.traits.flies or (is_fresh and not lost)):
                 self._step_one(task, record, inputs)
@@ -233,7 +234,9 @@ class TaskRuns:
             actions = run.step(replace(inputs, replies=record.take_replies()))
         except Exception as error:
             _log.exception("task %d failed", task.id)
-            words = f"a step failed inside ({type(error).__name__}); the log says why"
+            words = Words(
+                "a step failed inside ({error}); the log says why", error=type(error).__name__
+            )
             record.abandon(ReasonCode.STEP_FAILED, words)
             is_up = task.traits.flies and self._inbox.is_airborne
             actions = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),) if is_up else ()

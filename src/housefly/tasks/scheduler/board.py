@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.messages.words import UNSAID, Words, figure, joined
 from housefly.tasks.scheduler.scheduler import Scheduler
 from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
 from housefly.tasks.scheduler.turns import order_of_flight
@@ -15,11 +16,11 @@ def board_order(scheduler: Scheduler) -> tuple[ScheduledTask, ...]:
     return order_of_flight(scheduler.tasks)
 
 
-def waiting_words(scheduler: Scheduler, drone: DroneAvailability) -> dict[int, str]:
+def waiting_words(scheduler: Scheduler, drone: DroneAvailability) -> dict[int, Words]:
     """Return why each task that could run does not, by id."""
     ready = [task for task in board_order(scheduler) if task.state in _WAITS_FOR_DRONE]
     flights = [task for task in ready if task.traits.flies]
-    words = {task.id: "other tasks run" for task in ready if not task.traits.flies}
+    words = {task.id: Words("other tasks run") for task in ready if not task.traits.flies}
     return words | {
         task.id: _why_on_ground(task, place, scheduler, drone) for place, task in enumerate(flights)
     }
@@ -27,14 +28,14 @@ def waiting_words(scheduler: Scheduler, drone: DroneAvailability) -> dict[int, s
 
 def _why_on_ground(
     task: ScheduledTask, place: int, scheduler: Scheduler, drone: DroneAvailability
-) -> str:
-    ahead = f"{place} before it" if place else ""
+) -> Words:
+    ahead = Words("{n} before it", n=figure(place)) if place else UNSAID
     holder = next(
         (each for each in scheduler.tasks if each.traits.flies and each.state in ACTIVE), None
     )
-    why = ""
+    why = UNSAID
     if holder is not None:
-        why = f"'{holder.traits.title}' has the drone"
+        why = Words("'{title}' has the drone", title=holder.traits.title)
     elif not drone.is_ready:
-        why = drone.words or "the drone is not ready"
-    return "; ".join(filter(None, (why, ahead))) or "it is next"
+        why = drone.words or Words("the drone is not ready")
+    return joined("; ", filter(None, (why, ahead))) or Words("it is next")

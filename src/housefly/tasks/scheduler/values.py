@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.values import (
     ATTENDED,
     Confirm,
@@ -84,7 +85,7 @@ class ScheduledTask:
     turn: int
     fresh_at: float
     code: ReasonCode = ReasonCode.OK
-    words: str = ""
+    words: Words = UNSAID
     question: PersonQuestion | None = None
     rehearsal: RehearsalReport | None = None
     started_at: float | None = None
@@ -127,7 +128,7 @@ class RunReport:
     id: int
     stage: TaskStage = TaskStage.RUNNING
     code: ReasonCode = ReasonCode.OK
-    words: str = ""
+    words: Words = UNSAID
     is_safe_point: bool = False
 
 
@@ -136,7 +137,7 @@ class DroneAvailability:
     """Whether tasks may order the drone now; else why not, as in "the drone charges (43 %)"."""
 
     is_ready: bool
-    words: str = ""
+    words: Words = UNSAID
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +188,7 @@ class CancelRun:
     """Let a run end as its document says; it is stepped until it reports its end."""
 
     id: int
-    words: str
+    words: Words
 
 
 @dataclass(frozen=True, slots=True)

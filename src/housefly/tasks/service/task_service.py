@@ -17,6 +17,7 @@ from housefly.errors import HouseflyError, TaskError
 from housefly.hub.client.room_queries import AskedRoom
 from housefly.messages import Order, OrderKind, Phase
 from housefly.messages.order_fault import NAME_LENGTH_MAX
+from housefly.messages.words import literal
 from housefly.tasks.api.answers import (
     ClipsAnswer,
     FiringsAnswer,
@@ -207,7 +208,7 @@ class TaskService:
         drone = (
             drone_availability(parts.inbox, self.readiness, now)
             if parts.has_drone
-            else DroneAvailability(False, NO_DRONE)
+            else DroneAvailability(False, literal(NO_DRONE))
         )
         with self.desk.lock:
             parts.engine.tick(drone, now, unix)
@@ -230,7 +231,7 @@ class TaskService:
                 parts.rules.mode,
                 drone_words(parts.inbox, self.readiness, self._clock())
                 if parts.has_drone
-                else NO_DRONE,
+                else literal(NO_DRONE),
                 parts.clips.records,
                 parts.engine.open,
                 parts.engine.ended,
