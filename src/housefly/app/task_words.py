@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from housefly.app.room_words import clock_time
 from housefly.config.text import without_numbers
+from housefly.messages.words import literal
 from housefly.tasks.document.open_library import NO_DRONE
 
 if TYPE_CHECKING:
@@ -89,6 +90,8 @@ def shows_the_same(one: TaskBoard, other: TaskBoard) -> bool:
 
 
 def _steady(board: TaskBoard) -> TaskBoard:
-    tasks = tuple(replace(task, words=without_numbers(task.words)) for task in board.tasks)
+    tasks = tuple(replace(task, words=literal(without_numbers(task.words))) for task in board.tasks)
     notices = tuple(without_numbers(words) for words in board.notices)
-    return replace(board, at=0.0, drone=without_numbers(board.drone), tasks=tasks, notices=notices)
+    return replace(
+        board, at=0.0, drone=literal(without_numbers(board.drone)), tasks=tasks, notices=notices
+    )

@@ -48,6 +48,7 @@ from housefly.lab.rehearsal.rehearsal_ahead import tasks_ahead
 from housefly.lab.rehearsal.rehearser import Rehearser
 from housefly.lab.rehearsal.room_now import RoomNow, room_now
 from housefly.messages import RecordingNews, VideoFrame
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.preflight import preflight_refusal
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
@@ -194,8 +195,8 @@ class TasksProcess:
         except HouseflyError:
             return TakeOffReadiness()
         refused = None if view.ready else preflight_refusal(view.checks)
-        words = "" if view.ready else refused.reason if refused else "not looked at yet"
-        return TakeOffReadiness(view.ready, str(words))
+        words = UNSAID if view.ready else refused.reason if refused else Words("not looked at yet")
+        return TakeOffReadiness(view.ready, words)
 
     def _publish_board(self) -> None:
         board = self.service.board()

@@ -28,6 +28,7 @@ from housefly.messages import (
     PilotStep,
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import literal
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import TaskStepState
 from housefly.tasks.document.task_document import BoundTask
@@ -42,6 +43,7 @@ from housefly.twin.world import SimulatedWorld
 
 UNIX_BEGIN = 1.7e9
 """Unix time at the world's time 0 [s]."""
+_CANCELLED = literal("somebody cancelled it")
 _TICK_PERIOD = 0.1
 """Time between two ticks of the task [s]."""
 _SAMPLE_PERIOD = 0.5
@@ -301,8 +303,8 @@ class _FlownTask:
         for word, at, act in (
             ("pause", script.pause_at, run.pause),
             ("resume", script.resume_at, run.resume),
-            ("cancel", script.cancel_at, lambda: run.cancel("somebody cancelled it")),
-            ("cancel again", script.cancel_again_at, lambda: run.cancel("cancelled again")),
+            ("cancel", script.cancel_at, lambda: run.cancel(_CANCELLED)),
+            ("cancel again", script.cancel_again_at, lambda: run.cancel(_CANCELLED)),
         ):
             if self._at >= at and word not in self._interrupted:
                 self._interrupted.add(word)

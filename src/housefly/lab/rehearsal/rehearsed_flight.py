@@ -30,6 +30,7 @@ from housefly.lab.rehearsal.rehearsed_branches import (
 )
 from housefly.lab.rehearsal.rehearsed_stage import RehearsedStage
 from housefly.lab.rehearsal.room_now import RoomNow
+from housefly.messages.words import Words, error_words, figure, literal
 from housefly.pilot.behavior.way_home import RETURN_RESERVE
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
@@ -101,15 +102,18 @@ class RehearsedSite:
         try:
             report = self._checked(task, now, ask) or self._flown(task, now, ask, began + limit)
         except TaskError as error:
-            report = RehearsalReport(False, ReasonCode(error.code), str(error))
+            report = RehearsalReport(False, ReasonCode(error.code), error_words(error))
         except HouseflyError as error:
-            report = RehearsalReport(False, ReasonCode.STEP_FAILED, str(error))
+            report = RehearsalReport(False, ReasonCode.STEP_FAILED, error_words(error))
         except RehearsalTimeout:
             report = RehearsalReport(
                 False,
                 ReasonCode.NOT_READY,
-                f"the rehearsal was not done after {limit:.0f} s: this machine is busy, or the task"
-                " has many ways",
+                Words(
+                    "the rehearsal was not done after {n} s: this machine is busy, or the task has"
+                    " many ways",
+                    n=figure(limit, ".0f"),
+                ),
             )
         return replace(report, took=time.monotonic() - began)
 
@@ -120,7 +124,9 @@ class RehearsedSite:
             TaskError: something that it looks at is unknown, or cannot be seen.
         """
         if not task.flies:
-            return RehearsalReport(True, ReasonCode.OK, "nothing flies", duration=0.0, charge=0.0)
+            return RehearsalReport(
+                True, ReasonCode.OK, Words("nothing flies"), duration=0.0, charge=0.0
+            )
         here = (*self._loaded.room.home, 0.0) if now.drone is None else now.drone
         way: list[Vec2] = [here[:2]]
         for subject in _subjects(task.steps):
@@ -142,9 +148,11 @@ class RehearsedSite:
         spare = _known(now.battery) - limits.battery_floor - RETURN_RESERVE
         if charge <= spare:
             return None
-        words = (
-            f"it takes {_minutes(duration)} and {100 * charge:.0f} % of the charge;"
-            f" {100 * max(0.0, spare):.0f} % are left above what the way home needs"
+        words = Words(
+            "it takes {time} and {p} % of the charge; {q} % are left above what the way home needs",
+            time=_minutes(duration),
+            p=figure(100 * charge, ".0f"),
+            q=figure(100 * max(0.0, spare), ".0f"),
         )
         return RehearsalReport(False, ReasonCode.BATTERY, words, way, duration, charge)
 
@@ -158,11 +166,16 @@ class RehearsedSite:
             report = self._judged(branch.flight, now, branch.fails_by_itself)
             if not report.may_fly:
                 is_only = not branch.words or not branches
-                words = report.words if is_only else f"{branch.words}: {report.words}"
+                words = report.words
+                if not is_only:
+                    words = Words("{what}: {why}", what=branch.words, why=words)
                 return replace(report, words=words)
             branches.append(branch)
         if len(branches) > BRANCHES_MAX:
-            words = f"its answers lead to more than {BRANCHES_MAX} ways: too many to rehearse"
+            words = Words(
+                "its answers lead to more than {n} ways: too many to rehearse",
+                n=figure(BRANCHES_MAX),
+            )
             return RehearsalReport(False, ReasonCode.TOO_LONG, words)
         if all(branch.fails_by_itself for branch in branches):
             return self._judged(branches[0].flight, now)
@@ -183,7 +196,7 @@ class RehearsedSite:
             first_look=reports[0].first_look,
             shortest=max(0.0, shortest),
         )
-        return replace(report, words=_expectation(report, branches))
+        return replace(report, words=literal(_expectation(report, branches)))
 
     def _fly_once(
         self, task: BoundTask, script: TaskScript, now: RoomNow, ask: AskRoom, until: float
@@ -222,7 +235,7 @@ class RehearsedSite:
         report = RehearsalReport(
             may_fly=False,
             code=flight.code,
-            words=flight.words,
+            words=literal(flight.words),
             way=tuple(one.place for one in flight.samples),
             duration=flight.landed_at or flight.ended_at,
             charge=flight.charge,
@@ -231,14 +244,14 @@ class RehearsedSite:
             first_look=looks[0].at if looks else None,
         )
         if flight.contacts:
-            words = f"the drone would touch {flight.contacts[0].name}"
+            words = Words("the drone would touch {thing}", thing=flight.contacts[0].name)
             return replace(report, code=ReasonCode.SAFETY, words=words)
         if flight.stage is not TaskStage.DONE and not may_fail:
             code = ReasonCode.TOO_LONG if flight.code is ReasonCode.OK else flight.code
-            words = flight.words or f"not done after {_minutes(_LONGEST)}"
+            words = literal(flight.words) or Words("not done after {time}", time=_minutes(_LONGEST))
             return replace(report, code=code, words=words)
         if flight.airborne_at is not None and not flight.is_on_pad:
-            words = f"it would land {flight.off_pad:.1f} m from the pad"
+            words = Words("it would land {d} m from the pad", d=figure(flight.off_pad, ".1f"))
             return replace(report, code=ReasonCode.SAFETY, words=words)
         refused = self._too_long(now, report.duration or 0.0, flight.charge, report.way)
         if refused is not None:

@@ -28,6 +28,7 @@ from housefly.lab.rehearsal.rehearsal_link import (
     memory_refusal,
 )
 from housefly.lab.rehearsal.room_now import RoomNow
+from housefly.messages.words import literal
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.values import ReasonCode, RehearsalReport
 from housefly.tasks.document.task_document import BoundTask
@@ -243,4 +244,4 @@ class _Worker:
 
 
 def _not_ready(words: str) -> RehearsalReport:
-    return RehearsalReport(False, ReasonCode.NOT_READY, words)
+    return RehearsalReport(False, ReasonCode.NOT_READY, literal(words))

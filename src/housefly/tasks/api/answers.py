@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from housefly.config.house_mode import HouseMode
 from housefly.evidence.clip_values import ClipsAnswer, ClipsQuestion, DeleteClip, KeepClip
+from housefly.messages.words import Words
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
@@ -57,7 +58,7 @@ class TaskBoard:
 
     at: float
     mode: HouseMode
-    drone: str
+    drone: Words
     records: bool
     tasks: tuple[TaskStatus, ...]
     ended: tuple[TaskStatus, ...]
@@ -95,7 +96,7 @@ class SentenceAnswer:
 
     understood: bool
     intent: str
-    words: str
+    words: Words
     slots: dict[str, ParameterValue] = field(default_factory=dict)
     task: TaskStatus | None = None
     suggestions: tuple[str, ...] = ()

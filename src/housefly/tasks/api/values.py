@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from housefly.geometry import Vec2
+from housefly.messages.words import Words
 
 ParameterValue = str | float | bool
 
@@ -174,7 +175,7 @@ class RehearsalReport:
 
     may_fly: bool
     code: ReasonCode
-    words: str
+    words: Words
     way: tuple[Vec2, ...] = ()
     duration: float | None = None
     charge: float | None = None
@@ -206,7 +207,7 @@ class PersonQuestion:
     """
 
     id: str
-    words: str
+    words: Words
     choices: tuple[str, ...] = ("yes", "no")
     until: float | None = None
     otherwise: str = "no"
@@ -239,7 +240,7 @@ class TaskStatus:
     parameters: dict[str, ParameterValue]
     state: TaskStage
     code: ReasonCode
-    words: str
+    words: Words
     asked_by: str
     surface: RequestSurface
     cause: str

@@ -7,8 +7,12 @@ from enum import Enum
 
 from housefly.messages import DroneStatus, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import UNSAID, Words, said
 from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
 from housefly.tasks.scheduler.values import DroneAvailability
+
+_NOT_SAID = Words("the pilot has not said yet whether it may take off")
+_SILENT = Words("the pilot does not answer")
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +20,7 @@ class TakeOffReadiness:
     """What the pilot's pre-flight list says; before the first look nothing is known."""
 
     is_ready: bool = False
-    words: str = "the pilot has not said yet whether it may take off"
+    words: Words = _NOT_SAID
 
 
 def drone_availability(
@@ -32,12 +36,12 @@ def drone_availability(
         now: the pilot's clock [s].
     """
     if inbox.age(now) > SILENT_TIME:
-        return DroneAvailability(False, "the pilot does not answer")
+        return DroneAvailability(False, _SILENT)
     if inbox.status in AIRBORNE_STATUSES:
         by_task = inbox.is_flown_by_task
-        return DroneAvailability(by_task, "" if by_task else "a person flies the drone")
+        return DroneAvailability(by_task, UNSAID if by_task else Words("a person flies the drone"))
     if inbox.status is not DroneStatus.LANDED:
-        return DroneAvailability(False, "the drone does not say that it stands")
+        return DroneAvailability(False, Words("the drone does not say that it stands"))
     return DroneAvailability(readiness.is_ready, readiness.words)
 
 
@@ -58,15 +62,18 @@ def drone_place(inbox: StepInbox, now: float) -> DronePlace:
     return DronePlace.GROUND if inbox.status is DroneStatus.LANDED else DronePlace.UNKNOWN
 
 
-def drone_words(inbox: StepInbox, readiness: TakeOffReadiness, now: float) -> str:
+def drone_words(inbox: StepInbox, readiness: TakeOffReadiness, now: float) -> Words:
     """Return what the drone does; arguments as above."""
     step = inbox.newest
     if step is None or inbox.age(now) > SILENT_TIME:
-        return "the pilot does not answer"
+        return _SILENT
     outputs = step.outputs
     if outputs.reason:
         return outputs.reason
     if inbox.status in AIRBORNE_STATUSES:
-        goal = f": {outputs.goal_name}" if outputs.goal_name else ""
-        return f"{outputs.phase.value if outputs.phase is not Phase.IDLE else 'flying'}{goal}"
-    return "on the ground" + (f"; {readiness.words}" if not readiness.is_ready else ", ready")
+        does = said(outputs.phase) if outputs.phase is not Phase.IDLE else Words("flying")
+        goal = outputs.goal_name
+        return Words("{asked} {place}", asked=does, place=goal) if goal else does
+    if readiness.is_ready:
+        return Words("on the ground, ready")
+    return Words("on the ground; {why}", why=readiness.words)

@@ -11,6 +11,7 @@ from housefly.evidence.clip_news import ClipOrigin
 from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource
+from housefly.messages.words import literal
 from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface, TaskStatus
 from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.engine.task_outlet import TaskOutlet, task_event, task_name
@@ -157,7 +158,8 @@ class TaskActions:
 
     def _ask(self, doing: _Doing, wanted: AskPerson) -> None:
         until = None if wanted.timeout is None else doing.unix + wanted.timeout
-        question = PersonQuestion(wanted.id, wanted.words, wanted.choices, until, wanted.otherwise)
+        words = literal(wanted.words)
+        question = PersonQuestion(wanted.id, words, wanted.choices, until, wanted.otherwise)
         doing.record.question = question
         self.tell("person asked", doing.task, doing.unix, words=wanted.words)
 

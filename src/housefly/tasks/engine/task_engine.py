@@ -12,6 +12,7 @@ from dataclasses import replace
 from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
 from housefly.messages import Order, OrderKind, OrderSource
+from housefly.messages.words import UNSAID, Words, error_words, literal, said
 from housefly.tasks.api.values import (
     ATTENDED,
     ReasonCode,
@@ -73,7 +74,7 @@ class TaskEngine:
     ) -> None:
         self._drones = drones
         self._available = tuple(
-            DroneAvailability(False, "the tasks have just begun", name) for name in drones
+            DroneAvailability(False, Words("the tasks have just begun"), name) for name in drones
         )
         self._store, self._runs, self._actions = store, runs, actions
         self._scheduler = store.load(limits)
@@ -101,7 +102,7 @@ class TaskEngine:
                     if task.started_at is not None and before.took_off_at is None:
                         record.flown = None  # it may have flown since it was kept
             except TaskError as error:
-                report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, str(error))
+                report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, error_words(error))
                 self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
         self._take(self._scheduler.restarted(unix), unix)
 
@@ -115,7 +116,7 @@ class TaskEngine:
         """The open tasks, as they will fly, each with why it does not yet."""
         waits = waiting_words(self._scheduler, *self._available)
         return tuple(
-            task_status(task, self._runs.record(task.id), waits.get(task.id, ""))
+            task_status(task, self._runs.record(task.id), waits.get(task.id, UNSAID))
             for task in board_order(self._scheduler)
         )
 
@@ -279,8 +280,9 @@ class TaskEngine:
             if has_run and record is not None and task.traits.flies and is_up:
                 home = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),)
                 self._actions.perform(task, record, home, now, unix)
+        why = literal(words)
         reports = [
-            RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, words) for task in active
+            RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, why) for task in active
         ]
         self._take(self._scheduler.ticked(unix, reports), unix)
 
@@ -335,7 +337,7 @@ class TaskEngine:
 
     def _end_status(self, task: ScheduledTask) -> TaskStatus:
         status = task_status(task, self._runs.record(task.id))
-        return replace(status, words=task.words or task.stage.value)
+        return replace(status, words=task.words or said(task.stage))
 
 
 def _wish(request: TaskRequest) -> tuple[object, ...]:

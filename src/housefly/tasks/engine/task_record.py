@@ -5,6 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 
+from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.values import (
     ENDED,
     PersonQuestion,
@@ -75,7 +76,7 @@ class TaskRecord:
             self.flown = (self.flown or 0.0) + max(0.0, now - self.airborne_at)
         self.airborne_at = now if is_airborne else None
 
-    def abandon(self, code: ReasonCode, words: str, stage: TaskStage = TaskStage.FAILED) -> None:
+    def abandon(self, code: ReasonCode, words: Words, stage: TaskStage = TaskStage.FAILED) -> None:
         """End it here, without another step of its run."""
         self.ending = RunReport(0, stage, code, words)
 
@@ -85,7 +86,9 @@ class TaskRecord:
         return replies
 
 
-def task_status(task: ScheduledTask, record: TaskRecord | None, waiting: str = "") -> TaskStatus:
+def task_status(
+    task: ScheduledTask, record: TaskRecord | None, waiting: Words = UNSAID
+) -> TaskStatus:
     """Return a task as the board shows it.
 
     Args:
@@ -98,7 +101,7 @@ def task_status(task: ScheduledTask, record: TaskRecord | None, waiting: str = "
     words, stage = task.words, task.stage
     if is_open and record is not None:
         if record.rehearsal is not None:
-            words = words or "it is rehearsed"
+            words = words or Words("it is rehearsed")
         elif task.stage is TaskStage.QUEUED:
             words = words or waiting
         elif run is not None and task.stage is TaskStage.RUNNING:

@@ -11,6 +11,7 @@ from itertools import count
 from threading import Lock
 
 from housefly.errors import HouseflyError, TaskError
+from housefly.messages.words import Words, error_words, literal
 from housefly.tasks.api.values import ATTENDED, ReasonCode, RehearsalReport, RequestSurface
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.task_outlet import TaskRehearser
@@ -144,11 +145,14 @@ def report_of(future: Future[RehearsalReport]) -> RehearsalReport:
     if error is None:
         return future.result()
     if isinstance(error, TaskError):
-        return RehearsalReport(False, ReasonCode(error.code), str(error))
+        return RehearsalReport(False, ReasonCode(error.code), error_words(error))
     _log.error("a rehearsal failed", exc_info=error)
-    words = str(error) if isinstance(error, HouseflyError) else type(error).__name__
+    is_ours = isinstance(error, HouseflyError)
+    why = error_words(error) if is_ours else literal(type(error).__name__)
     return RehearsalReport(
-        False, ReasonCode.NOT_READY, f"it could not be rehearsed ({words}), so it does not fly"
+        False,
+        ReasonCode.NOT_READY,
+        Words("it could not be rehearsed ({why}), so it does not fly", why=why),
     )
 
 

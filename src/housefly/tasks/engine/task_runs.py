@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from housefly.messages import Order, OrderKind, OrderSource, Phase
+from housefly.messages.words import Words, literal
 from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.task_actions import TaskActions
@@ -151,12 +152,12 @@ class TaskRuns:
             pilot, drone = news[record.drone], availability[record.drone]
             if record.run is None or record.resumes:
                 if task.traits.flies and record.drone in self.person_ordered:
-                    words = "a person ordered the drone before it began"
+                    words = Words("a person ordered the drone before it began")
                     record.abandon(ReasonCode.PERSON_TOOK_OVER, words, TaskStage.CANCELLED)
                 elif task.state is QueueState.RUNNING:  # not while it is paused
                     self._begin(task, record, drone, unix)
             elif task.traits.flies and pilot.lost:
-                record.abandon(ReasonCode.NOT_READY, pilot.lost)
+                record.abandon(ReasonCode.NOT_READY, literal(pilot.lost))
             # What begins now gives its first order now: no tick is lost on the way into the air.
             is_heard = pilot.is_fresh and not pilot.lost
             if not record.resumes and (not task.traits.flies or is_heard):
@@ -230,7 +231,9 @@ class TaskRuns:
             actions = run.step(replace(inputs, replies=record.take_replies()))
         except Exception as error:
             _log.exception("task %d failed", task.id)
-            words = f"a step failed inside ({type(error).__name__}); the log says why"
+            words = Words(
+                "a step failed inside ({error}); the log says why", error=type(error).__name__
+            )
             record.abandon(ReasonCode.STEP_FAILED, words)
             is_up = task.traits.flies and self._is_airborne(record)
             actions = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),) if is_up else ()

@@ -10,6 +10,7 @@ from py_trees.composites import Composite
 from py_trees.decorators import Decorator
 
 from housefly.errors import HouseflyError
+from housefly.messages.words import Words, error_words, figure
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.document.step_parser import EACH
 from housefly.tasks.document.steps import TaskCondition
@@ -65,7 +66,9 @@ class TimeLimit(Decorator):
         is_late = self._context.time - self._began > self._limit
         if self.decorated.status is Status.RUNNING and is_late:
             self.has_expired = True
-            words = f"{self.name} took longer than {self._limit:g} s"
+            words = Words(
+                "{what} took longer than {n} s", what=self.name, n=figure(self._limit, "g")
+            )
             self._context.failure = (ReasonCode.TIMEOUT, words)
             return Status.FAILURE
         return self.decorated.status
@@ -143,7 +146,7 @@ class ForEach(Decorator):
             self._left = every_name(self._every, self._context)
         except HouseflyError as error:
             self._left, self._failed = [], True
-            self._context.failure = (ReasonCode.STEP_FAILED, str(error))
+            self._context.failure = (ReasonCode.STEP_FAILED, error_words(error))
         self._context.results[EACH] = self._left[0] if self._left else ""
 
     def tick(self) -> Iterator[Behaviour]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.messages.words import Words
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import FlightStep
 from housefly.tasks.execution.step_behavior import StepFailed
@@ -32,7 +33,9 @@ class Descent(FlightStep):
                 raise StepFailed(fault, ReasonCode.SAFETY)
             return True
         if self.context.inputs.status is DroneStatus.EMERGENCY:
-            raise StepFailed("the motors are off: the drone fell or was cut", ReasonCode.SAFETY)
+            raise StepFailed(
+                Words("the motors are off: the drone fell or was cut"), ReasonCode.SAFETY
+            )
         if self.context.orders.order is not None and self.context.inputs.phase is not Phase.LANDING:
             self.is_accepted()
         return False

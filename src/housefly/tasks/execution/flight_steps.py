@@ -9,6 +9,7 @@ from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, OrderOutcome, Phase
+from housefly.messages.words import Words
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.last_seen import ANYBODY
 from housefly.tasks.execution.order_tracker import ANSWER_TIME
@@ -92,7 +93,7 @@ class FlightStep(StepBehavior):
         if is_late and self._tries < ORDER_TRIES:
             self.send()
         elif answer is None:
-            raise StepFailed("the pilot does not answer", ReasonCode.NOT_READY)
+            raise StepFailed(Words("the pilot does not answer"), ReasonCode.NOT_READY)
         else:
             raise StepFailed(answer.reason, self._code_of(answer.outcome))
         return False
@@ -160,7 +161,7 @@ class GoTo(FlightStep):
         """Return where to look from now."""
         subject = self.text("subject")
         if not subject:
-            raise StepFailed("it is not known what to look at", ReasonCode.UNKNOWN_THING)
+            raise StepFailed(Words("it is not known what to look at"), ReasonCode.UNKNOWN_THING)
         if subject == ANYBODY:
             subject = self._who = self._who or nearest_person(self.context, self._origin)
             self.context.faced = subject
@@ -269,7 +270,7 @@ def nearest_person(context: RunContext, here: Vec3 | None) -> str:
     """Return the id of whoever is seen nearest to a place [m]; raises StepFailed without one."""
     people = context.room.people()
     if not people:
-        raise StepFailed("nobody is seen", ReasonCode.UNKNOWN_THING)
+        raise StepFailed(Words("nobody is seen"), ReasonCode.UNKNOWN_THING)
     if here is None:
         return people[0].id
     return min(people, key=lambda each: distance(each.position[:2], here[:2])).id

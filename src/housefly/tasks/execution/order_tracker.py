@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.messages import Event, EventCode, Order, OrderAnswer, OrderKind, Phase, SafetyMode
+from housefly.messages.order_words import ORDER_WORDS
+from housefly.messages.words import Words, said
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.values import TaskInputs
 
@@ -46,7 +48,7 @@ class Interference:
     """Why a task flies no longer: a reason code and one sentence."""
 
     code: ReasonCode
-    words: str
+    words: Words
 
 
 class OrderTracker:
@@ -122,8 +124,8 @@ class OrderTracker:
             self.trouble = event.text
         elif event.code in DECISIONS:
             is_gates = event.code is EventCode.FORCED_DOWN
-            why = _why(inputs) if is_gates else ""
-            return Interference(DECISIONS[event.code], f"{event.text}{why}")
+            text = _with_worst(event.text, inputs) if is_gates else event.text
+            return Interference(DECISIONS[event.code], text)
         return None
 
     def _notice_phase(self, inputs: TaskInputs) -> None:
@@ -137,9 +139,11 @@ class OrderTracker:
 
     def _by_gate(self, inputs: TaskInputs) -> Interference | None:
         if inputs.safety in _DOWN_MODES and not self._lands_for_us(inputs):
-            return Interference(ReasonCode.SAFETY, f"landing for safety{_why(inputs)}")
+            return Interference(ReasonCode.SAFETY, _with_worst(Words("landing for safety"), inputs))
         if inputs.safety is SafetyMode.RETURN and not self.is_homing:
-            return Interference(ReasonCode.SAFETY, f"coming home for safety{_why(inputs)}")
+            return Interference(
+                ReasonCode.SAFETY, _with_worst(Words("coming home for safety"), inputs)
+            )
         return None
 
     def _lands_for_us(self, inputs: TaskInputs) -> bool:
@@ -163,15 +167,21 @@ class OrderTracker:
         )
         if inputs.now - since < SETTLING_TIME:
             return None
-        words = f"the drone is {inputs.phase.value}, which this task did not order"
+        words = Words(
+            "the drone is {phase}, which this task did not order", phase=said(inputs.phase)
+        )
         return Interference(ReasonCode.PERSON_TOOK_OVER, words)
 
 
-def _why(inputs: TaskInputs) -> str:
-    """Return what is wrong, the worst first, to end a sentence with; "" when nothing is told."""
-    return f": {inputs.warnings[0]}" if inputs.warnings else ""
+def _with_worst(what: Words, inputs: TaskInputs) -> Words:
+    """Return words with the worst of what is wrong, where anything is told."""
+    if not inputs.warnings:
+        return what
+    return Words("{what}: {why}", what=what, why=inputs.warnings[0])
 
 
 def _taken_over(kind: OrderKind, sender: str) -> Interference:
-    who, words = sender or "a person", kind.value.replace("_", " ")
-    return Interference(ReasonCode.PERSON_TOOK_OVER, f"{who} took over: {words}")
+    who, what = sender or Words("a person"), ORDER_WORDS[kind]
+    return Interference(
+        ReasonCode.PERSON_TOOK_OVER, Words("{who} took over: {what}", who=who, what=what)
+    )

@@ -11,12 +11,15 @@ from housefly.geometry import Vec2
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.words import Words
 from housefly.pilot.behavior.standing import NEVER_STOOD, StandingHeight
 from housefly.tasks.api.values import ReasonCode, TaskStepState
 from housefly.tasks.document.templates import plain_text
 from housefly.tasks.execution.order_tracker import OrderTracker
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.values import GiveOrder, StopClip, TaskAction, TaskInputs
+
+_FAILED = Words("a step failed")
 
 
 @dataclass(slots=True)
@@ -64,7 +67,7 @@ class RunContext:
     results: dict[str, str] = field(default_factory=dict)
     titles: dict[str, str] = field(default_factory=dict)
     notes: list[StepNote] = field(default_factory=list)
-    failure: tuple[ReasonCode, str] = (ReasonCode.STEP_FAILED, "a step failed")
+    failure: tuple[ReasonCode, Words] = (ReasonCode.STEP_FAILED, _FAILED)
     round: int = 0
     faced: str = ""
     station: Order | None = None

@@ -6,6 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from housefly.errors import HouseflyError, TaskError
+from housefly.messages.words import Words, error_words, figure
 from housefly.tasks.api.values import ReasonCode, TaskStepState
 from housefly.tasks.document.step_forms import default_of
 from housefly.tasks.document.steps import ArgumentValue, TaskStep
@@ -111,14 +112,18 @@ class StepBehavior(Behaviour):
             if self.proceed():
                 return Status.SUCCESS
             if self.elapsed > self.limit():
-                words = f"{self.note.words or self.name} took longer than {self.limit():.3g} s"
+                words = Words(
+                    "{what} took longer than {n} s",
+                    what=self.note.words or self.name,
+                    n=figure(self.limit(), ".3g"),
+                )
                 raise StepFailed(words, ReasonCode.TIMEOUT)
         except StepFailed as error:
-            self.context.failure = (error.code, str(error))
+            self.context.failure = (error.code, error_words(error))
             return Status.FAILURE
         except HouseflyError as error:
             failed = _failed(error)
-            self.context.failure = (failed.code, str(failed))
+            self.context.failure = (failed.code, error_words(failed))
             return Status.FAILURE
         return Status.RUNNING
 
@@ -132,4 +137,4 @@ class StepBehavior(Behaviour):
 def _failed(error: HouseflyError) -> StepFailed:
     codes = {code.value: code for code in ReasonCode}
     code = codes.get(error.code) if isinstance(error, TaskError) else None
-    return StepFailed(str(error), code or ReasonCode.STEP_FAILED)
+    return StepFailed(error_words(error), code or ReasonCode.STEP_FAILED)

@@ -8,6 +8,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.messages.words import UNSAID, Words, joined, literal
 from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState, TaskStepStatus
 from housefly.tasks.document.steps import StepKind, TaskStep
 from housefly.tasks.document.task_document import RETURN_HOME, BoundTask
@@ -36,7 +37,7 @@ WAYS_DOWN = (RETURN_HOME, LAND)
 _MOVING = frozenset({Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING})
 _UNFINISHED = frozenset({TaskStepState.WAITING, TaskStepState.RUNNING})
 
-_End = tuple[TaskStage, ReasonCode, str]
+_End = tuple[TaskStage, ReasonCode, Words]
 
 
 class TaskRun:
@@ -50,7 +51,7 @@ class TaskRun:
 
     def __init__(self, task: BoundTask, room: TaskRoom) -> None:
         self.task = task
-        self.stage, self.code, self.words = TaskStage.RUNNING, ReasonCode.OK, ""
+        self.stage, self.code, self.words = TaskStage.RUNNING, ReasonCode.OK, UNSAID
         self._context = RunContext(task.service, room)
         self._tree = tree_of(task.steps, self._context)
         self._closing: Behaviour | None = None
@@ -87,7 +88,7 @@ class TaskRun:
         is_open = context.orders.is_open(context.inputs.now)
         return is_still and not is_open and not context.clips and self._end is None
 
-    def cancel(self, words: str) -> None:
+    def cancel(self, words: Words) -> None:
         """End it: in the air it does what its document says, on the ground nothing moves.
 
         The second time it leaves out the rest of that, and comes home.
@@ -156,13 +157,13 @@ class TaskRun:
         if self._end is not None:
             self._close()
         elif self._is_late():
-            self._conclude((TaskStage.FAILED, ReasonCode.TIMEOUT, "the task took too long"))
+            self._conclude((TaskStage.FAILED, ReasonCode.TIMEOUT, Words("the task took too long")))
         elif self._wants_station() and self._station is not None:
             self._return_to_station(self._station)
         else:
             self._tick(self._tree)
             if self._tree.status is Status.SUCCESS:
-                self._conclude((TaskStage.DONE, ReasonCode.OK, "done"))
+                self._conclude((TaskStage.DONE, ReasonCode.OK, Words("done")))
             elif self._tree.status is Status.FAILURE:
                 self._conclude((TaskStage.FAILED, *self._context.failure))
             else:
@@ -293,8 +294,8 @@ class TaskRun:
     def _on_its_feet(self, end: _End) -> _End:
         """Return how it ended: not done where the drone came down on something."""
         (stage, code, words), fault = end, self._context.standing_fault
-        if not fault or fault in words:
+        if not fault or words == fault:
             return end
         if stage is TaskStage.DONE:
-            return TaskStage.FAILED, ReasonCode.SAFETY, fault
-        return stage, code, f"{words}; {fault}"
+            return TaskStage.FAILED, ReasonCode.SAFETY, literal(fault)
+        return stage, code, joined("; ", (words, fault))

@@ -6,7 +6,7 @@ from housefly.hub.api.state_answers import NightAnswer, PersonAnswer
 from housefly.hub.situations.kinds import SituationKind
 from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.asking import Asking
-from housefly.tasks.intents.intent_reply import IntentReply
+from housefly.tasks.intents.intent_reply import IntentReply, offering
 from housefly.tasks.intents.time_span import spans_of
 
 BELL = "bell pressed"
@@ -45,10 +45,8 @@ def answer_who(asking: Asking) -> IntentReply:
         return IntentReply(say.joined(*(_how(asking, one) for one in there)))
     unknown = [one.person for one in people if one.present == "unknown"]
     if unknown:
-        return IntentReply(
-            say.joined(say("nobody_seen", people=say.listed(unknown)), say("shall_i_look")),
-            offer=TaskRequest("panorama"),
-        )
+        words = say("nobody_seen", people=say.listed(unknown))
+        return offering(say, words, TaskRequest("panorama"))
     return IntentReply(say("nobody_there"))
 
 
@@ -69,7 +67,7 @@ def _at_door(asking: Asking) -> IntentReply:
             if who
             else say("somebody_at_door", ago=say.ago(since))
         )
-        return IntentReply(say.joined(seen, say("shall_i_look")), offer=visitor)
+        return offering(say, seen, visitor)
     last = say("rang_last", clock=say.clock(rang[-1].at)) if rang else ""
     return IntentReply(say.joined(say("nobody_at_door"), last))
 

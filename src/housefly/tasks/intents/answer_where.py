@@ -6,7 +6,7 @@ from housefly.hub.api.answers import AlternativePlace, WhereAnswer
 from housefly.hub.things.thing import ThingKind
 from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.asking import Asking
-from housefly.tasks.intents.intent_reply import IntentReply
+from housefly.tasks.intents.intent_reply import IntentReply, offering
 from housefly.tasks.intents.names import NamedSubject
 
 STALE_AFTER = 300.0
@@ -38,7 +38,7 @@ def answer_where(asking: Asking) -> IntentReply:
     if asking.slots.go:
         return IntentReply(joined(words, asking.say("i_go_and_look")), request=request)
     if is_stale(found) and found.kind not in (ThingKind.PLACE.value, ThingKind.STRUCTURE.value):
-        return IntentReply(joined(words, asking.say("shall_i_look")), offer=request)
+        return offering(asking.say, words, request)
     return IntentReply(words)
 
 
@@ -63,8 +63,7 @@ def answer_contents(asking: Asking) -> IntentReply:
     if not inside:
         listed_ago = _listed_ago(asking, subject)
         if listed_ago is None:
-            words = say.joined(say("nobody_lists", thing=subject), say("shall_i_look"))
-            return IntentReply(words, offer=offer)
+            return offering(say, say("nobody_lists", thing=subject), offer)
         key = "is_empty" if asking.slots.empty else "nothing_inside"
         return IntentReply(say(key, thing=subject, ago=say.ago(listed_ago)))
     listed = say.listed(inside[:_MOST_CONTENTS])

@@ -9,6 +9,7 @@ from housefly.evidence.clip_values import ClipsQuestion
 from housefly.messages import OrderKind
 from housefly.tasks.api.questions import BoardQuestion, SetMode
 from housefly.tasks.api.values import TaskRequest
+from housefly.tasks.intents.speech import Speech
 
 
 class TaskAct(StrEnum):
@@ -52,6 +53,7 @@ class IntentReply:
         words: the answer, in the language that was asked in.
         request: asks for this service.
         offer: what a yes would ask for; nothing is asked for yet.
+        without_offer: the answer without the question that goes with the offer.
         act: concerns the task that flies.
         order: for the pilot, at once.
         question: for the tasks.
@@ -65,3 +67,10 @@ class IntentReply:
     order: OrderKind | None = None
     question: SetMode | ClipsQuestion | BoardQuestion | None = None
     notice: Notice | None = None
+    without_offer: str = ""
+
+
+def offering(say: Speech, words: str, offer: TaskRequest) -> IntentReply:
+    """Return a reply that ends with the question whether to do what is offered."""
+    asked = say.joined(words, say("shall_i_look"))
+    return IntentReply(asked, offer=offer, without_offer=words)

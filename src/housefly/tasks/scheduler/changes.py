@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from housefly.errors import TaskError
+from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.values import (
     ATTENDED,
     ENDED,
@@ -18,7 +19,7 @@ from housefly.tasks.api.values import (
 )
 from housefly.tasks.scheduler import turns
 from housefly.tasks.scheduler.queue_room import room_for
-from housefly.tasks.scheduler.reasons import ASKING_REASONS, END_REASONS, ORDER_REFUSALS
+from housefly.tasks.scheduler.reasons import ASKING_REASONS, END_REASONS, ORDER_REFUSALS, SOMEBODY
 from housefly.tasks.scheduler.transitions import (
     QUESTIONING,
     STAGES,
@@ -86,12 +87,12 @@ class QueueChanges:
         else:
             self._tasks[task.id] = task
 
-    def refuse(self, task: ScheduledTask, code: ReasonCode, words: str, now: float) -> None:
+    def refuse(self, task: ScheduledTask, code: ReasonCode, words: Words, now: float) -> None:
         """End a request that never comes into the queue."""
         state = _Q.EXPIRED if code is ReasonCode.DEADLINE else _Q.REFUSED
         self.put(replace(task, state=state, code=code, words=words, ended_at=now))
 
-    def order(self, task_id: int, signal: TaskSignal, now: float, words: str) -> None:
+    def order(self, task_id: int, signal: TaskSignal, now: float, words: Words) -> None:
         """Do what a person orders; raises TaskError where the table refuses it."""
         task = self.task(task_id)
         if TRANSITIONS[signal][task.state] is None:
@@ -104,7 +105,7 @@ class QueueChanges:
         task_id: int,
         signal: TaskSignal,
         now: float,
-        words: str = "",
+        words: Words = UNSAID,
         code: ReasonCode | None = None,
     ) -> None:
         """Move an open task by the table; ``words`` and ``code`` say why instead of the usual."""
@@ -112,7 +113,7 @@ class QueueChanges:
         target = TRANSITIONS[signal][task.state] if task is not None else None
         if task is None or target is None or (target is task.state and signal not in _RENEWS):
             return
-        reason, usual = END_REASONS.get(signal, (ReasonCode.OK, ""))
+        reason, usual = END_REASONS.get(signal, (ReasonCode.OK, UNSAID))
         moved = replace(task, state=target, words=words or usual, question=None)
         if STAGES[target] in ENDED:
             moved = replace(moved, code=code or reason, ended_at=now)
@@ -126,13 +127,18 @@ class QueueChanges:
             self.decide(decision(task.id))
         self.put(moved)
 
-    def asked(self, task: ScheduledTask, now: float, why: str) -> ScheduledTask:
+    def asked(self, task: ScheduledTask, now: float, why: Words) -> ScheduledTask:
         """Return the task with the question whether it may begin."""
         began = task.state in (_Q.SUSPENDED, _Q.ASKED_AGAIN)
-        verb = "Go on with" if began else "Fly" if task.traits.flies else "Start"
+        title = task.traits.title
+        words = Words("Start '{title}'? {why}.", title=title, why=why)
+        if began:
+            words = Words("Go on with '{title}'? {why}.", title=title, why=why)
+        elif task.traits.flies:
+            words = Words("Fly '{title}'? {why}.", title=title, why=why)
         question = PersonQuestion(
             id=CONFIRM,
-            words=f"{verb} '{task.traits.title}'? {why}.",
+            words=words,
             until=now + self._limits.confirm_time,
         )
         state = _Q.ASKED_AGAIN if began else _Q.WAITING
@@ -145,7 +151,7 @@ class QueueChanges:
     def agree(self, task_id: int, by: str, now: float) -> None:
         """Take a yes: from now on the task counts as freshly wanted."""
         self._tasks[task_id] = replace(self.task(task_id), fresh_at=now)
-        self.order(task_id, TaskSignal.YES, now, f"{by or 'somebody'} said yes")
+        self.order(task_id, TaskSignal.YES, now, Words("{who} said yes", who=by or SOMEBODY))
 
     def merge(
         self, same: ScheduledTask, task: ScheduledTask, confirm: Confirm, now: float
@@ -161,12 +167,12 @@ class QueueChanges:
         merged = self.task(same.id)
         if confirm is Confirm.AUTO or merged.state is _Q.WAITING:
             merged = replace(merged, request=_joined(merged, task))
-        merged = replace(merged, words=f"also asked for by {task.asker}")
+        merged = replace(merged, words=Words("also asked for by {who}", who=task.asker))
         self.put(merged)
         return merged
 
-    def make_room(self, task: ScheduledTask, now: float, *, asks: bool) -> str:
-        """Let another one make way for a new task where it must; return why it may not wait, or "".
+    def make_room(self, task: ScheduledTask, now: float, *, asks: bool) -> Words:
+        """Let another one make way for a new task where it must; return why it may not wait.
 
         Args:
             task: the new one.
@@ -175,7 +181,7 @@ class QueueChanges:
         """
         room = room_for(task, self.open, self._limits, asks=asks)
         if room.makes_way is not None:
-            words = f"the queue was full, it made way for '{task.traits.title}'"
+            words = Words("the queue was full, it made way for '{title}'", title=task.traits.title)
             self.signal(room.makes_way.id, TaskSignal.MADE_WAY, now, words)
         return room.refusal
 
@@ -195,7 +201,9 @@ class QueueChanges:
         target = TRANSITIONS[signal][holder.state]
         self.decide(PreemptTask(holder.id, is_kept=target in (_Q.SUSPENDED, _Q.HELD_SUSPENDED)))
         self._tasks[holder.id] = replace(holder, fresh_at=now)
-        self.signal(holder.id, signal, now, f"'{taker.traits.title}' took the drone")
+        self.signal(
+            holder.id, signal, now, Words("'{title}' took the drone", title=taker.traits.title)
+        )
 
 
 _DECISIONS: dict[tuple[QueueState, QueueState], Callable[[int], Decision]] = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from housefly.messages.words import UNSAID, Words, figure
 from housefly.tasks.api.values import Priority
 from housefly.tasks.scheduler import turns
 from housefly.tasks.scheduler.transitions import ACTIVE, QUESTIONING
@@ -13,10 +14,10 @@ from housefly.tasks.scheduler.values import ScheduledTask, SchedulerLimits
 
 @dataclass(frozen=True, slots=True)
 class QueueRoom:
-    """Which task makes way, None for none; and why there is no room, in words, or ""."""
+    """Which task makes way, None for none; and why there is no room."""
 
     makes_way: ScheduledTask | None = None
-    refusal: str = ""
+    refusal: Words = UNSAID
 
 
 def room_for(
@@ -33,17 +34,19 @@ def room_for(
     waiting = [each for each in tasks if each.state not in ACTIVE]
     same = _of_source(task, waiting)
     if (asks or not task.is_attended) and len(same) >= limits.per_source:
-        words = f"{len(same)} {_what(task)} wait already; answer or cancel one"
+        words = _wait_already(task, len(same))
         return _taken_from(turns.least_urgent(task, same), words)
     if len(waiting) < limits.queue:
         return QueueRoom()
     lesser = turns.least_urgent(task, waiting)
     if lesser is None and _is_spare_alarm(task, waiting, limits):
         return QueueRoom()
-    return _taken_from(lesser, f"{limits.queue} tasks wait already; cancel one or ask later")
+    return _taken_from(
+        lesser, Words("{n} tasks wait already; cancel one or ask later", n=figure(limits.queue))
+    )
 
 
-def _taken_from(lesser: ScheduledTask | None, refusal: str) -> QueueRoom:
+def _taken_from(lesser: ScheduledTask | None, refusal: Words) -> QueueRoom:
     return QueueRoom(lesser) if lesser is not None else QueueRoom(refusal=refusal)
 
 
@@ -65,7 +68,6 @@ def _of_source(task: ScheduledTask, waiting: list[ScheduledTask]) -> list[Schedu
     ]
 
 
-def _what(task: ScheduledTask) -> str:
-    if task.is_attended:
-        return f"questions of {task.asker}"
-    return f"requests of {task.request.surface.value}"
+def _wait_already(task: ScheduledTask, count: int) -> Words:
+    who = task.asker if task.is_attended else task.request.surface.value
+    return Words("{n} tasks of {who} wait already; answer or cancel one", n=figure(count), who=who)

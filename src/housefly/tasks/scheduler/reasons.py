@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+from housefly.messages.words import Words
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.scheduler.transitions import TaskSignal
 
-END_REASONS: dict[TaskSignal, tuple[ReasonCode, str]] = {
-    TaskSignal.NO: (ReasonCode.DECLINED, "somebody said no"),
-    TaskSignal.CANCEL: (ReasonCode.CANCELLED, "somebody cancelled it"),
-    TaskSignal.UNANSWERED: (ReasonCode.NO_ANSWER, "nobody said yes in time"),
-    TaskSignal.DEADLINE: (ReasonCode.DEADLINE, "it could not begin in time"),
-    TaskSignal.MADE_WAY: (ReasonCode.QUEUE_FULL, "the queue was full, it made way"),
-    TaskSignal.SET_ASIDE: (ReasonCode.CANCELLED, "it was cancelled"),
-    TaskSignal.START_OVER: (ReasonCode.CANCELLED, "it was cancelled"),
-    TaskSignal.BROKEN_OFF: (ReasonCode.PREEMPTED, "a more urgent task took the drone"),
+SOMEBODY = Words("somebody")
+"""Who gives no name."""
+END_REASONS: dict[TaskSignal, tuple[ReasonCode, Words]] = {
+    TaskSignal.NO: (ReasonCode.DECLINED, Words("{who} said no", who=SOMEBODY)),
+    TaskSignal.CANCEL: (ReasonCode.CANCELLED, Words("{who} cancelled it", who=SOMEBODY)),
+    TaskSignal.UNANSWERED: (ReasonCode.NO_ANSWER, Words("nobody said yes in time")),
+    TaskSignal.DEADLINE: (ReasonCode.DEADLINE, Words("it could not begin in time")),
+    TaskSignal.MADE_WAY: (ReasonCode.QUEUE_FULL, Words("the queue was full, it made way")),
+    TaskSignal.SET_ASIDE: (ReasonCode.CANCELLED, Words("it was cancelled")),
+    TaskSignal.START_OVER: (ReasonCode.CANCELLED, Words("it was cancelled")),
+    TaskSignal.BROKEN_OFF: (ReasonCode.PREEMPTED, Words("a more urgent task took the drone")),
     TaskSignal.RESTARTED: (
         ReasonCode.RESTARTED,
-        "the program ended while it flew; nothing starts again without a fresh order",
+        Words("the program ended while it flew; nothing starts again without a fresh order"),
     ),
-    TaskSignal.RESTARTED_BESIDE: (ReasonCode.RESTARTED, "the program ended while it ran"),
+    TaskSignal.RESTARTED_BESIDE: (ReasonCode.RESTARTED, Words("the program ended while it ran")),
 }
 """Why a signal ends a task."""
 ORDER_REFUSALS = {
@@ -29,8 +32,8 @@ ORDER_REFUSALS = {
 }
 """Why an order is refused."""
 ASKING_REASONS = {
-    TaskSignal.STALE: "It waited long",
-    TaskSignal.RESTARTED: "The program was started again",
-    TaskSignal.RESTARTED_BESIDE: "The program was started again",
+    TaskSignal.STALE: Words("It waited long"),
+    TaskSignal.RESTARTED: Words("The program was started again"),
+    TaskSignal.RESTARTED_BESIDE: Words("The program was started again"),
 }
 """Why a person is asked again."""

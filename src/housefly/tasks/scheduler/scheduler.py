@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from housefly.errors import TaskError
 from housefly.geometry import distance
+from housefly.messages.words import Words
 from housefly.tasks.api.values import (
     Confirm,
     ReasonCode,
@@ -17,6 +18,7 @@ from housefly.tasks.api.values import (
 )
 from housefly.tasks.scheduler import turns
 from housefly.tasks.scheduler.changes import QueueChanges
+from housefly.tasks.scheduler.reasons import SOMEBODY
 from housefly.tasks.scheduler.transitions import ACTIVE, QueueState, TaskSignal
 from housefly.tasks.scheduler.values import (
     Decision,
@@ -72,10 +74,10 @@ class Scheduler:
         task = self._new_task(request, traits, now)
         same = turns.same_that_waits(request, self.tasks)
         if confirm is Confirm.NEVER:
-            words = f"'{traits.title}' is not allowed to start from here"
+            words = Words("'{title}' is not allowed to start from here", title=traits.title)
             changes.refuse(task, ReasonCode.NOT_ALLOWED, words, now)
         elif request.deadline is not None and request.deadline <= now:
-            changes.refuse(task, ReasonCode.DEADLINE, "its deadline is over already", now)
+            changes.refuse(task, ReasonCode.DEADLINE, Words("its deadline is over already"), now)
         elif same is not None:
             changes.decide(TaskMerged(changes.merge(same, task, confirm, now)))
             return self._after(changes, self.next_id)
@@ -83,7 +85,7 @@ class Scheduler:
             changes.refuse(task, ReasonCode.QUEUE_FULL, words, now)
         else:
             if confirm is Confirm.ASK:
-                task = changes.asked(task, now, f"Asked for by {task.asker}")
+                task = changes.asked(task, now, Words("Asked for by {who}", who=task.asker))
             changes.put(task)
             changes.decide(TaskAdmitted(task))
         return self._after(changes, self.next_id + 1)
@@ -109,7 +111,7 @@ class Scheduler:
         elif choice == "yes":
             changes.agree(task_id, by, now)
         else:
-            changes.signal(task_id, TaskSignal.NO, now, f"{by or 'somebody'} said no")
+            changes.signal(task_id, TaskSignal.NO, now, Words("{who} said no", who=by or SOMEBODY))
         return self._after(changes)
 
     def cancelled(
@@ -118,13 +120,15 @@ class Scheduler:
         """End a task, or with 0 every open one; raises TaskError for one that is not open."""
         changes = QueueChanges(self.limits, self.tasks)
         for each in [task.id for task in self.tasks] if task_id == 0 else [task_id]:
-            changes.order(each, TaskSignal.CANCEL, now, f"{by or 'somebody'} cancelled it")
+            changes.order(
+                each, TaskSignal.CANCEL, now, Words("{who} cancelled it", who=by or SOMEBODY)
+            )
         return self._after(changes)
 
     def paused(self, task_id: int, by: str, now: float) -> tuple[Scheduler, tuple[Decision, ...]]:
         """Hold a task where it is; raises TaskError where there is nothing to hold."""
         changes = QueueChanges(self.limits, self.tasks)
-        changes.order(task_id, TaskSignal.PAUSE, now, f"{by or 'somebody'} paused it")
+        changes.order(task_id, TaskSignal.PAUSE, now, Words("{who} paused it", who=by or SOMEBODY))
         return self._after(changes)
 
     def continued(
@@ -132,7 +136,9 @@ class Scheduler:
     ) -> tuple[Scheduler, tuple[Decision, ...]]:
         """Let a paused task go on; raises TaskError where there is nothing to continue."""
         changes = QueueChanges(self.limits, self.tasks)
-        changes.order(task_id, TaskSignal.CONTINUE, now, f"{by or 'somebody'} continued it")
+        changes.order(
+            task_id, TaskSignal.CONTINUE, now, Words("{who} continued it", who=by or SOMEBODY)
+        )
         return self._after(changes)
 
     def rehearsed(

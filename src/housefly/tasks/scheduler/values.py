@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from housefly.config.drone import DRONE_NAME
 from housefly.geometry import Vec2
+from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.values import (
     ATTENDED,
     Confirm,
@@ -88,7 +89,7 @@ class ScheduledTask:
     turn: int
     fresh_at: float
     code: ReasonCode = ReasonCode.OK
-    words: str = ""
+    words: Words = UNSAID
     question: PersonQuestion | None = None
     rehearsal: RehearsalReport | None = None
     started_at: float | None = None
@@ -137,7 +138,7 @@ class RunReport:
     id: int
     stage: TaskStage = TaskStage.RUNNING
     code: ReasonCode = ReasonCode.OK
-    words: str = ""
+    words: Words = UNSAID
     is_safe_point: bool = False
 
 
@@ -152,7 +153,7 @@ class DroneAvailability:
     """
 
     is_ready: bool
-    words: str = ""
+    words: Words = UNSAID
     name: str = DRONE_NAME
     place: Vec2 | None = None
 
@@ -205,7 +206,7 @@ class CancelRun:
     """Let a run end as its document says; it is stepped until it reports its end."""
 
     id: int
-    words: str
+    words: Words
 
 
 @dataclass(frozen=True, slots=True)

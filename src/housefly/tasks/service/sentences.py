@@ -12,6 +12,7 @@ from typing import Any, Protocol
 from housefly.errors import ConfigError, HouseflyError, TaskError
 from housefly.hub.client.room_queries import AskedRoom
 from housefly.messages import OrderKind
+from housefly.messages.words import literal
 from housefly.tasks.api.answers import SentenceAnswer
 from housefly.tasks.api.questions import BoardQuestion, Sentence, SetMode, TakePhoto, TaskQuestion
 from housefly.tasks.api.values import ATTENDED, ReasonCode, TaskRequest, TaskStage, TaskStatus
@@ -107,14 +108,12 @@ class Sentences:
         meant = recognize(sentence.text, sentence.language, names, own)
         if isinstance(meant, NotUnderstood):
             return SentenceAnswer(
-                False, "", meant.words, suggestions=meant.suggestions, code=meant.code
+                False, "", literal(meant.words), suggestions=meant.suggestions, code=meant.code
             )
         reply = answer_intent(meant, names, self._room, self._wall(), own)
         if reply.offer is not None and not self._has_drone:
-            offered = phrases(sentence.language)("shall_i_look")
-            words = reply.words.removesuffix(offered).rstrip()
-            reply = replace(reply, words=words, offer=None)
-        answer = SentenceAnswer(True, meant.intent.value, reply.words, meant.given())
+            reply = replace(reply, words=reply.without_offer, offer=None)
+        answer = SentenceAnswer(True, meant.intent.value, literal(reply.words), meant.given())
         try:
             return self._done(answer, reply, sentence, meant)
         except TaskError as error:
@@ -131,20 +130,24 @@ class Sentences:
                 return replace(answer, task=task)
         if objection:
             code = ReasonCode.NOT_ALLOWED
-            return replace(answer, words=say(objection), code=code)
+            return replace(answer, words=literal(say(objection)), code=code)
         if reply.order is not None:
             place = self._do.order(reply.order, _by(sentence), sentence.drone)
-            return replace(answer, words=say.joined(reply.words, say(_PLACES[place])))
+            return replace(answer, words=literal(say.joined(reply.words, say(_PLACES[place]))))
         if reply.request is not None:
             return _asked(answer, self._do.request(_of(reply.request, sentence)), say)
         if reply.offer is not None and sentence.fly:
             return replace(answer, offer=replace(_of(reply.offer, sentence), owner=""))
         if reply.act is not None:
             task = self._do.act(reply.act, _by(sentence))
-            return replace(answer, task=task) if task else replace(answer, words=say("no_task"))
+            return (
+                replace(answer, task=task)
+                if task
+                else replace(answer, words=literal(say("no_task")))
+            )
         if reply.notice is not None:
             is_kept = self._do.notice(reply.notice, sentence.owner or _by(sentence))
-            return answer if is_kept else replace(answer, words=say("too_many_notices"))
+            return answer if is_kept else replace(answer, words=literal(say("too_many_notices")))
         if isinstance(reply.question, SetMode):
             self._do.ask(replace(reply.question, by=_by(sentence)))
         elif reply.question is not None:
@@ -153,7 +156,7 @@ class Sentences:
                 question = replace(question, drone=sentence.drone)
             found = self._do.ask(question)
             words = words_of_answer(meant, found, self._names, self._wall(), self._own)
-            return replace(answer, words=words)
+            return replace(answer, words=literal(words))
         return answer
 
     def _own_sentences(self, language: Language) -> Path | None:
@@ -212,7 +215,7 @@ def _needs_who_may_fly(reply: IntentReply) -> bool:
 def _asked(answer: SentenceAnswer, task: TaskStatus, say: Phrases) -> SentenceAnswer:
     """Return an answer with its task; while somebody must say yes, it says so."""
     if task.state is TaskStage.WAITING:
-        answer = replace(answer, words=say("waits_for_yes"))
+        answer = replace(answer, words=literal(say("waits_for_yes")))
     return replace(answer, task=task)
 
 

@@ -26,6 +26,7 @@ from housefly.evidence.clip_values import (
 from housefly.hub.client.room_queries import AskedRoom
 from housefly.messages import Order, OrderKind
 from housefly.messages.order_fault import NAME_LENGTH_MAX
+from housefly.messages.words import Words, joined, literal
 from housefly.tasks.api.answers import (
     FiringsAnswer,
     ModeAnswer,
@@ -221,7 +222,7 @@ class TaskService:
         available = tuple(
             drone.availability(now)
             if parts.has_drone
-            else DroneAvailability(False, NO_DRONE, drone.name)
+            else DroneAvailability(False, literal(NO_DRONE), drone.name)
             for drone in parts.drones.values()
         )
         with self.desk.lock:
@@ -246,20 +247,21 @@ class TaskService:
             return TaskBoard(
                 self._wall(),
                 parts.rules.mode,
-                self._drone_words() if parts.has_drone else NO_DRONE,
+                self._drone_words() if parts.has_drone else literal(NO_DRONE),
                 any(drone.clips.records for drone in parts.drones.values()),
                 parts.engine.open,
                 parts.engine.ended,
                 self._notices(),
             )
 
-    def _drone_words(self) -> str:
+    def _drone_words(self) -> Words:
         """Return what each drone does; the only one has no need of a name."""
         drones, now = self._parts.drones, self._clock()
         told = {one.name: drone_words(one.inbox, one.readiness, now) for one in drones.values()}
         if len(told) == 1:
             return told[drones.first.name]
-        return "; ".join(f"{name}: {words}" for name, words in told.items())
+        named = [joined(": ", (literal(name), words)) for name, words in told.items()]
+        return joined("; ", named)
 
     def close(self, words: str) -> None:
         """End what runs, sending home what flies; then close clips and store."""

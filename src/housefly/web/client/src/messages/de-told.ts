@@ -936,4 +936,75 @@ export const DE_TOLD: Templates = {
     "{name} sendet mit y nach oben; in der Tracking-Software z nach oben wählen",
   "{name}: no depth images": "{name}: keine Tiefenbilder",
   "{name}: reading failed ({error})": "{name}: Lesen misslang ({error})",
+  "'{title}' has the drone": "„{title}“ hat die Drohne",
+  "'{title}' is not allowed to start from here": "„{title}“ darf von hier nicht beginnen",
+  "'{title}' took the drone": "„{title}“ hat die Drohne übernommen",
+  "Asked for by {who}": "Gewünscht von {who}",
+  "Fly '{title}'? {why}.": "„{title}“ fliegen? {why}.",
+  "Go on with '{title}'? {why}.": "„{title}“ fortsetzen? {why}.",
+  "Start '{title}'? {why}.": "„{title}“ beginnen? {why}.",
+  "It waited long": "Der Auftrag hat lange gewartet",
+  "The program was started again": "Das Programm wurde neu gestartet",
+  "a more urgent task took the drone": "eine dringendere Aufgabe hat die Drohne übernommen",
+  "a person": "jemand",
+  "a person flies the drone": "jemand steuert die Drohne",
+  "a person ordered the drone before it began": "vor dem Beginn hat jemand der Drohne befohlen",
+  "a step failed": "ein Schritt misslang",
+  "a step failed inside ({error}); the log says why":
+    "ein Schritt brach ab ({error}); das Protokoll sagt, warum",
+  "also asked for by {who}": "auch von {who} gewünscht",
+  "it could not be rehearsed ({why}), so it does not fly":
+    "die Probe war nicht möglich ({why}), daher kein Flug",
+  "it could not begin in time": "ein rechtzeitiger Beginn war nicht möglich",
+  "it is next": "als Nächstes an der Reihe",
+  "it is not known what to look at": "unbekannt, was anzusehen ist",
+  "it is rehearsed": "wird geprobt",
+  "it takes {time} and {p} % of the charge; {q} % are left above what the way home needs":
+    "dauert {time} und braucht {p} % der Ladung; über den Heimweg hinaus sind {q} % übrig",
+  "it was cancelled": "wurde abgebrochen",
+  "it would land {d} m from the pad": "sie würde {d} m neben dem Landeplatz landen",
+  "its answers lead to more than {n} ways: too many to rehearse":
+    "die Antworten ergeben mehr als {n} Wege: zu viele zum Proben",
+  "its deadline is over already": "die Frist ist schon vorbei",
+  "nobody is seen": "niemand ist zu sehen",
+  "nobody said yes in time": "niemand hat rechtzeitig Ja gesagt",
+  "not done after {time}": "nach {time} nicht fertig",
+  "not looked at yet": "noch nicht geprüft",
+  "nothing flies": "nichts fliegt",
+  "on the ground, ready": "am Boden, bereit",
+  "other tasks run": "andere Aufgaben laufen",
+  "the drone is not ready": "die Drohne ist nicht bereit",
+  "the drone is {phase}, which this task did not order":
+    "die Drohne tut, was diese Aufgabe nicht befahl: {phase}",
+  "the drone would touch {thing}": "die Drohne würde {thing} berühren",
+  "the motors are off: the drone fell or was cut":
+    "die Motoren sind aus: die Drohne fiel oder wurde abgeschaltet",
+  "the pilot does not answer": "der Autopilot antwortet nicht",
+  "the pilot has not said yet whether it may take off":
+    "der Autopilot hat den Start noch nicht freigegeben",
+  "the program ended while it flew; nothing starts again without a fresh order":
+    "das Programm endete im Flug; ohne neuen Befehl beginnt nichts wieder",
+  "the program ended while it ran": "das Programm endete währenddessen",
+  "the queue was full, it made way": "die Warteschlange war voll, der Auftrag wich",
+  "the queue was full, it made way for '{title}'":
+    "die Warteschlange war voll, der Auftrag wich „{title}“",
+  "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
+    "die Probe war nach {n} s nicht fertig: der Rechner ist ausgelastet, oder die Aufgabe " +
+      "hat viele Wege",
+  "the tasks have just begun": "die Aufgaben haben eben begonnen",
+  "{n} before it": "{n} davor",
+  "{n} tasks of {who} wait already; answer or cancel one":
+    "{n} Aufgaben von {who} warten schon; eine beantworten oder abbrechen",
+  "{n} tasks wait already; cancel one or ask later":
+    "{n} Aufgaben warten schon; eine abbrechen oder später fragen",
+  "{what} took longer than {n} s": "{what} dauerte länger als {n} s",
+  "{what}: {why}": "{what}: {why}",
+  "{who} cancelled it": "{who} hat abgebrochen",
+  "{who} continued it": "{who} hat fortgesetzt",
+  "{who} paused it": "{who} hat unterbrochen",
+  "{who} said no": "{who} hat Nein gesagt",
+  "{who} said yes": "{who} hat Ja gesagt",
+  "{who} took over: {what}": "{who} hat übernommen: {what}",
+  "done": "erledigt",
+  "the task took too long": "die Aufgabe dauerte zu lange",
 };

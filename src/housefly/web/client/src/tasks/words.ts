@@ -2,7 +2,7 @@
 import { sentence } from "../format";
 import type { Key } from "../messages/en";
 import { localNumber } from "../messages/numbers";
-import type { RehearsalReport, TaskStage, TaskStatus } from "../wire/task-messages";
+import type { RehearsalReport, Said, TaskStage, TaskStatus } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
 const SURFACES: Record<TaskStatus["surface"], Key> = {
@@ -86,7 +86,7 @@ function shown(value: string | number | boolean): string {
 const CLOSED = "Who walks there may close the way for a moment: ask again when it is free.";
 
 /** Why something does not fly; a way that is closed now need not stay so. */
-export function withAdvice(words: string, code: string): string {
+export function withAdvice(words: Said, code: string): string {
   const told = sentence(translated(words));
   return code === "no_way" ? `${told} ${t(CLOSED)}` : told;
 }

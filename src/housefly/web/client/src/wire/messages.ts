@@ -413,7 +413,7 @@ export interface TaskStepStatus {
 
 export interface PersonQuestion {
   id: string;
-  words: string;
+  words: Said;
   choices: string[];
   until: number | null;
   otherwise: string;
@@ -422,7 +422,7 @@ export interface PersonQuestion {
 export interface RehearsalReport {
   may_fly: boolean;
   code: ReasonCode;
-  words: string;
+  words: Said;
   way: [number, number][];
   duration: number | null;
   charge: number | null;
@@ -439,7 +439,7 @@ export interface TaskStatus {
   parameters: Record<string, string | number | boolean>;
   state: TaskStage;
   code: ReasonCode;
-  words: string;
+  words: Said;
   asked_by: string;
   surface: RequestSurface;
   cause: string;
@@ -462,7 +462,7 @@ export interface TaskStatus {
 export interface TaskBoard {
   at: number;
   mode: HouseMode;
-  drone: string;
+  drone: Said;
   records: boolean;
   tasks: TaskStatus[];
   ended: TaskStatus[];

@@ -104,7 +104,7 @@ export interface SensorAnswer {
   connected: boolean;
   rate_hz: number;
   age: number | null;
-  problem: string;
+  problem: Said;
   counts: Record<string, number>;
 }
 

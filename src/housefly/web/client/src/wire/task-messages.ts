@@ -45,6 +45,13 @@ export type ReasonCode =
   | "condition"
   | "preempted";
 
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+
 export type RequestSurface =
   | "console"
   | "command line"
@@ -66,7 +73,7 @@ export interface TaskStepStatus {
 
 export interface PersonQuestion {
   id: string;
-  words: string;
+  words: Said;
   choices: string[];
   until: number | null;
   otherwise: string;
@@ -75,7 +82,7 @@ export interface PersonQuestion {
 export interface RehearsalReport {
   may_fly: boolean;
   code: ReasonCode;
-  words: string;
+  words: Said;
   way: [number, number][];
   duration: number | null;
   charge: number | null;
@@ -92,7 +99,7 @@ export interface TaskStatus {
   parameters: Record<string, string | number | boolean>;
   state: TaskStage;
   code: ReasonCode;
-  words: string;
+  words: Said;
   asked_by: string;
   surface: RequestSurface;
   cause: string;
@@ -121,7 +128,7 @@ export type HouseMode = "home" | "away" | "night" | "privacy" | "maintenance";
 export interface TaskBoard {
   at: number;
   mode: HouseMode;
-  drone: string;
+  drone: Said;
   records: boolean;
   tasks: TaskStatus[];
   ended: TaskStatus[];
@@ -172,7 +179,7 @@ export interface TaskRequest {
 export interface SentenceAnswer {
   understood: boolean;
   intent: string;
-  words: string;
+  words: Said;
   slots: Record<string, string | number | boolean>;
   task: TaskStatus | null;
   suggestions: string[];
