@@ -1,1 +1,1 @@
-import"./chunk-chunk-47SXU5KT.js";
+import"./chunk-chunk-23YNCAWM.js";
