@@ -1,1 +1,1 @@
-import"./chunk-chunk-23YNCAWM.js";
+import"./chunk-chunk-IKDTSDSQ.js";

@@ -141,6 +141,7 @@ export const DE_TOLD: Templates = {
   "carry it to its pad": "zum Landeplatz tragen",
   "{why} ({found})": "{why} ({found})",
   "{why}; {more}": "{why}; {more}",
+  "{why}: {more}": "{why}: {more}",
   // why an order would come to nothing
   "Motors are cut: hold Reset first.": "Motoren sind aus: erst „Zurücksetzen“ halten.",
   "Stopped: hold Resume first.": "Angehalten: erst „Fortsetzen“ halten.",

@@ -129,6 +129,7 @@ export const JA_TOLD: Templates = {
   "carry it to its pad": "パッドまで運んでください",
   "{why} ({found})": "{why}（{found}）",
   "{why}; {more}": "{why}。{more}",
+  "{why}: {more}": "{why}：{more}",
   // why an order would come to nothing
   "Motors are cut: hold Reset first.":
     "モーター遮断済みです。先に「リセット」を長押ししてください。",
