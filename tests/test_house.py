@@ -50,7 +50,7 @@ STILL_NAME_IT = {
     "the site's file chooses among models": ("config/drone.py", "config/tracking.py"),
     "the one table of drivers, and lock step's": (
         "drones/__init__.py",
-        "lab/lockstep/lockstep_room.py",
+        "lab/lockstep/lockstep_wires.py",
     ),
     "the paper flew one": ("lab/reproduction/equations.py", "lab/reproduction/fleet.py"),
     "constants that are no airframe's yet": (

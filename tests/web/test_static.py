@@ -24,6 +24,7 @@ ALL_SCRIPT_LIMIT = 60_000
 """The same with all that comes later, without the view in space and the other languages."""
 LANGUAGE_LIMIT = 20_000
 """One language on its way, compressed: only who reads it loads it."""
+LICENCES = ("LICENSES.txt",)
 IN_SPACE = "chunk-room-in-space"
 IN_LANGUAGE = ("chunk-ja-", "chunk-de-")
 NEW_PAGE_LIMIT = 86_000
@@ -55,6 +56,8 @@ IN_SPACE_ONLY = {name for name in LATER if name.startswith(IN_SPACE)}
 LANGUAGES = {name for name in LATER if name.startswith(IN_LANGUAGE)}
 IN_ENGLISH = {name for name in LATER if name.startswith("chunk-later-")}
 BESIDE = set().union(*map(loaded_with, IN_ENGLISH)) - FIRST
+SEVERAL = {"drones.css", "drones.js"}
+"""What only the page of a room with several drones loads."""
 NEW_FIRST = loaded_with("new.js")
 NEW_PAGE = {"new.html", "new.css", *NEW_FIRST}
 NEW_LATER = called_by(NEW_FIRST) - NEW_FIRST
@@ -73,8 +76,9 @@ def compressed(names: set[str]) -> int:
         ({*CONSOLE, *FIRST}, LIMIT),
         (BESIDE, LATER_LIMIT),
         (NEW_PAGE, NEW_PAGE_LIMIT),
+        ({*CONSOLE, *FIRST, *SEVERAL}, LIMIT),
     ],
-    ids=["console", "later", "new"],
+    ids=["console", "later", "new", "several drones"],
 )
 def test_no_page_is_larger_than_allowed(files: set[str], limit: int) -> None:
     assert sum((STATIC_FOLDER / name).stat().st_size for name in files) < limit
@@ -104,7 +108,7 @@ def test_the_screen_of_the_tasks_is_not_in_the_first_load() -> None:
 
 def test_nothing_is_shipped_that_no_page_loads() -> None:
     found = {file.name.removesuffix(".br") for file in STATIC_FOLDER.iterdir()}
-    assert found == {*CONSOLE, *INSTALLED, *FIRST, *LATER, *NEW_PAGE, *NEW_LATER, "LICENSES.txt"}
+    assert found == {*CONSOLE, *INSTALLED, *FIRST, *LATER, *NEW_PAGE, *NEW_LATER, *SEVERAL, *LICENCES}
 
 
 def test_nothing_in_it_points_to_another_host() -> None:
