@@ -10,6 +10,7 @@ from housefly.config.site import Site, site_from_tree
 from housefly.errors import ConfigError
 from housefly.room.bsen import bsen
 from housefly.room.edits import room_of
+from housefly.twin.drone_stands import drone_stands
 
 
 def site_with(pad: Any) -> Site:
@@ -28,6 +29,16 @@ def test_the_room_of_one_drone_has_its_pad_as_home_and_shows_those_of_all() -> N
         pads = {solid.position[:2] for solid in room.solids if solid.thing == "home pad"}
         assert pads == {bsen().home, (4.0, 4.0)}
         assert len({solid.name for solid in room.solids}) == len(room.solids)
+
+
+def test_every_drone_stands_on_its_pad_in_the_room_of_whichever_drone() -> None:
+    site = site_with((4.0, 4.0, 0.5))
+    of_all = drone_stands(site, room_of(site))
+    assert [stand.pad for stand in of_all] == [bsen().home, (4.0, 4.0)]
+    for name in ("red", "blue"):
+        own = site.for_drone(name)
+        stands = drone_stands(own, room_of(own))
+        assert [(one.pad, one.yaw) for one in stands] == [(one.pad, one.yaw) for one in of_all]
 
 
 def test_a_pad_outside_the_room_or_beside_the_rooms_own_is_refused() -> None:

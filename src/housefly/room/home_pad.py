@@ -56,7 +56,7 @@ def with_pads(room: Room, site: Site) -> Room:
         home=home,
         home_yaw=yaw,
         other_pads=tuple(
-            (drone.name, pads[drone.name][:2])
+            (drone.name, pads[drone.name])
             for drone in site.all_drones
             if drone.enabled and drone.name != site.drone.name
         ),

@@ -49,6 +49,7 @@ def drone_stands(site: Site, room: Room, first: str = "") -> tuple[DroneStand, .
 
 
 def _stand(site: Site, room: Room, number: int) -> DroneStand:
-    x, y, yaw = site.drone.pad or (*room.home, room.home_yaw)
     name = site.drone.name
+    # A room that is one drone's has that one's pad as home.
+    x, y, yaw = site.drone.pad or dict(room.other_pads).get(name, (*room.home, room.home_yaw))
     return DroneStand(name, site, (x, y), yaw, BODY if number == 0 else f"{BODY} {name}")

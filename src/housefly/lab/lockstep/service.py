@@ -32,7 +32,7 @@ def fly_lockstep(
     A service in which the drone touched anything is not completed.
 
     Args:
-        loaded: site, room and map.
+        loaded: site, room and map; of several drones as one has them.
         order: what to fly; it is issued ``SETTLING_TIME`` after the start.
         on_step: called with every step of the pilot.
         give_up_after: longest world time [s].
@@ -48,7 +48,11 @@ def fly_lockstep(
     order_at = simulation.now + SETTLING_TIME
     monitor = ServiceMonitor(order_at, loaded.room.home, give_up_after)
     given = False
-    truth = TruthLog(world, truth_file, lambda: world.now) if truth_file else None
+    # Of several drones the one flies whose site this is; the others stand on their pads.
+    own = loaded.site.drone.name
+    name = own if own in simulation.drones else simulation.drones[0]
+    drone = world.drones[name]
+    truth = TruthLog(drone, truth_file, lambda: world.now) if truth_file else None
     with closing(truth) if truth else nullcontext():
         while not monitor.outcome:
             simulation.advance()
@@ -56,11 +60,11 @@ def fly_lockstep(
             orders: tuple[Order, ...] = ()
             if not given and simulation.now >= order_at:
                 orders, given = (replace(order, issued_at=simulation.now),), True
-            step = simulation.step(simulation.inputs(*orders))
+            step = simulation.step(simulation.inputs(*orders, drone=name), name)
             on_step(step)
             if truth is not None:
                 truth.sample()
             if given:
                 monitor = monitor.updated(step)
-    off_pad = distance(world.truth().pose.position[:2], loaded.room.home)
-    return judged_outcome(monitor.outcome, simulation.contacts(), off_pad)
+    off_pad = distance(drone.truth().pose.position[:2], loaded.room.home)
+    return judged_outcome(monitor.outcome, simulation.contacts(name), off_pad)

@@ -62,7 +62,7 @@ class PeopleMap:
         self._grid, self._pad = grid, None if site.mode == "paper" else room.home
         reaches = {drone.name: drone.reach for drone in site.all_drones}
         self._other_pads = tuple(
-            (name, place, reaches[name] + self.hull) for name, place in room.other_pads
+            (name, pad[:2], reaches[name] + self.hull) for name, pad in room.other_pads
         )
         self._drones: frozenset[str] = frozenset()
         self._obstacles: tuple[Obstacle, ...] = ()
