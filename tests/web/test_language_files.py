@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+import yaml
 from word_templates import made_words, templates
 
+import house
 from housefly.config.airframe import Ability
 from housefly.messages import DroneFault, DroneStatus, Phase
 from housefly.messages.preflight import FrameCheckState
@@ -106,3 +110,31 @@ def test_no_text_is_kept_that_no_page_shows(page: Path) -> None:
     built = {key for key in words if key.endswith(("^lines", "^mode", "^phase"))}
     told = {"waiting", "skipped", *_STAGES}
     assert words - built - told == set()
+
+
+def said_elsewhere() -> set[str]:
+    """Return the texts of the source that are no templates: of Python, of documents, of pages."""
+    found: set[str] = set()
+    for path in house.PACKAGE.rglob("*.py"):
+        nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        found |= {
+            n.value for n in nodes if isinstance(n, ast.Constant) and isinstance(n.value, str)
+        }
+    for path in (house.PACKAGE / "tasks").rglob("*.yaml"):
+        found |= set(texts_in(yaml.safe_load(path.read_text(encoding="utf-8"))))
+    return found | {spoken(text) for text in re.findall(_TEXT, sources(CONSOLE))}
+
+
+def texts_in(tree: object) -> Iterator[str]:
+    if isinstance(tree, str):
+        yield " ".join(tree.split())
+    elif isinstance(tree, dict | list):
+        for part in tree.values() if isinstance(tree, dict) else tree:
+            yield from texts_in(part)
+
+
+@pytest.mark.parametrize("name", ["de-told", "ja-told"])
+def test_no_template_is_kept_that_nothing_says(name: str) -> None:
+    spoken_as_they_are = {member.value for kind in SPOKEN for member in kind}
+    known = templates() | spoken_as_they_are | said_elsewhere()
+    assert set(texts(CONSOLE, name)) - known == set()

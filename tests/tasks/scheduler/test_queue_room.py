@@ -61,7 +61,7 @@ def test_a_source_that_is_no_person_has_so_many_waiting_and_no_more(
     assert [(task.stage, task.code) for task in ended] == [
         (TaskStage.REFUSED, ReasonCode.QUEUE_FULL)
     ] * 2
-    assert ended[0].words == f"3 requests of {surface.value} wait already; answer or cancel one"
+    assert ended[0].words == f"3 tasks of {surface.value} wait already; answer or cancel one"
     scheduler, ended = asked(scheduler, KIM)
     assert not ended and "kim" in askers(scheduler)
 
@@ -99,7 +99,7 @@ def test_nothing_takes_a_persons_place_but_a_person(
 def test_who_may_only_ask_leaves_room_for_others() -> None:
     scheduler, ended = asked(Scheduler(LIMITS), *[replace(KIM, confirm=Confirm.ASK)] * 5)
     assert len(scheduler.tasks) == 3
-    assert ended[0].words == "3 questions of kim wait already; answer or cancel one"
+    assert ended[0].words == "3 tasks of kim wait already; answer or cancel one"
     namesake = replace(KIM, confirm=Confirm.ASK, owner="another browser")
     assert not asked(scheduler, namesake)[1], "the same name is not the same person"
 

@@ -1,1 +1,1 @@
-import"./chunk-chunk-IKDTSDSQ.js";
+import"./chunk-chunk-5TUTTVL3.js";

@@ -647,7 +647,7 @@ export const DE_TOLD: Templates = {
   "no place called {name}; known places: {places}":
     "kein Ort namens {name}; bekannte Orte: {places}",
   "no way home, landing here: {why}": "kein Weg nach Hause, landet hier: {why}",
-  "no way leads from home to {end} {place}": "vom Heim führt kein Weg bis hierher: {end} {place}",
+  "no way leads from home to {end} {place}": "von zu Hause führt kein Weg hierher: {end} {place}",
   "no way of flying there keeps the limits of the drone":
     "kein Flug dorthin hält die Grenzen der Drohne ein",
   "nobody comes near: going back": "niemand kommt näher: kehrt an ihren Ort zurück",
@@ -719,8 +719,8 @@ export const DE_TOLD: Templates = {
   "too many orders in a second": "zu viele Befehle in einer Sekunde",
   "took too long": "dauerte zu lange",
   "tracking is believed in part, {n} of the last {m} poses are not: {why}":
-    "der Ortung wird nur zum Teil geglaubt, {n} der letzten {m} Posen nicht: {why}",
-  "tracking is not believed since {n} s: {why}": "der Ortung wird seit {n} s nicht geglaubt: {why}",
+    "die Ortung ist nur zum Teil glaubwürdig, {n} der letzten {m} Posen nicht: {why}",
+  "tracking is not believed since {n} s: {why}": "die Ortung ist seit {n} s unglaubwürdig: {why}",
   "velocity is wrong": "velocity ist falsch",
   "waiting here: {why}": "wartet hier: {why}",
   "{asked} by {who}: {what}": "{asked}, von {who}: {what}",
@@ -868,14 +868,14 @@ export const DE_TOLD: Templates = {
   "frames do not come from {name}; set tracking.address to {other}":
     "Daten kommen nicht von {name}; in tracking.address {other} eintragen",
   "is its unit millimetres? choose metres in the tracking software":
-    "sind es Millimeter? In der Tracking-Software Meter wählen",
+    "sind es Millimeter? In der Ortungssoftware Meter wählen",
   "its clock is {n} s ahead; times of arrival are taken instead":
     "seine Uhr geht {n} s vor; es gilt die Zeit der Ankunft",
   "its clock is {n} s behind; times of arrival are taken instead":
     "seine Uhr geht {n} s nach; es gilt die Zeit der Ankunft",
   "no MQTT broker answers at {name}; is it running (mosquitto), is mqtt.port right?":
     "kein MQTT-Broker antwortet unter {name}; läuft er (mosquitto), stimmt mqtt.port?",
-  "no body is seen; is the tracking system live?": "kein Körper ist zu sehen; läuft das Tracking?",
+  "no body is seen; is the tracking system live?": "kein Körper ist zu sehen; läuft die Ortung?",
   ["no drone answers at {name} within {n} s: is it switched on, and is your computer in the " +
     "drone's Wi-Fi?"]:
     "unter {name} antwortet nach {n} s keine Drohne: ist sie eingeschaltet und der Rechner " +
@@ -934,7 +934,7 @@ export const DE_TOLD: Templates = {
     "{name} sendet an die Multicast-Gruppe {group}, doch bei {own} kommt nichts an; in " +
       "Firewall und Switch freigeben oder in Motive Unicast wählen",
   "{name} streams with y up; choose z up in the tracking software":
-    "{name} sendet mit y nach oben; in der Tracking-Software z nach oben wählen",
+    "{name} sendet mit y nach oben; in der Ortungssoftware z nach oben wählen",
   "{name}: no depth images": "{name}: keine Tiefenbilder",
   "{name}: reading failed ({error})": "{name}: Lesen misslang ({error})",
   "'{title}' has the drone": "„{title}“ hat die Drohne",
@@ -986,9 +986,9 @@ export const DE_TOLD: Templates = {
   "the program ended while it flew; nothing starts again without a fresh order":
     "das Programm endete im Flug; ohne neuen Befehl beginnt nichts wieder",
   "the program ended while it ran": "das Programm endete währenddessen",
-  "the queue was full, it made way": "die Warteschlange war voll, der Auftrag wich",
+  "the queue was full, it made way": "die Warteschlange war voll, anderes ging vor",
   "the queue was full, it made way for '{title}'":
-    "die Warteschlange war voll, der Auftrag wich „{title}“",
+    "die Warteschlange war voll, „{title}“ ging vor",
   "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
     "die Probe war nach {n} s nicht fertig: der Rechner ist ausgelastet, oder die Aufgabe " +
       "hat viele Wege",

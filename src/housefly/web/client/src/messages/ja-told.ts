@@ -801,14 +801,14 @@ export const JA_TOLD: Templates = {
   "frames do not come from {name}; set tracking.address to {other}":
     "データは{name}から届いていません。tracking.addressを{other}にしてください",
   "is its unit millimetres? choose metres in the tracking software":
-    "単位がミリメートルではありませんか。追跡ソフトでメートルを選んでください",
+    "単位がミリメートルではありませんか。計測ソフトでメートルを選んでください",
   "its clock is {n} s ahead; times of arrival are taken instead":
     "時計が{n}秒進んでいます。届いた時刻を使います",
   "its clock is {n} s behind; times of arrival are taken instead":
     "時計が{n}秒遅れています。届いた時刻を使います",
   "no MQTT broker answers at {name}; is it running (mosquitto), is mqtt.port right?":
     "{name}でMQTTブローカーが応答しません。動作中ですか（mosquitto）、mqtt.portは正しいですか",
-  "no body is seen; is the tracking system live?": "物体が見えません。追跡は動作中ですか",
+  "no body is seen; is the tracking system live?": "物体が見えません。位置計測は動作中ですか",
   ["no drone answers at {name} within {n} s: is it switched on, and is your computer in the " +
     "drone's Wi-Fi?"]:
     "{name}で{n}秒以内にドローンが応答しません。電源は入っていますか、ドローンのWi-Fiに接続し" +
@@ -864,7 +864,7 @@ export const JA_TOLD: Templates = {
     "and switch pass it, or choose unicast in Motive"]:
     "{name}は{group}へ送信していますが、{own}に届きません。ネットワークの設定を直すか、Motiveでユニキャストを選んでください",
   "{name} streams with y up; choose z up in the tracking software":
-    "{name}はy軸が上です。追跡ソフトでz軸を上にしてください",
+    "{name}はy軸が上です。計測ソフトでz軸を上にしてください",
   "{name}: no depth images": "{name}：深度画像がありません",
   "{name}: reading failed ({error})": "{name}：読み取れません（{error}）",
   "'{title}' has the drone": "「{title}」が使用中です",
@@ -876,7 +876,7 @@ export const JA_TOLD: Templates = {
   "Start '{title}'? {why}.": "「{title}」を始めますか。{why}。",
   "It waited long": "長く待ちました",
   "The program was started again": "プログラムが再起動しました",
-  "a more urgent task took the drone": "より急ぐ作業がドローンを引き継ぎました",
+  "a more urgent task took the drone": "より急ぐ用事がドローンを引き継ぎました",
   "a person": "誰か",
   "a person flies the drone": "人が操縦しています",
   "a person ordered the drone before it began": "開始前に人が指示しました",
@@ -884,17 +884,17 @@ export const JA_TOLD: Templates = {
   "a step failed inside ({error}); the log says why":
     "手順が中断しました（{error}）。記録を見てください",
   "also asked for by {who}": "{who}も依頼しました",
-  "it could not be rehearsed ({why}), so it does not fly": "予行できないため（{why}）、飛びません",
+  "it could not be rehearsed ({why}), so it does not fly": "試算できないため（{why}）、飛びません",
   "it could not begin in time": "期限までに始められませんでした",
   "it is next": "次の番です",
   "it is not known what to look at": "何を見るのか分かりません",
-  "it is rehearsed": "予行しています",
+  "it is rehearsed": "試算しています",
   "it takes {time} and {p} % of the charge; {q} % are left above what the way home needs":
     "{time}、電池{p}%が必要ですが、帰りの分を除くと残り{q}%です",
   "it was cancelled": "中止されました",
-  "it would land {d} m from the pad": "着陸場所から{d} m離れて着陸します",
+  "it would land {d} m from the pad": "パッドから{d} m離れて着陸します",
   "its answers lead to more than {n} ways: too many to rehearse":
-    "答えによる経路が{n}通りを超え、予行できません",
+    "答えによる経路が{n}通りを超え、試算できません",
   "its deadline is over already": "期限を過ぎています",
   "nobody is seen": "誰も見えません",
   "nobody said yes in time": "期限までに承認がありませんでした",
@@ -902,10 +902,10 @@ export const JA_TOLD: Templates = {
   "not looked at yet": "まだ確認していません",
   "nothing flies": "飛びません",
   "on the ground, ready": "地上で準備完了",
-  "other tasks run": "ほかの作業を実行中です",
+  "other tasks run": "ほかの用事を実行中です",
   "the drone is not ready": "ドローンは準備中です",
   "the drone is {phase}, which this task did not order":
-    "この作業が指示していない動作です：{phase}",
+    "この用事が指示していない動作です：{phase}",
   "the drone would touch {thing}": "ドローンが{thing}に触れます",
   "the motors are off: the drone fell or was cut": "モーターが停止しています（落下または緊急停止）",
   "the pilot does not answer": "自動操縦が応答しません",
@@ -916,11 +916,11 @@ export const JA_TOLD: Templates = {
   "the queue was full, it made way": "順番待ちがいっぱいで外れました",
   "the queue was full, it made way for '{title}'": "順番待ちがいっぱいで、「{title}」に譲りました",
   "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
-    "予行が{n}秒で終わりません。パソコンの負荷が高いか、経路が多すぎます",
-  "the tasks have just begun": "作業の管理が始まったばかりです",
+    "試算が{n}秒で終わりません。パソコンの負荷が高いか、経路が多すぎます",
+  "the tasks have just begun": "用事の管理が始まったばかりです",
   "{n} before it": "前に{n}件",
   "{n} tasks of {who} wait already; answer or cancel one":
-    "{who}の作業が{n}件待っています。答えるか中止してください",
+    "{who}の用事が{n}件待っています。答えるか中止してください",
   "{n} tasks wait already; cancel one or ask later":
     "{n}件待っています。中止するか、後で依頼してください",
   "{what} took longer than {n} s": "{what}が{n}秒を超えました",
@@ -932,5 +932,5 @@ export const JA_TOLD: Templates = {
   "{who} said yes": "{who}が承認しました",
   "{who} took over: {what}": "{who}が操縦を引き継ぎました：{what}",
   "done": "完了",
-  "the task took too long": "作業に時間がかかりすぎました",
+  "the task took too long": "用事に時間がかかりすぎました",
 };

@@ -31,15 +31,17 @@ const SPOKEN: Record<string, Key> = {
 
 /** What has happened and what would be done about it, as a question. */
 export function proposal(task: TaskStatus): string {
-  const cause = happened(task.cause);
-  const known = SPOKEN[cause.replace(/ \(.*/, "")];
+  const known = SPOKEN[partsOf(task.cause)[0]!];
   const spoken = known ? t(known) : causeOf(task.cause);
   return `${sentence(spoken)} ${translated(task.title).replace(/\?$/, "")}?`;
 }
 
-/** What an id of an event or rule says: `rule:bell bell pressed/doorbell/…` is "bell pressed". */
+/** The kind and the thing in an id of an event or rule: `rule:bell bell pressed/doorbell/…`. */
+const partsOf = (cause: string): string[] => cause.replace(/^rule:\S+\s/, "").split("/");
+
+/** What such an id says: "bell pressed". */
 export function happened(cause: string): string {
-  const [kind = "", thing = ""] = cause.replace(/^rule:\S+\s/, "").split("/");
+  const [kind = "", thing = ""] = partsOf(cause);
   // A time is only there to tell one call from another.
   return thing && !kind.includes(thing) && isNaN(Number(thing)) ? `${kind} (${thing})` : kind;
 }
