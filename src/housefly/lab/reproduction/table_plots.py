@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator, ScalarFormatter
 
 from housefly.config.site import Mode
-from housefly.lab.experiments.intervals import mean
+from housefly.lab.experiments.intervals import IntervalEstimate, mean
 from housefly.lab.experiments.outcomes import Outcomes
 from housefly.lab.reproduction.edges import ESTIMATORS, FREQUENCIES
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Exhibit
-from housefly.lab.reproduction.rate_lines import COLOURS, MARKERS, rate_axis, rate_line
 from housefly.lab.reproduction.stability_limit import StabilityLimit, stability_limit
 from housefly.lab.reproduction.streams import LATENCIES, LOSSES, OWN_FREQUENCY, RATES
 from housefly.lab.reproduction.tables import MODE_ORDER
-from housefly.record.plot_style import PLOT_STYLE, save_figure
+from housefly.record.plot_style import AMBER, BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
 
 _SPREAD = 1.03
 """Lines of one panel stand aside by this factor, so that their bars do not cover each other."""
@@ -31,6 +31,9 @@ _STYLE = PLOT_STYLE | {
     "grid.color": "#dddddd",
     "legend.frameon": False,
 }
+
+_COLOURS = (ORANGE, AMBER, BLUE, GREEN)
+_MARKERS = ("s", "D", "o", "^")
 
 
 def draw_table_plots(evidence: Evidence, folder: Path) -> tuple[Exhibit, Exhibit]:
@@ -84,7 +87,7 @@ def _distance(figure: Figure, evidence: Evidence) -> None:
     for axes, mode in zip(panels, MODE_ORDER, strict=True):
         flights = unstable = 0
         for place, latency in enumerate(LATENCIES):
-            colour, marker = COLOURS[1 + place], MARKERS[1 + place]
+            colour, marker = _COLOURS[1 + place], _MARKERS[1 + place]
             for loss, dashes in zip(LOSSES, ("-", "--"), strict=True):
                 cells = [_stream(evidence, mode, rate, latency, loss) for rate in RATES]
                 flights += sum(flown.size for flown in cells)
@@ -93,9 +96,9 @@ def _distance(figure: Figure, evidence: Evidence) -> None:
                     mean(100.0 * flown["rms_error"][flown["stable"] == 1.0]) for flown in cells
                 ]
                 name = f"{1000 * latency:.0f} ms latency" if not loss else "_"
-                rate_line(axes, numbers, colour, marker, name, dashes, _SPREAD ** (place - 1))
+                _rate_line(axes, numbers, colour, marker, name, dashes, _SPREAD ** (place - 1))
         axes.set_title(f"mode {mode}: {unstable} of {flights} flights not stable, left out")
-        rate_axis(axes)
+        _rate_axis(axes)
     panels[0].set_ylim(bottom=0.0)
     panels[0].set_ylabel("distance from the path, RMS [cm]")
     handles, names = panels[0].get_legend_handles_labels()
@@ -114,15 +117,15 @@ def draw_stability(figure: Figure, evidence: Evidence) -> None:
     shown: list[StabilityLimit] = []
     for axes, latency in zip(panels, LATENCIES, strict=True):
         for (estimator, name), colour, marker in zip(
-            ESTIMATORS.items(), COLOURS, MARKERS, strict=True
+            ESTIMATORS.items(), _COLOURS, _MARKERS, strict=True
         ):
             limits = [stability_limit(evidence.edges, estimator, rate, latency) for rate in RATES]
-            rate_line(axes, [limit.frequency for limit in limits], colour, marker, name)
+            _rate_line(axes, [limit.frequency for limit in limits], colour, marker, name)
             _counted(axes, limits, colour)
             shown += limits
         axes.axhline(OWN_FREQUENCY, color="#555555", linestyle=":", linewidth=1.2)
         axes.set_title(f"{1000 * latency:.0f} ms latency")
-        rate_axis(axes)
+        _rate_axis(axes)
     _frequency_axis(panels[0])
     panels[0].annotate(
         "our gains",
@@ -177,3 +180,50 @@ def _frequency_axis(axes: Axes) -> None:
     axes.yaxis.set_major_formatter(ScalarFormatter())
     axes.yaxis.set_minor_locator(NullLocator())
     axes.set_ylabel("largest stable frequency [rad/s]")
+
+
+def _rate_line(
+    axes: Axes,
+    numbers: Sequence[IntervalEstimate],
+    colour: str,
+    marker: str,
+    name: str,
+    dashes: str = "-",
+    aside: float = 1.0,
+) -> None:
+    """Draw one line with its intervals.
+
+    Args:
+        axes: to draw on.
+        numbers: one for each of ``RATES``.
+        colour: of the line.
+        marker: at each point.
+        name: in the legend; "_" shows none.
+        dashes: line style.
+        aside: factor by which the line stands aside of the rates.
+    """
+    middle = np.array([number.value for number in numbers])
+    reach = np.nan_to_num(
+        [(number.value - number.low, number.high - number.value) for number in numbers]
+    ).T
+    axes.errorbar(
+        [aside * rate for rate in RATES],
+        middle,
+        reach,
+        color=colour,
+        marker=marker,
+        markersize=4,
+        linestyle=dashes,
+        linewidth=1.4,
+        capsize=2,
+        label=name,
+    )
+
+
+def _rate_axis(axes: Axes) -> None:
+    """Make x the tracking rate, logarithmic."""
+    axes.set_xscale("log")
+    axes.xaxis.set_major_locator(FixedLocator(list(RATES)))
+    axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.set_xlabel("tracking rate [frames/s]")
