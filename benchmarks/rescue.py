@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 from collections import Counter
 
-from housefly.lab.safety_case.alike_flights import alike, fly_alike
+from housefly.lab.safety_case.campaign import alike, fly_alike
 from housefly.lab.safety_case.plan import crossed_out, flown_rows, variants_flown
 from housefly.lab.safety_case.trial import PersonOrder, TrialKey, TrialResult
 

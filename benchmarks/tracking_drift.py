@@ -14,7 +14,7 @@ from concurrent.futures import ProcessPoolExecutor
 from itertools import chain
 
 from _run import percentile, table
-from housefly.lab.safety_case.alike_flights import alike, fly_alike
+from housefly.lab.safety_case.campaign import alike, fly_alike
 from housefly.lab.safety_case.fault_phase import IN_FLIGHT_FAULT_PHASES, FaultPhase
 from housefly.lab.safety_case.trial import TrialKey, TrialResult
 

@@ -57,7 +57,7 @@ STILL_NAME_IT = {
         "pilot/estimation/onboard_odometry.py",
         "room/draft/missing.py",
         "room/level_camera.py",
-        "tasks/vantage/detection.py",
+        "tasks/vantage/thing_search.py",
     ),
     "the twin simulates one": ("twin/",),
 }

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from math import hypot
+from math import hypot, sqrt
 
 from housefly.geometry import Vec2, distance
 from housefly.messages import ObstacleKind
 from housefly.perception.clusters import Cluster
-from housefly.perception.motion import MotionState
 
 BIRTH_HITS = 3
 """Scans that must show a new thing to confirm it."""
@@ -34,6 +33,13 @@ _PERSON_RADIUS_MAX = 0.4
 _MOVED = 0.4
 """Whatever moved farther than this is taken for a person [m]."""
 
+_ACCELERATION_SIGMA = 1.5
+"""One-sigma acceleration of people [m/s^2]."""
+_POSITION_SIGMA = 0.05
+"""One-sigma error of a cluster's centre [m]: the visible side changes as a thing turns."""
+_START_SPEED_SIGMA = 1.0
+"""One-sigma speed of a new thing [m/s]."""
+
 
 @dataclass(frozen=True, slots=True)
 class ObstacleTrack:
@@ -50,7 +56,7 @@ class ObstacleTrack:
     """
 
     number: int
-    motion: MotionState
+    motion: _MotionState
     shape: Cluster
     hits: int = 1
     misses: int = 0
@@ -82,7 +88,7 @@ class ObstacleTrack:
             self.motion.velocity if hypot(*self.motion.velocity) > _STANDING_SPEED else (0.0, 0.0)
         )
 
-    def updated(self, cluster: Cluster, expected: MotionState, at: float) -> ObstacleTrack:
+    def updated(self, cluster: Cluster, expected: _MotionState, at: float) -> ObstacleTrack:
         """Return the track updated with a cluster of a time [s] and its own prediction for it."""
         radius = (
             cluster.radius
@@ -144,7 +150,7 @@ class TrackSet:
         born = [
             ObstacleTrack(
                 self.next_number + n,
-                MotionState(at, c.position),
+                _MotionState(at, c.position),
                 c,
                 seen_at=at,
                 born_at=c.position,
@@ -159,7 +165,7 @@ class TrackSet:
 
 
 def _matched(
-    tracks: Sequence[ObstacleTrack], expected: Sequence[MotionState], clusters: Sequence[Cluster]
+    tracks: Sequence[ObstacleTrack], expected: Sequence[_MotionState], clusters: Sequence[Cluster]
 ) -> dict[int, int]:
     """Return each track's cluster: confirmed tracks before new ones, nearest pairs first."""
     offers = []
@@ -173,3 +179,64 @@ def _matched(
         if i not in pairs and j not in pairs.values():
             pairs[i] = j
     return pairs
+
+
+@dataclass(frozen=True, slots=True)
+class _MotionState:
+    """The filter's state; both axes share the covariance (pp, pv, vv).
+
+    Attributes:
+        at: time [s].
+        position: [m].
+        velocity: [m/s].
+        pp, pv, vv: covariance of position and velocity of one axis.
+    """
+
+    at: float
+    position: Vec2
+    velocity: Vec2 = (0.0, 0.0)
+    pp: float = _POSITION_SIGMA * _POSITION_SIGMA
+    pv: float = 0.0
+    vv: float = _START_SPEED_SIGMA * _START_SPEED_SIGMA
+
+    @property
+    def std(self) -> float:
+        """One-sigma error of the position [m]."""
+        return sqrt(self.pp)
+
+    def position_at(self, at: float) -> Vec2:
+        """Return the position predicted to a later time [m, s]."""
+        dt = max(0.0, at - self.at)
+        (x, y), (vx, vy) = self.position, self.velocity
+        return x + vx * dt, y + vy * dt
+
+    def predicted(self, at: float) -> _MotionState:
+        """Return the state predicted to a later time [s]."""
+        dt = max(0.0, at - self.at)
+        q = _ACCELERATION_SIGMA * _ACCELERATION_SIGMA
+        pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * (dt * dt) ** 2 / 4.0
+        pv = self.pv + dt * self.vv + q * dt * dt * dt / 2.0
+        return _MotionState(
+            max(at, self.at),
+            self.position_at(at),
+            self.velocity,
+            pp,
+            pv,
+            self.vv + q * dt * dt,
+        )
+
+    def updated(self, place: Vec2) -> _MotionState:
+        """Return the state updated with a position [m] measured at the state's own time."""
+        gain = self.pp / (self.pp + _POSITION_SIGMA * _POSITION_SIGMA)
+        gain_v = self.pv / (self.pp + _POSITION_SIGMA * _POSITION_SIGMA)
+        off_x, off_y = place[0] - self.position[0], place[1] - self.position[1]
+        position = (self.position[0] + gain * off_x, self.position[1] + gain * off_y)
+        velocity = (self.velocity[0] + gain_v * off_x, self.velocity[1] + gain_v * off_y)
+        return _MotionState(
+            self.at,
+            position,
+            velocity,
+            (1.0 - gain) * self.pp,
+            (1.0 - gain) * self.pv,
+            self.vv - gain_v * self.pv,
+        )

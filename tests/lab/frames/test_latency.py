@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.lab.frames.latency import tracking_lag
+from housefly.lab.frames.guide import tracking_lag
 from housefly.lab.frames.samples import OnboardPoint, TrackedPoint
 from housefly.numeric import wrapped
 

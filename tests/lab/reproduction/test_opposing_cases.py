@@ -8,7 +8,7 @@ from housefly.lab.reproduction.exhibit import (
     OpposingCases,
     Verdict,
 )
-from housefly.lab.reproduction.opposing_cases import opposing_section
+from housefly.lab.reproduction.page import opposing_section
 
 PLAIN = ClaimFinding("a", "V", "nothing speaks <against> it", Verdict.HOLDS, "1 of 1")
 OPPOSED = ClaimFinding(

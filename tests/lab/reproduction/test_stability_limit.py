@@ -26,8 +26,8 @@ from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.fleet import fleet
 from housefly.lab.reproduction.routes import hold_plan
 from housefly.lab.reproduction.stability_limit import limit_of, stability_limit
-from housefly.lab.reproduction.stability_plot import drones_counted
 from housefly.lab.reproduction.streams import LATENCIES, RATES
+from housefly.lab.reproduction.table_plots import drones_counted
 from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 ONE_STEP = FREQUENCIES[1] / FREQUENCIES[0]

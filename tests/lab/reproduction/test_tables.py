@@ -12,9 +12,8 @@ from matplotlib.text import Text
 
 from housefly.lab.experiments.intervals import mean, share
 from housefly.lab.reproduction.evidence import Evidence
-from housefly.lab.reproduction.stability_plot import draw_stability
 from housefly.lab.reproduction.streams import LATENCIES, LOOP_FREQUENCIES, LOSSES, RATES
-from housefly.lab.reproduction.table_plots import draw_table_plots
+from housefly.lab.reproduction.table_plots import draw_stability, draw_table_plots
 from housefly.lab.reproduction.tables import tables
 
 

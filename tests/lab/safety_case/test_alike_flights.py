@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.lab.safety_case.alike_flights import alike, fly_alike
+from housefly.lab.safety_case.campaign import alike, fly_alike
 from housefly.lab.safety_case.faulty_flight import course_of, fly_trial, onset_of
 from housefly.lab.safety_case.plan import SafetyPlan
 from housefly.lab.safety_case.trial import TrialKey

@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from housefly.lab.safety_case.alike_flights import fly_alike
+from housefly.lab.safety_case.campaign import fly_alike
 from housefly.lab.safety_case.fault_phase import FaultPhase
 from housefly.lab.safety_case.faulty_flight import course_of, fly_trial, orders_of
 from housefly.lab.safety_case.plan import COURSES, crossed_out, flown_rows, variants_flown

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.lab.safety_case.source_digest import source_digest
+from housefly.lab.safety_case.flown_by import source_digest
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from housefly.lab.safety_case.wired_oracle import wired_violations
+from housefly.lab.safety_case.wired_flight import wired_violations
 from housefly.record.truth import ContactRecord, TrueFlight
 
 BOUNDS = (0.0, 0.0, 10.0, 5.0)

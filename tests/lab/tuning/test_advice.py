@@ -19,10 +19,10 @@ from housefly.lab.tuning.advice import (
     GainQuestion,
     advise,
     judge,
+    position_error,
     routh_objection,
 )
 from housefly.lab.tuning.loop import Loop
-from housefly.lab.tuning.noise import position_error
 from housefly.lab.tuning.rate_loop import rate_loop, rate_margins
 
 DRONE = Loop(1.0, 0.25, lag=7.0, delay=0.06)

@@ -10,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.numeric import FloatArray
-from housefly.tasks.vantage.detection import detection_probability
 from housefly.tasks.vantage.search_belief import SearchBelief
 from housefly.tasks.vantage.search_order import (
     LOOKS_MAX,
@@ -18,6 +17,7 @@ from housefly.tasks.vantage.search_order import (
     expected_time,
     soonest_order,
 )
+from housefly.tasks.vantage.thing_search import detection_probability
 
 LOOK_TIME = 4.0
 

@@ -20,11 +20,13 @@ from numpy.typing import NDArray
 
 from housefly.config.text import read_file
 from housefly.errors import ConfigError, MissingPartError, RecordingError
-from housefly.lab.campaigns.differences import describe_differences
 from housefly.lab.campaigns.plan import Chunk, Plan
 from housefly.lab.campaigns.provenance import describe_plan
 from housefly.lab.experiments.cases import CASE, PARAMETERS, Cases
 from housefly.lab.experiments.outcomes import MEASURES, OUTCOME, Outcomes
+
+_MAX_KEYS_NAMED = 4
+"""At most this many differing keys are named; the rest are counted."""
 
 try:
     import pyarrow as pa
@@ -162,7 +164,7 @@ class CampaignFolder:
                 half.write_text(json.dumps(description, indent=1), encoding="utf-8")
             return
         text = read_file(file).decode("utf-8", "replace")
-        differing = describe_differences(text, description)
+        differing = _describe_differences(text, description)
         if differing:
             self.close()
             raise ConfigError(
@@ -214,3 +216,29 @@ def _telling(path: Path) -> Iterator[None]:
             f"{path} cannot be written: {error.strerror or error}; what has landed is kept, run the"
             " same again to go on"
         ) from error
+
+
+def _describe_differences(there: str, here: dict[str, Any]) -> str:
+    """Return how a description on disk (JSON) differs from ours; "" when it does not."""
+    try:
+        old = json.loads(there)
+    except (ValueError, RecursionError):
+        return "its description cannot be read"
+    found = _differing(old, json.loads(json.dumps(here)), "")
+    more = f" and {len(found) - _MAX_KEYS_NAMED} more" if len(found) > _MAX_KEYS_NAMED else ""
+    return f"it differs in {', '.join(found[:_MAX_KEYS_NAMED])}{more}" if found else ""
+
+
+def _differing(old: Any, new: Any, key: str) -> list[str]:
+    if isinstance(old, dict) and isinstance(new, dict):
+        return [
+            told
+            for name in sorted(set(old) | set(new))
+            for told in _differing(old.get(name), new.get(name), f"{key}.{name}" if key else name)
+        ]
+    return [] if old == new else [f"{key}: there {_short(old)}, here {_short(new)}"]
+
+
+def _short(value: Any) -> str:
+    text = "nothing" if value is None else json.dumps(value)
+    return text if len(text) <= 40 else f"{text[:37]}..."

@@ -69,7 +69,7 @@ class CarryPlan:
         return {
             CarryStep.PAD: (
                 "Lay the drone on the middle of its pad, its nose along the pad's heading:"
-                f" {heading_words(self.heading)}{towards}."
+                f" {_heading_words(self.heading)}{towards}."
             ),
             CarryStep.AHEAD: (
                 f"Carry it {abs(self.forward):g} m {ahead} and lay it on the floor. Measure with a"
@@ -152,7 +152,7 @@ def _least_clearance(room: Room, rows: FloatArray, start: Vec2, end: Vec2) -> fl
     return least
 
 
-def heading_words(heading: float) -> str:
+def _heading_words(heading: float) -> str:
     """Return a heading on the map in words."""
     quarter = round(heading / (pi / 2)) % 4
     angle = f"{degrees(wrapped(heading)):.0f} deg on the map"

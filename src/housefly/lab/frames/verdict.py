@@ -12,11 +12,11 @@ from housefly.config.tracking import TrackingConfig
 from housefly.lab.frames.body_findings import body_findings
 from housefly.lab.frames.corrections import (
     corrected_keys,
+    late_mend,
     mirrored_words,
     snapped,
     up_axis_finding,
 )
-from housefly.lab.frames.delay_findings import lag_findings
 from housefly.lab.frames.findings import FrameFault, FrameFinding, FrameMeasures, FrameVerdict
 from housefly.lab.frames.place_findings import (
     ANGLE_MAX,
@@ -25,14 +25,20 @@ from housefly.lab.frames.place_findings import (
     angle_and_place_findings,
     back_findings,
 )
-from housefly.lab.frames.plan import CarryPlan, CarryStep
+from housefly.lab.frames.plan import QUARTER_TURN, CarryPlan, CarryStep
+from housefly.lab.frames.plausibility import onboard_turn, turned_words
 from housefly.lab.frames.samples import FrameSample, middle_angle
-from housefly.lab.frames.turn_findings import turn_findings
 from housefly.lab.frames.ways import CarriedWays, carried_ways, length_findings
+from housefly.numeric import wrapped
 
 UPRIGHT_MAX = radians(40.0)
 STANDING = 0.05
 """Height of the drone's body above the floor on which it lies [m], about."""
+
+LAG_ALLOWED = 0.1
+"""Longest delay of tracking that is right [s]."""
+_EARLY_ALLOWED = 0.25
+"""Reports of a drone come later than this only over a bad link [s]."""
 
 
 def frame_verdict(
@@ -56,7 +62,7 @@ def frame_verdict(
     ways = carried_ways(plan, by_step)
     if acos(max(-1.0, min(1.0, ways.lift[2] / hypot(*ways.lift)))) > UPRIGHT_MAX:
         return FrameVerdict((up_axis_finding(ways.lift, tracking),))
-    findings, notes = turn_findings(by_step)
+    findings, notes = _turn_findings(by_step)
     scale = sum(ways.scales) / 2
     if ways.is_mirrored:
         findings.insert(0, _mirrored(ways, findings))
@@ -67,7 +73,7 @@ def frame_verdict(
         measures = _measures(plan, by_step, ways, scale, lag)
         mended = _mended(plan, tracking, by_step[CarryStep.PAD], measures)
         findings += angle_and_place_findings(measures, tracking, mended)
-    findings += lag_findings(lag, tracking, mended)
+    findings += _lag_findings(lag, tracking, mended)
     if lag is None:
         notes.append(
             "the delay of tracking was not measured: the drone itself told of no turn, or tracking"
@@ -125,3 +131,68 @@ def _mended(
     is_moved = turn != 0.0 or hypot(*measures.origin) > ORIGIN_MAX
     rise = height if abs(height) > FLOOR_HEIGHT_MAX else 0.0
     return corrected_keys(tracking, pad.position, plan.home if is_moved else None, turn, nose, rise)
+
+
+def _lag_findings(
+    lag: float | None, tracking: TrackingConfig, mended: dict[str, float | str]
+) -> list[FrameFinding]:
+    """Return what is wrong with a delay [s], None when it was not measured."""
+    if lag is None or -_EARLY_ALLOWED <= lag <= LAG_ALLOWED:
+        return []
+    if lag > 0.0:
+        words = (
+            f"Tracking sees a turn {lag:.2f} s after the drone feels it, and says that its poses"
+            " are fresh"
+        )
+        return [FrameFinding(FrameFault.LATE, words, late_mend(lag, tracking, mended))]
+    return [
+        FrameFinding(
+            FrameFault.EARLY,
+            f"The drone tells of a turn {-lag:.2f} s after tracking sees it",
+            "its radio link is slow, or tracking.latency is set too long: go nearer with the"
+            " computer, choose a free Wi-Fi channel, and check again",
+        )
+    ]
+
+
+def _turn_findings(
+    by_step: dict[CarryStep, FrameSample],
+) -> tuple[list[FrameFinding], list[str]]:
+    """Return what is wrong with headings on a turn, and what could not be checked."""
+    before, after = by_step[CarryStep.LIFT], by_step[CarryStep.TURN]
+    seen, said = wrapped(after.yaw - before.yaw), onboard_turn(before, after)
+    notes = []
+    if said is None:
+        notes.append("the drone did not tell its heading: the turn is believed as it was asked")
+    true = QUARTER_TURN if said is None else said
+    if abs(true) < radians(30.0):
+        return [], [*notes, "the drone was hardly turned: headings were not checked"]
+    tolerance = radians(30.0)
+    if abs(wrapped(seen - true)) < tolerance:
+        return [], notes
+    words = f"turned {turned_words(true)}, it is seen to turn {turned_words(seen)}"
+    if abs(wrapped(seen + true)) < tolerance:
+        return [
+            FrameFinding(
+                FrameFault.TURN_MIRRORED,
+                f"Headings are mirrored: {words}",
+                "the tracking system streams left-handed axes, or quaternions in another order:"
+                " choose right-handed axes there",
+            )
+        ], notes
+    if abs(seen) < radians(12.0):
+        return [
+            FrameFinding(
+                FrameFault.NO_HEADING,
+                f"Tracking has no heading of it: {words}",
+                "define the body with four or more markers that are not symmetric, and stream its"
+                " rotation too",
+            )
+        ], notes
+    return [
+        FrameFinding(
+            FrameFault.HEADING_UNCLEAR,
+            f"Headings disagree: {words}",
+            "check again; if it comes again, define the body anew: its markers may be symmetric",
+        )
+    ], notes

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, NullLocator, ScalarFormatter
 
 from housefly.config.site import Mode
-from housefly.lab.experiments.intervals import mean
+from housefly.lab.experiments.intervals import IntervalEstimate, mean
 from housefly.lab.experiments.outcomes import Outcomes
-from housefly.lab.reproduction.edges import FREQUENCIES
+from housefly.lab.reproduction.edges import ESTIMATORS, FREQUENCIES
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Exhibit
-from housefly.lab.reproduction.rate_lines import COLOURS, MARKERS, rate_axis, rate_line
-from housefly.lab.reproduction.stability_plot import draw_stability
-from housefly.lab.reproduction.streams import LATENCIES, LOSSES, RATES
+from housefly.lab.reproduction.stability_limit import StabilityLimit, stability_limit
+from housefly.lab.reproduction.streams import LATENCIES, LOSSES, OWN_FREQUENCY, RATES
 from housefly.lab.reproduction.tables import MODE_ORDER
-from housefly.record.plot_style import PLOT_STYLE, save_figure
+from housefly.record.plot_style import AMBER, BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
 
 _SPREAD = 1.03
 """Lines of one panel stand aside by this factor, so that their bars do not cover each other."""
@@ -29,6 +31,9 @@ _STYLE = PLOT_STYLE | {
     "grid.color": "#dddddd",
     "legend.frameon": False,
 }
+
+_COLOURS = (ORANGE, AMBER, BLUE, GREEN)
+_MARKERS = ("s", "D", "o", "^")
 
 
 def draw_table_plots(evidence: Evidence, folder: Path) -> tuple[Exhibit, Exhibit]:
@@ -82,7 +87,7 @@ def _distance(figure: Figure, evidence: Evidence) -> None:
     for axes, mode in zip(panels, MODE_ORDER, strict=True):
         flights = unstable = 0
         for place, latency in enumerate(LATENCIES):
-            colour, marker = COLOURS[1 + place], MARKERS[1 + place]
+            colour, marker = _COLOURS[1 + place], _MARKERS[1 + place]
             for loss, dashes in zip(LOSSES, ("-", "--"), strict=True):
                 cells = [_stream(evidence, mode, rate, latency, loss) for rate in RATES]
                 flights += sum(flown.size for flown in cells)
@@ -91,9 +96,9 @@ def _distance(figure: Figure, evidence: Evidence) -> None:
                     mean(100.0 * flown["rms_error"][flown["stable"] == 1.0]) for flown in cells
                 ]
                 name = f"{1000 * latency:.0f} ms latency" if not loss else "_"
-                rate_line(axes, numbers, colour, marker, name, dashes, _SPREAD ** (place - 1))
+                _rate_line(axes, numbers, colour, marker, name, dashes, _SPREAD ** (place - 1))
         axes.set_title(f"mode {mode}: {unstable} of {flights} flights not stable, left out")
-        rate_axis(axes)
+        _rate_axis(axes)
     panels[0].set_ylim(bottom=0.0)
     panels[0].set_ylabel("distance from the path, RMS [cm]")
     handles, names = panels[0].get_legend_handles_labels()
@@ -104,3 +109,121 @@ def _stream(evidence: Evidence, mode: Mode, rate: float, latency: float, loss: f
     return evidence.streams.where(
         mode=mode, mocap_rate_hz=rate, mocap_latency=latency, mocap_dropout=loss
     )
+
+
+def draw_stability(figure: Figure, evidence: Evidence) -> None:
+    """Draw a panel a latency, a line an estimator."""
+    panels = figure.subplots(1, len(LATENCIES), sharey=True)
+    shown: list[StabilityLimit] = []
+    for axes, latency in zip(panels, LATENCIES, strict=True):
+        for (estimator, name), colour, marker in zip(
+            ESTIMATORS.items(), _COLOURS, _MARKERS, strict=True
+        ):
+            limits = [stability_limit(evidence.edges, estimator, rate, latency) for rate in RATES]
+            _rate_line(axes, [limit.frequency for limit in limits], colour, marker, name)
+            _counted(axes, limits, colour)
+            shown += limits
+        axes.axhline(OWN_FREQUENCY, color="#555555", linestyle=":", linewidth=1.2)
+        axes.set_title(f"{1000 * latency:.0f} ms latency")
+        _rate_axis(axes)
+    _frequency_axis(panels[0])
+    panels[0].annotate(
+        "our gains",
+        (RATES[-1], OWN_FREQUENCY),
+        (0, -10),
+        textcoords="offset points",
+        ha="right",
+        color="#555555",
+    )
+    handles, names = panels[0].get_legend_handles_labels()
+    figure.legend(handles, names, loc="outside upper center", ncols=2)
+    figure.supxlabel(drones_counted(shown), fontsize=8, color="#555555")
+
+
+def drones_counted(limits: Sequence[StabilityLimit]) -> str:
+    """Return what became of the drones whose edge lies outside the frequencies tried."""
+    drones, ringing = limits[0].drones, sum(limit.ringing for limit in limits)
+    beyond = sum(limit.beyond for limit in limits)
+    lowest, highest = f"{FREQUENCIES[0]:.1f}", f"{FREQUENCIES[-1]:.0f}"
+    return (
+        f"Still air. A point is the mean of all {drones} drones, its bar the 95 % interval. Of"
+        f" {drones * len(limits)} edges {ringing} lie below {lowest} rad/s and count as 0 (\u2193),"
+        f"\n{beyond} lie above {highest} rad/s and count as {highest} (\u2191); their numbers stand"
+        " at their points."
+    )
+
+
+def _counted(axes: Axes, limits: Sequence[StabilityLimit], colour: str) -> None:
+    """Write at each point how many drones lie outside the frequencies tried."""
+    for rate, limit in zip(RATES, limits, strict=True):
+        for count, sign, below in (
+            (limit.ringing, "\u2193", True),
+            (limit.beyond, "\u2191", False),
+        ):
+            if count:
+                axes.annotate(
+                    f"{sign}{count}",
+                    (rate, limit.frequency.low if below else limit.frequency.high),
+                    (0, -3 if below else 3),
+                    textcoords="offset points",
+                    ha="center",
+                    va="top" if below else "bottom",
+                    fontsize=7,
+                    color=colour,
+                )
+
+
+def _frequency_axis(axes: Axes) -> None:
+    axes.set_yscale("log")
+    axes.set_ylim(1.0, 1.35 * FREQUENCIES[-1])
+    axes.yaxis.set_major_locator(FixedLocator([1.0, 2.0, 3.0, 5.0, 10.0, 20.0]))
+    axes.yaxis.set_major_formatter(ScalarFormatter())
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.set_ylabel("largest stable frequency [rad/s]")
+
+
+def _rate_line(
+    axes: Axes,
+    numbers: Sequence[IntervalEstimate],
+    colour: str,
+    marker: str,
+    name: str,
+    dashes: str = "-",
+    aside: float = 1.0,
+) -> None:
+    """Draw one line with its intervals.
+
+    Args:
+        axes: to draw on.
+        numbers: one for each of ``RATES``.
+        colour: of the line.
+        marker: at each point.
+        name: in the legend; "_" shows none.
+        dashes: line style.
+        aside: factor by which the line stands aside of the rates.
+    """
+    middle = np.array([number.value for number in numbers])
+    reach = np.nan_to_num(
+        [(number.value - number.low, number.high - number.value) for number in numbers]
+    ).T
+    axes.errorbar(
+        [aside * rate for rate in RATES],
+        middle,
+        reach,
+        color=colour,
+        marker=marker,
+        markersize=4,
+        linestyle=dashes,
+        linewidth=1.4,
+        capsize=2,
+        label=name,
+    )
+
+
+def _rate_axis(axes: Axes) -> None:
+    """Make x the tracking rate, logarithmic."""
+    axes.set_xscale("log")
+    axes.xaxis.set_major_locator(FixedLocator(list(RATES)))
+    axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.set_xlabel("tracking rate [frames/s]")

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
+import pickle
+import traceback
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor, as_completed
+from functools import partial
 from multiprocessing import active_children, get_context
 from pathlib import Path
 from queue import SimpleQueue
@@ -16,8 +20,7 @@ from pydantic import ValidationError
 from housefly.config.text import shortened
 from housefly.config.validation import dotted, explain
 from housefly.errors import RecordingError
-from housefly.lab.safety_case.alike_flights import alike, fly_alike
-from housefly.lab.safety_case.faulty_flight import fly_trial
+from housefly.lab.safety_case.faulty_flight import FaultyFlight, course_of, fly_trial, onset_of
 from housefly.lab.safety_case.trial import TrialKey, TrialResult, result_from_json
 from housefly.lab.safety_case.wired_flight import (
     WiredKey,
@@ -28,6 +31,9 @@ from housefly.lab.safety_case.wired_flight import (
 
 RESULTS_FILE = "flights.jsonl"
 WIRED_RESULTS_FILE = "wired_flights.jsonl"
+
+_MOST = 24
+"""So many flights at once: what is flown at once is lost when it is interrupted."""
 
 
 class FlownResult(Protocol):
@@ -175,3 +181,62 @@ def _flown(keys: list[TrialKey], workers: int) -> Iterator[TrialResult]:
 
 def _yield_to_others() -> None:
     os.nice(5)
+
+
+def alike(keys: Iterable[TrialKey]) -> Iterator[tuple[TrialKey, ...]]:
+    """Yield the flights in groups whose members have one course."""
+    groups: dict[object, list[TrialKey]] = {}
+    for key in keys:
+        groups.setdefault(course_of(key), []).append(key)
+    for group in groups.values():
+        yield from (tuple(group[n : n + _MOST]) for n in range(0, len(group), _MOST))
+
+
+def fly_alike(keys: tuple[TrialKey, ...]) -> list[TrialResult]:
+    """Fly flights of one course; in a process without other threads."""
+    flight, results = FaultyFlight(course_of(keys[0])), list[TrialResult]()
+    waiting = {key: onset_of(key) for key in keys}
+    while waiting and not flight.is_over:
+        due = [key for key, onset in waiting.items() if flight.is_due(onset)]
+        for key in due:
+            del waiting[key]
+            if not waiting:
+                return [*results, flight.finish(key)]
+            results.append(_in_a_child(partial(flight.finish, key)))
+        flight.advance()
+    return [*results, *(flight.result(key) for key in waiting)]
+
+
+def _in_a_child(finish: Callable[[], TrialResult]) -> TrialResult:
+    """Return what a forked child makes of this flight.
+
+    Raises:
+        ChildProcessError: it failed; it has printed why.
+    """
+    reader, writer = os.pipe()
+    # What no collection touches is not copied for the child.
+    gc.freeze()
+    child = os.fork()
+    if not child:
+        _report(finish, writer)
+    gc.unfreeze()
+    os.close(writer)
+    with os.fdopen(reader, "rb") as file:
+        told = file.read()
+    if os.waitpid(child, 0)[1]:
+        raise ChildProcessError("a flight that was forked failed")
+    result: TrialResult = pickle.loads(told)
+    return result
+
+
+def _report(finish: Callable[[], TrialResult], writer: int) -> None:
+    """Write how a flight ended, and leave the process without its parent's endings."""
+    status = 1
+    try:
+        with os.fdopen(writer, "wb") as file:
+            pickle.dump(finish(), file)
+        status = 0
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        os._exit(status)

@@ -95,17 +95,17 @@ class FaultOnset:
 
 def course_of(key: TrialKey) -> FlightCourse:
     """Return the course of a flight."""
-    phases = phases_of(key.row)
+    phases = _phases_of(key.row)
     rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
     return FlightCourse(
-        key.seed, rate, needs_intruders(key.row), needs_scanners(key.row), key.guarded
+        key.seed, rate, _needs_intruders(key.row), needs_scanners(key.row), key.guarded
     )
 
 
 def onset_of(key: TrialKey) -> FaultOnset:
     """Return when the fault of a flight begins."""
     rng = np.random.default_rng([key.seed, sum(map(ord, key.row))])
-    phases = phases_of(key.row)
+    phases = _phases_of(key.row)
     phase = phases[key.seed % len(phases)]
     delay = float(rng.uniform(0.0, _DELAY_MAX)) if phase in IN_FLIGHT_FAULT_PHASES else 0.0
     return FaultOnset(phase, delay)
@@ -127,7 +127,7 @@ def variant_of(name: str) -> FaultVariant:
     return next(v for v in row.variants if wanted in ("", v.name))
 
 
-def faults_of_key(key: TrialKey) -> tuple[Fault, ...]:
+def _faults_of_key(key: TrialKey) -> tuple[Fault, ...]:
     """Return the faults of a flight, from 0 s on, each with the seed of the flight."""
     return tuple(
         replace(fault, seed=1 + key.seed)
@@ -143,7 +143,7 @@ def _with_dead_pilot(faults: tuple[Fault, ...], key: TrialKey) -> tuple[Fault, .
     return (*faults, Fault(FaultComponent.PILOT, FaultKind.OFF, start=_ordered_after(key)))
 
 
-def phases_of(row: str) -> tuple[FaultPhase, ...]:
+def _phases_of(row: str) -> tuple[FaultPhase, ...]:
     """Return the phases in which a row may begin; a row without faults begins before take-off."""
     names = [name for name in row.split("+") if name]
     if not names:
@@ -153,18 +153,18 @@ def phases_of(row: str) -> tuple[FaultPhase, ...]:
     return (FaultPhase.BEFORE_TAKE_OFF, *IN_FLIGHT_FAULT_PHASES)
 
 
-def needs_intruders(row: str) -> bool:
+def _needs_intruders(row: str) -> bool:
     """Return whether a row puts people or things in the way."""
     intruders = (FaultComponent.PEOPLE, FaultComponent.OBSTACLES)
-    return any(fault.component in intruders for fault in faults_of_key(TrialKey(row, 0)))
+    return any(fault.component in intruders for fault in _faults_of_key(TrialKey(row, 0)))
 
 
 def needs_scanners(row: str) -> bool:
     """Return whether a row is flown in a room with scanners, which see what gets in the way."""
     unscanned = any(variant_of(name).unscanned for name in row.split("+") if name)
-    faults = faults_of_key(TrialKey(row, 0))
+    faults = _faults_of_key(TrialKey(row, 0))
     fails = any(fault.component is FaultComponent.LASER for fault in faults)
-    return fails or (needs_intruders(row) and not unscanned)
+    return fails or (_needs_intruders(row) and not unscanned)
 
 
 def orders_of(key: TrialKey) -> tuple[tuple[float, Order], ...]:
@@ -234,7 +234,7 @@ class FaultyFlight:
         """Let faults begin, those of the row unless given; fly on, and return how it ended."""
         now = 0.0 if self._last is None else self._last.now
         self._oracle.faulty_since, self._oracle.cannot_hover = now, _cannot_hover(key.row)
-        faults = faults_of_key(key) if faults is None else faults
+        faults = _faults_of_key(key) if faults is None else faults
         faults = _with_dead_pilot(faults, key)
         self._waiting = [(now + after, order) for after, order in orders_of(key)]
         self._simulation.inject(*(fault.shifted(now) for fault in faults))

@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+import os
 import time
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+import housefly
 from housefly.errors import ConfigError, RecordingError
-from housefly.lab.safety_case.source_digest import source_digest
 
 FLOWN_BY_FILE = "flown_by.json"
 _UNKNOWN = "a source that is not known"
+
+_PACKAGE = Path(housefly.__file__).parent
+_LENGTH = 12
+_LEFT_OUT = frozenset({"__pycache__", "node_modules"})
+_NOT_INSTALLED = "web/client"
+"""The source of the console's bundle: the bundle itself counts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,3 +83,24 @@ def flown_by_words(folder: Path) -> str:
     if known is not None and known.source == source:
         return str(known)
     return f"{known or _UNKNOWN}; now it is {source}"
+
+
+def source_digest(package: Path = _PACKAGE) -> str:
+    """Return the first characters of the SHA-256 of a package's files, names and contents."""
+    digest = hashlib.sha256()
+    for name in sorted(_names(package)):
+        content = hashlib.sha256((package / name).read_bytes()).hexdigest()
+        digest.update(f"{content} {name}\n".encode(errors="surrogateescape"))
+    return digest.hexdigest()[:_LENGTH]
+
+
+def _names(package: Path) -> Iterator[str]:
+    """Yield the names of all files within the package, code and data."""
+    for place, folders, files in os.walk(package):
+        within = Path(place).relative_to(package)
+        folders[:] = [
+            name
+            for name in folders
+            if name not in _LEFT_OUT and (within / name).as_posix() != _NOT_INSTALLED
+        ]
+        yield from ((within / name).as_posix() for name in files)

@@ -12,11 +12,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees, radians, sqrt, tan
 
+import numpy as np
+
 from housefly.geometry import GRAVITY
-from housefly.lab.tuning.loop import Loop
+from housefly.lab.tuning.loop import Loop, period_of
 from housefly.lab.tuning.margins import Margins, is_stable, margins_of
-from housefly.lab.tuning.noise import position_error
 from housefly.lab.tuning.rate_loop import RateLoop, rate_loop
+from housefly.numeric import FloatArray
 
 _FREQUENCIES = tuple(round(0.3 + 0.05 * step, 2) for step in range(55))
 """Natural frequencies tried [rad/s]. Above 3 the attitude is no longer a first-order lag."""
@@ -34,6 +36,14 @@ _MIN_NOISE = 0.0005
 """Smallest tracking noise assumed [m]."""
 _ACCELERATION_NOISES = (0.1, 0.2, 0.4, 0.8, 1.6)
 """Values of Q tried, one sigma [m/s^2]."""
+
+_GUST = 0.1
+"""One sigma of the push by moving air that the advice assumes [m/s^2]."""
+_GUST_TIME = 1.0
+"""Correlation time of the push [s]."""
+
+_MAX_DOUBLINGS, _NEGLIGIBLE = 40, 1e-12
+"""The sum ends when what is added is a smaller share than this; 2^40 periods are years."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,3 +249,32 @@ def _objections(
             f"a step of {question.step:g} m saturates the tilt: beta is above {bound:.2f} 1/s^2"
         )
     return found
+
+
+def position_error(loop: Loop, noise: float) -> float:
+    """Return one sigma of the position error [m] of a stable loop.
+
+    Args:
+        loop: with gains and filter.
+        noise: one sigma of a tracked coordinate [m].
+    """
+    period = period_of(loop)
+    ticks = period.noise.shape[1] - period.frames
+    # White pushes with the gusts' spectral density at rest, 2 sigma^2 T.
+    push = _GUST * np.sqrt(2.0 * _GUST_TIME / loop.rate_hz)
+    sigmas = np.concatenate((np.full(period.frames, noise), np.full(ticks, push)))
+    added = period.noise.real * sigmas
+    covariance = _steady_covariance(period.matrix.real, added @ added.T)
+    return float(np.sqrt(max(covariance[0, 0], 0.0)))
+
+
+def _steady_covariance(matrix: FloatArray, added: FloatArray) -> FloatArray:
+    """Return the sum of A^k Q A'^k over all k, doubled in length each round; A is stable."""
+    covariance, power = added, matrix
+    for _ in range(_MAX_DOUBLINGS):
+        more = power @ covariance @ power.T
+        covariance = covariance + more
+        if np.abs(more).max() <= _NEGLIGIBLE * np.abs(covariance).max():
+            break
+        power = power @ power
+    return covariance

@@ -21,7 +21,7 @@ SiteLines = dict[str, dict[str, float | str]]
 """Values by table and key."""
 
 
-def pose_age_needed(loop: Loop) -> float:
+def _pose_age_needed(loop: Loop) -> float:
     """Return the age of the newest pose that the drone must bear [s].
 
     A frame is used a tick after it has arrived at the latest, and until the next but one comes: a
@@ -43,7 +43,7 @@ def site_lines(
         drone: constants that were given otherwise, or the profile that holds them.
     """
     loop, limits = advice.judgement.loop, site.limits
-    level = max(limits.pose_age_level, pose_age_needed(loop))
+    level = max(limits.pose_age_level, _pose_age_needed(loop))
     wanted: dict[str, dict[str, float | str]] = {
         "drone": dict(drone),
         "control": {

@@ -194,13 +194,13 @@ def with_size(
         draft,
         bounds=(0.0, 0.0, length, width),
         height=height,
-        walls=outer_walls((0.0, 0.0, length, width)),
+        walls=_outer_walls((0.0, 0.0, length, width)),
         scanned=(),
         source="",
     )
 
 
-def outer_walls(bounds: Corners, thickness: float = WALL_THICKNESS) -> tuple[DraftWall, ...]:
+def _outer_walls(bounds: Corners, thickness: float = WALL_THICKNESS) -> tuple[DraftWall, ...]:
     """Return four walls whose inner faces are the bounds [m]."""
     half = thickness / 2
     x0, y0, x1, y1 = bounds[0] - half, bounds[1] - half, bounds[2] + half, bounds[3] + half

@@ -50,7 +50,7 @@ def site_tree(draft: SiteDraft, *, simulated: bool | None = None) -> dict[str, A
     }
     if is_real and draft.tracking is not None:
         fit = rigid_fit(draft.frame_points) if draft.frame_points else None
-        tree["tracking"] = tracking_tree(draft.tracking, fit)
+        tree["tracking"] = _tracking_tree(draft.tracking, fit)
     if is_real and draft.drone is not None:
         tree["drone"] = {"address": draft.drone.address} | (
             {"profile": draft.drone.profile} if draft.drone.profile else {}
@@ -69,7 +69,7 @@ def site_of_draft(draft: SiteDraft, *, simulated: bool | None = None) -> Site:
     return site_from_tree(tree)
 
 
-def tracking_tree(tracking: DraftTracking, fit: RigidFit | None = None) -> dict[str, Any]:
+def _tracking_tree(tracking: DraftTracking, fit: RigidFit | None = None) -> dict[str, Any]:
     """Return the keys of ``[tracking]``."""
     tree: dict[str, Any] = {
         "kind": tracking.kind,
@@ -92,7 +92,7 @@ def tracking_tree(tracking: DraftTracking, fit: RigidFit | None = None) -> dict[
 
 def tracking_config(tracking: DraftTracking) -> TrackingConfig:
     """Return the part of a site about tracking; raises ConfigError for the first bad key."""
-    return validated(TrackingConfig, tracking_tree(tracking), "tracking")
+    return validated(TrackingConfig, _tracking_tree(tracking), "tracking")
 
 
 def suggested_places(draft: SiteDraft) -> tuple[DraftPlace, ...]:

@@ -25,7 +25,7 @@ def marked_reply(answer: object, /, **ours: object) -> dict[str, Any]:
         answer: a value of the contracts, or plain JSON.
         ours: what we say ourselves; numbers, codes and fixed words only.
     """
-    return {"notice": NOTICE, **ours, MARKED: plain_json(answer)}
+    return {"notice": NOTICE, **ours, MARKED: _plain_json(answer)}
 
 
 def refused_reply(error: HouseflyError) -> dict[str, Any]:
@@ -48,6 +48,6 @@ def task_reply(task: TaskStatus, **ours: object) -> dict[str, Any]:
     )
 
 
-def plain_json(answer: object) -> Any:
+def _plain_json(answer: object) -> Any:
     """Return a value of the contracts as plain JSON."""
     return json.loads(TypeAdapter(type(answer)).dump_json(answer))

@@ -138,19 +138,19 @@ def checked_parameters(
     return values
 
 
-def is_words(value: object) -> bool:
+def _is_words(value: object) -> bool:
     """Return whether something is printable text of a sensible length."""
     return isinstance(value, str) and len(value) <= WORDS_MAX and value.isprintable()
 
 
 def _name(parameter: TaskParameter, value: ParameterValue) -> ParameterValue | None:
-    if not is_words(value):
+    if not _is_words(value):
         return None
     return str(value).strip() or None
 
 
 def _text(parameter: TaskParameter, value: ParameterValue) -> ParameterValue | None:
-    return value if is_words(value) else None
+    return value if _is_words(value) else None
 
 
 def _number(parameter: TaskParameter, value: ParameterValue) -> ParameterValue | None:

@@ -32,7 +32,7 @@ def task_sender(task: int, service: str) -> str:
 _OF_TASKS = frozenset({OrderSource.TASK, OrderSource.RULE, OrderSource.ASSISTANT})
 
 
-def is_of_task(order: Order) -> bool:
+def _is_of_task(order: Order) -> bool:
     """Return whether a task gave an order, whoever asked for the task; no task ever gives STOP."""
     return order.source in _OF_TASKS and order.kind is not OrderKind.STOP
 
@@ -66,7 +66,7 @@ class StepInbox:
             self._events.extend(step.outputs.events)
             self._answers.extend(step.outputs.answers)
             for order in step.inputs.orders:
-                self.is_flown_by_task = is_of_task(order)
+                self.is_flown_by_task = _is_of_task(order)
                 if not self.is_flown_by_task:
                     self._orders.append(order)
 

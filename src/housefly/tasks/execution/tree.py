@@ -11,6 +11,7 @@ from py_trees.decorators import FailureIsSuccess, Retry
 
 from housefly.tasks.document.step_forms import default_of
 from housefly.tasks.document.steps import StepKind, TaskCondition, TaskStep
+from housefly.tasks.document.templates import plain_text
 from housefly.tasks.execution.composition import (
     Branch,
     ForEach,
@@ -36,7 +37,6 @@ from housefly.tasks.execution.room_steps import (
 from housefly.tasks.execution.run_context import RunContext
 from housefly.tasks.execution.search_step import Search
 from housefly.tasks.execution.step_behavior import StepBehavior
-from housefly.tasks.execution.step_words import open_words, step_words
 from housefly.tasks.execution.watching_steps import Follow, Sweep
 
 STEPS: dict[StepKind, type[StepBehavior]] = {
@@ -65,6 +65,31 @@ STEPS: dict[StepKind, type[StepBehavior]] = {
 }
 """What each step is when it runs; the other kinds are made of steps."""
 
+_WORDS: dict[StepKind, str] = {
+    StepKind.TAKE_OFF: "take off",
+    StepKind.GO_TO: "fly to {subject}",
+    StepKind.LOOK_AT: "look at {subject}",
+    StepKind.SWEEP: "take {views} pictures all around",
+    StepKind.FOLLOW: "follow {person} for {time} s",
+    StepKind.RETURN_HOME: "come home and land",
+    StepKind.LAND: "land here",
+    StepKind.RECORD: "record {time} s",
+    StepKind.SNAPSHOT: "take a picture",
+    StepKind.SAY: "say: {words}",
+    StepKind.ANNOUNCE: "announce: {words}",
+    StepKind.REPORT: "report: {words}",
+    StepKind.PUBLISH: "publish to {topic}",
+    StepKind.ASK: "ask: {question}",
+    StepKind.WAIT: "wait up to {time} s",
+    StepKind.FIND: "ask the memory where {subject} is",
+    StepKind.SEARCH: "look for {subject}",
+    StepKind.COVERAGE: "say how much of the floor was seen",
+    StepKind.CONTENTS: "see what is in {thing}",
+    StepKind.CHANGES: "see what changed",
+    StepKind.CHECK_PEOPLE: "see how everybody is",
+    StepKind.FAIL: "give up: {words}",
+}
+
 
 def tree_of(steps: tuple[TaskStep, ...], context: RunContext) -> Behaviour:
     """Return the tree of some steps, one after the other; its steps are noted in the context."""
@@ -89,8 +114,8 @@ def _behavior(step: TaskStep, context: RunContext) -> Behaviour:
 
 def _single(step: TaskStep, context: RunContext) -> Behaviour:
     behavior = STEPS[step.kind](step, context)
-    behavior.template = step_words(step)
-    behavior.note.words = open_words(behavior.template)
+    behavior.template = _step_words(step)
+    behavior.note.words = _open_words(behavior.template)
     context.notes.append(behavior.note)
     return behavior
 
@@ -171,3 +196,26 @@ _COMPOSED: dict[StepKind, Callable[[TaskStep, RunContext], Behaviour]] = {
         step.name or "for_each", _block(step, "do", context), str(step.arguments["of"]), context
     ),
 }
+
+
+def _step_words(step: TaskStep) -> str:
+    """Return what a step does; what other steps find stays open, as $name."""
+    words = _WORDS[step.kind]
+    for name in _names(words):
+        value = step.arguments.get(name, default_of(step.kind, name))
+        shown = f"{value:g}" if isinstance(value, float) else _shown(value)
+        words = words.replace("{" + name + "}", shown)
+    return words
+
+
+def _open_words(words: str) -> str:
+    """Return what a step does while nobody knows yet what other steps find: (visitor)."""
+    return plain_text(words, lambda name: f"({name})")
+
+
+def _names(words: str) -> list[str]:
+    return [part.partition("}")[0] for part in words.split("{")[1:]]
+
+
+def _shown(value: object) -> str:
+    return value if isinstance(value, str) else "a point"

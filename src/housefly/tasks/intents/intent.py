@@ -137,7 +137,7 @@ class Intent:
 
     def given(self) -> dict[str, ParameterValue]:
         """Return the slots that were said."""
-        return given_slots(self.slots)
+        return _given_slots(self.slots)
 
 
 _SUBJECT = frozenset({"subject", "subject_kind", "owner"})
@@ -210,7 +210,7 @@ def may_fly(intent: Intent) -> bool:
     return intent.intent in FLYING_INTENTS or bool(intent.slots.go)
 
 
-def given_slots(slots: IntentSlots) -> dict[str, ParameterValue]:
+def _given_slots(slots: IntentSlots) -> dict[str, ParameterValue]:
     """Return the slots that are not None, by name, as plain values."""
     said = ((one.name, getattr(slots, one.name)) for one in fields(slots))
     return {
@@ -240,7 +240,7 @@ def intent_from_json(text: str | bytes) -> Intent:
 
 def checked_intent(intent: Intent) -> Intent:
     """Return the intent; raises WireError when it lacks a slot or has one that it never has."""
-    allowed, said = INTENT_SLOTS[intent.intent], set(given_slots(intent.slots))
+    allowed, said = INTENT_SLOTS[intent.intent], set(_given_slots(intent.slots))
     if missing := allowed.required - said:
         raise WireError(f"slots.{min(missing)}: is missing; {intent.intent.value} needs it")
     if extra := said - allowed.required - allowed.optional:

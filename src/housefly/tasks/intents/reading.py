@@ -85,7 +85,7 @@ def readings(
     found = recognize_all(
         said,
         book.intents,
-        slot_lists=name_lists(said, spoken),
+        slot_lists=_name_lists(said, spoken),
         skip_words=list(book.skip_words),
         language=book.language,
     )
@@ -93,7 +93,7 @@ def readings(
     return tuple(sorted(made, key=_order))
 
 
-def name_lists(said: str, spoken: tuple[SpokenName, ...]) -> dict[str, SlotList]:
+def _name_lists(said: str, spoken: tuple[SpokenName, ...]) -> dict[str, SlotList]:
     """Return hassil's lists of the names that stand in a sentence, as plain text."""
     from hassil.expression import TextChunk
     from hassil.intents import TextSlotList, TextSlotValue

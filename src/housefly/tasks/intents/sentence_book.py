@@ -80,7 +80,7 @@ def sentence_book(language: Language, own: Path | None = None) -> SentenceBook:
         examples = tuple(dict.fromkeys(_examples(intents)))
     except (HassilError, ParseError) as error:
         why = f"cannot be read ({error})"
-        raise ConfigError("sentences", why, str(own or shipped_file(language))) from error
+        raise ConfigError("sentences", why, str(own or _shipped_file(language))) from error
     return SentenceBook(
         language,
         intents,
@@ -105,13 +105,13 @@ def all_stop_words() -> frozenset[str]:
     )
 
 
-def shipped_file(language: str) -> Path:
+def _shipped_file(language: str) -> Path:
     """Return the file of a language that comes with the package."""
     return Path(__file__).with_name(f"sentences_{language}.yaml")
 
 
 def _shipped(language: str) -> dict[str, Any]:
-    return read_sentence_file(shipped_file(language))
+    return read_sentence_file(_shipped_file(language))
 
 
 def _folded_tree(tree: Mapping[str, Any], language: Language) -> dict[str, Any]:

@@ -139,14 +139,14 @@ def value_of(trigger: Trigger, field: str, pattern: Pattern) -> ParameterValue |
             return _checked(found)
         case MqttTrigger():
             is_topic = field == "topic" or not isinstance(pattern, MqttPattern)
-            return _checked(trigger.topic if is_topic else mqtt_value(pattern, trigger))  # type: ignore[arg-type]
+            return _checked(trigger.topic if is_topic else _mqtt_value(pattern, trigger))  # type: ignore[arg-type]
         case WebhookTrigger():
             return _checked(trigger.name)
         case TimeTrigger():
             return None
 
 
-def mqtt_value(pattern: MqttPattern, trigger: MqttTrigger) -> ParameterValue | None:
+def _mqtt_value(pattern: MqttPattern, trigger: MqttTrigger) -> ParameterValue | None:
     """Return the value of a message: of its field, or of all of it; None if it has none."""
     if len(trigger.payload) > MAX_MQTT_PAYLOAD:
         return None
@@ -169,8 +169,8 @@ def _message_fits(pattern: MqttPattern, trigger: MqttTrigger) -> bool:
     if not aiomqtt.Topic(trigger.topic).matches(pattern.mqtt):
         return False
     if pattern.value is None and pattern.above is None and pattern.below is None:
-        return not pattern.field or mqtt_value(pattern, trigger) is not None
-    value = mqtt_value(pattern, trigger)
+        return not pattern.field or _mqtt_value(pattern, trigger) is not None
+    value = _mqtt_value(pattern, trigger)
     if pattern.value is not None and not _same(value, pattern.value):
         return False
     if pattern.above is None and pattern.below is None:

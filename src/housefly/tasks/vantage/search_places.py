@@ -67,7 +67,7 @@ class LayingPlaces:
 
 
 @lru_cache(maxsize=4)
-def laying_places(viewing: ViewingRoom) -> LayingPlaces:
+def _laying_places(viewing: ViewingRoom) -> LayingPlaces:
     """Return all that a room has to lay things on: tops of furniture, and the floor."""
     surfaces = surfaces_of(viewing.room)
     names = {surface.thing: with_article(surface.name) for surface in surfaces}
@@ -98,7 +98,7 @@ def belief_of(
         viewing: the room.
         people: who is seen now; what somebody carries is with them.
     """
-    lying = laying_places(viewing)
+    lying = _laying_places(viewing)
     hints = () if answer is None else _hints(answer, {one.id: one for one in people})
     known = running_sum(hint.share for hint in hints)
     points, chance = [lying.points], (1.0 - known) * (1.0 - _HIDDEN) * lying.weight

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import cos, sin
+from math import cos, sin, tan
 
 import numpy as np
 
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, elementwise
 from housefly.pilot.planning.dijkstra import UNREACHED, distances
 from housefly.room.grid import Cell
+from housefly.room.level_camera import FRONT_CAMERA
 from housefly.tasks.vantage.camera_views import camera_views
-from housefly.tasks.vantage.detection import detection_probability
 from housefly.tasks.vantage.search_belief import SearchBelief
 from housefly.tasks.vantage.search_order import chosen_looks, soonest_order
 from housefly.tasks.vantage.viewing_room import ViewingRoom
@@ -25,6 +26,15 @@ _LOOKED = 0.5
 _NAMED = 0.15
 """A place that a look is for has at least this share of what it may find."""
 _PLACES_NAMED = 2
+
+_PICTURE_WIDTH = 640
+"""Of the AR.Drone 2.0's front camera [pixels]."""
+_HALF_RECOGNISED = 4.0
+"""Line pairs across a target with which half of all observers recognise it (Johnson 1958)."""
+_ATTENTION = 0.9
+"""Share of what can be recognised in a picture that whoever looks at it notices."""
+_THING_SIZE = 0.1
+"""A cup, glasses or a bunch of keys [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,3 +210,20 @@ class ThingSearch:
 def _point(row: FloatArray) -> Vec2:
     x, y = (round(value, 3) for value in row.tolist())
     return x, y
+
+
+def detection_probability(distances: FloatArray, size: float = _THING_SIZE) -> FloatArray:
+    """Return the probability that a thing in the picture is noticed, by its distance.
+
+    Args:
+        distances: from the camera [m], any shape.
+        size: of the thing [m].
+
+    Returns:
+        The same shape, 0 to 1, falling with the distance.
+    """
+    per_metre = _PICTURE_WIDTH / (2.0 * tan(FRONT_CAMERA.width / 2.0))
+    pairs = 0.5 * size * per_metre / np.maximum(distances, 0.1) / _HALF_RECOGNISED
+    raised = elementwise(math.pow, pairs, 2.7 + 0.7 * pairs)
+    result: FloatArray = _ATTENTION * raised / (1.0 + raised)
+    return result

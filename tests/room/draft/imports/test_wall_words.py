@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.room.draft.imports.wall_words import names_any, names_wall
+from housefly.room.draft.imports.plan import names_any, names_wall
 
 WALLS = (
     "A-WALL", "IfcWallStandardCase", "walls-exterior", "Partitions", "Wände", "Aussenwand",

@@ -9,15 +9,17 @@ from pathlib import Path
 from housefly.config.text import is_file, shortened
 from housefly.errors import ConfigError, RoomError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
+from housefly.room.draft.imports.cells import boxes_of_cells, refuse_too_many
 from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.dxf_plan import dxf_plan
 from housefly.room.draft.imports.point_cloud import SCAN_SUFFIXES
-from housefly.room.draft.imports.ros_cells import ros_cells
 from housefly.room.draft.imports.scan import scan
 from housefly.room.draft.imports.svg_plan import svg_plan
 from housefly.room.draft.model import SiteDraft
 from housefly.room.draft.site_of_draft import suggested_places
 from housefly.room.draft.suggestions import suggested_pad
+from housefly.room.ros_image import read_ros_map
+from housefly.room.ros_map import cropped
 
 FILE_SIZE_MAX = 500_000_000
 """Largest file that is read [bytes]."""
@@ -27,9 +29,32 @@ _UNITS = (1e-6, 1000.0)
 """Metres per unit that may be said."""
 
 _Importer = Callable[[SiteDraft, Path, ImportHints], Imported]
+
+
+def _ros_cells(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
+    """Return the draft with the room of a ROS map; raises RoomError."""
+    ros_map, origin = cropped(read_ros_map(path), path)
+    edge, (nx, ny) = ros_map.resolution, ros_map.free.shape
+    unknown = ~ros_map.occupied & ~ros_map.free
+    boxes = (
+        *boxes_of_cells(ros_map.occupied, edge, draft.height, "wall"),
+        *boxes_of_cells(unknown, edge, draft.height, "unexplored"),
+    )
+    refuse_too_many(boxes, path.name)
+    length, width = round(nx * edge, 4), round(ny * edge, 4)
+    notes = (
+        *ros_map.notes,
+        f"{path.name}: {length:.2f} m x {width:.2f} m, {len(boxes)} boxes; a ROS map is flat, so"
+        " its walls reach from the floor to the ceiling",
+        f"the room begins at (0, 0), which the ROS map calls ({origin[0]:.2f}, {origin[1]:.2f}) m",
+    )
+    found = replace(draft, bounds=(0.0, 0.0, length, width), scanned=boxes)
+    return Imported(found, notes)
+
+
 _IMPORTERS: dict[str, _Importer] = {
-    ".yaml": ros_cells,
-    ".yml": ros_cells,
+    ".yaml": _ros_cells,
+    ".yml": _ros_cells,
     **dict.fromkeys(SCAN_SUFFIXES, scan),
     ".svg": svg_plan,
     ".dxf": dxf_plan,

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 from itertools import pairwise
 from math import ceil, dist, hypot
 
@@ -13,15 +16,9 @@ from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.draft.imports.cells import boxes_of_cells
 from housefly.room.draft.imports.contracts import USUAL_UNITS, Imported, ImportHints
-from housefly.room.draft.imports.drawing import (
-    LeftOut,
-    PlanDrawing,
-    PlanShape,
-    left_out_notes,
-)
+from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing, PlanShape, left_out_notes
 from housefly.room.draft.imports.strays import without_strays
 from housefly.room.draft.imports.units import likely_units
-from housefly.room.draft.imports.wall_words import names_any, names_wall
 from housefly.room.draft.model import DraftBox, DraftWall, SiteDraft
 from housefly.room.reach import flood
 
@@ -43,6 +40,19 @@ _EDGE = 0.1
 _INSIDE_SHARE = 0.4
 """With less of the floor inside, the outer walls have a hole."""
 _LAYERS_MAX = 20
+
+_PARTS = (
+    # English, German, Dutch, French, Spanish, Portuguese, Italian
+    "wall", "partition", "mauer", "wand", "waend", "muur", "cloison", "paroi", "muro", "muraille",
+    "pared", "parede", "tabique", "parete", "pareti", "tramezz", "muratura",
+    # Swedish, Norwegian, Danish, Finnish, Polish, Czech, Russian, Turkish
+    "vagg", "vegg", "væg", "seina", "scian", "stena", "steny", "стен", "duvar",
+    # Japanese, Chinese, Korean
+    "壁", "間仕切", "墙", "牆", "墻", "隔断", "벽",
+)  # fmt: skip
+_WHOLE = frozenset({"mur", "murs", "muri", "zed", "zdi"})
+"""French, Italian, Czech: inside of longer words they mean something else."""
+_LETTERS = re.compile(r"[^\W\d_]+")
 
 
 def plan_draft(draft: SiteDraft, drawing: PlanDrawing, name: str, hints: ImportHints) -> Imported:
@@ -244,3 +254,25 @@ def _thinned(points: list[Vec2]) -> list[Vec2]:
     if len(kept) > 1:
         kept[-1] = points[-1]
     return [(round(x, 4), round(y, 4)) for x, y in kept]
+
+
+def names_wall(text: str) -> bool:
+    """Return whether a layer's name holds a word for wall; accents and case do not matter."""
+    plain = _folded(text)
+    return any(part in plain for part in _FOLDED) or not _WHOLE.isdisjoint(_LETTERS.findall(plain))
+
+
+def names_any(text: str, words: tuple[str, ...]) -> bool:
+    """Return whether a layer's name holds one of some words; accents and case do not matter."""
+    plain = _folded(text)
+    return any(_folded(word) in plain for word in words)
+
+
+@cache
+def _folded(text: str) -> str:
+    """Return a text in small letters without accents."""
+    apart = unicodedata.normalize("NFKD", text)
+    return "".join(sign for sign in apart if not unicodedata.combining(sign)).casefold()
+
+
+_FOLDED = tuple(_folded(part) for part in _PARTS)

@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Protocol
+from typing import BinaryIO, Protocol
 
 import numpy as np
 
-from housefly.errors import HouseflyError, RoomError
+from housefly.errors import HouseflyError, MissingPartError, RoomError
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.contracts import USUAL_UNITS, ImportHints
 from housefly.room.draft.imports.mesh_file import read_mesh
-from housefly.room.draft.imports.point_file import read_e57, read_las, read_pcd
-from housefly.room.draft.imports.scan_part import ScanFile, ScanPart, without_broken_points
+from housefly.room.draft.imports.point_child import read_apart
+from housefly.room.draft.imports.scan_part import (
+    ScanFile,
+    ScanPart,
+    cloud_part,
+    refuse_too_many_points,
+    without_broken_points,
+)
 from housefly.room.draft.imports.units import likely_units
 
 SPACING = 0.02
@@ -30,6 +38,77 @@ _HEIGHTS = (1.0, 20.0)
 _FLOOR_BIN = 0.02
 _UP = {".glb": "y", ".gltf": "y", ".las": "z", ".laz": "z", ".e57": "z"}
 """The format says so."""
+
+_INSTALL = "pip install 'housefly[import]'"
+_HEADER_MAX = 4096
+"""Longest header of a PCD [bytes]."""
+_FIELDS_MAX = 10_000
+_RECORD_MAX = 2000
+"""Longest point of a LAS [bytes]; usual ones have up to 70."""
+
+
+def read_pcd(path: Path) -> ScanFile:
+    """Return the points of a PCD; raises RoomError, or what a broken file raises in pypcd4."""
+    if not find_spec("pypcd4"):
+        raise MissingPartError("the reader of PCD (pypcd4)", _INSTALL)
+    from pypcd4.pypcd4 import MetaData, PointCloud
+
+    with path.open("rb") as file:
+        try:
+            header = MetaData.parse_header(_pcd_header(file))
+        except ValueError as error:
+            raise RoomError(f"{path.name} has no good header of a PCD: {error}") from error
+        refuse_too_many_points(header.points, path.name)
+        if sum(header.count) > _FIELDS_MAX:
+            raise RoomError(f"{path.name} has more than {_FIELDS_MAX} numbers a point")
+        whole = header.points * header.build_dtype().itemsize
+        there = path.stat().st_size - file.tell()
+        if header.data.value == "binary" and there < whole:
+            raise RoomError(f"{path.name} ends in the middle: {there} of {whole} bytes are there")
+        if header.data.value.startswith("binary") and header.data.value != "binary":
+            packed, unpacked = struct.unpack("<II", file.read(8))
+            if unpacked != whole or there - 8 < packed:
+                raise RoomError(f"{path.name} is damaged: its points are not as long as it says")
+    cloud = PointCloud.from_path(path)
+    missing = [axis for axis in "xyz" if axis not in cloud.fields]
+    if missing:
+        raise RoomError(
+            f"{path.name} has no field {missing[0]!r}; it has: {', '.join(cloud.fields)}"
+        )
+    points = cloud.numpy(("x", "y", "z")).astype(np.float64)
+    lost = header.points - points.shape[0]
+    notes = (f"the file ends in the middle: {lost} points are missing",) if lost > 0 else ()
+    return ScanFile((cloud_part(points),), None, notes)
+
+
+def _read_las(path: Path) -> ScanFile:
+    """Return the points of a LAS or LAZ; raises RoomError."""
+    if not (find_spec("laspy") and find_spec("lazrs")):
+        raise MissingPartError("the reader of LAS and LAZ (laspy, lazrs)", _INSTALL)
+    with path.open("rb") as file:
+        head = file.read(247).ljust(247, b"\0")
+    start, records, _, length = struct.unpack_from("<IIBH", head, 96)
+    extended = struct.unpack_from("<I", head, 243)[0] if head[25] >= 4 else 0
+    whole = max(start, 54 * records, 60 * extended)
+    if head[:4] != b"LASF" or whole > path.stat().st_size or length > _RECORD_MAX:
+        raise RoomError(f"{path.name} has no good header of a LAS; is the file whole?")
+    return read_apart("las", path)
+
+
+def _read_e57(path: Path) -> ScanFile:
+    """Return the points of all scans of an E57 together; raises RoomError."""
+    if not find_spec("pye57"):
+        raise MissingPartError("the reader of E57 (pye57)", _INSTALL)
+    with path.open("rb") as file:
+        head = file.read(24).ljust(24, b"\0")
+    whole, there = struct.unpack_from("<Q", head, 16)[0], path.stat().st_size
+    if head[:8] != b"ASTM-E57":
+        raise RoomError(f"{path.name} has no good header of an E57; is the file whole?")
+    if whole != there:
+        raise RoomError(f"{path.name} ends in the middle: {there} of {whole} bytes are there")
+    return read_apart("e57", path)
+
+
 _READERS: dict[str, Callable[[Path], ScanFile]] = {
     ".ply": read_mesh,
     ".obj": read_mesh,
@@ -37,9 +116,9 @@ _READERS: dict[str, Callable[[Path], ScanFile]] = {
     ".gltf": read_mesh,
     ".stl": read_mesh,
     ".pcd": read_pcd,
-    ".las": read_las,
-    ".laz": read_las,
-    ".e57": read_e57,
+    ".las": _read_las,
+    ".laz": _read_las,
+    ".e57": _read_e57,
 }
 SCAN_SUFFIXES = tuple(_READERS)
 """Ends of the names of files that are read."""
@@ -201,3 +280,14 @@ def _floor(points: FloatArray) -> float:
         (heights >= edges[best] - _FLOOR_BIN) & (heights <= edges[best + 1] + _FLOOR_BIN)
     ]
     return float(np.median(within))
+
+
+def _pcd_header(file: BinaryIO) -> list[str]:
+    lines = list[str]()
+    while file.tell() < _HEADER_MAX and (raw := file.readline(_HEADER_MAX)):
+        line = raw.decode("ascii", errors="replace").strip()
+        if line and not line.startswith("#"):
+            lines.append(line)
+        if line.startswith("DATA"):
+            break
+    return lines
