@@ -22,7 +22,7 @@ from paho.mqtt import publish
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC, STEP_TOPIC
+from housefly.bus.topics import ROOM_EVENT_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.state import clips_folder
 from housefly.errors import LinkError
@@ -36,6 +36,8 @@ from housefly.tasks.api.values import ENDED, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
 from housefly.twin.world import SimulatedWorld
 from scores.visitor_score import FEET_UP, PLACE, is_useful, picture_of
+
+TOPICS = DroneTopics()
 
 BELL = "housefly/bsen/doorbell/doorbell/event"
 _RULES = """
@@ -149,8 +151,8 @@ def ring(folder: Path, **changes: object) -> BellRun:
         missing = Readiness(site, bus, web=False, video=True).wait(120.0)
         if missing:
             sys.exit(f"not ready: {missing}")
-        bus.subscribe(STEP_TOPIC, ear.heard_step)
-        bus.subscribe(ORDER_TOPIC, lambda order: ear.orders.append((time.monotonic(), order)))
+        bus.subscribe(TOPICS.step, ear.heard_step)
+        bus.subscribe(TOPICS.order, lambda order: ear.orders.append((time.monotonic(), order)))
         bus.subscribe(ROOM_NEWS_TOPIC, lambda news: ear.news.append((time.monotonic(), news)))
         bus.subscribe(ROOM_EVENT_TOPIC, ear.heard_event)
         _until(lambda: _is_ready(tasks), 120.0, "the tasks are not ready")

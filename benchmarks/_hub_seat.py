@@ -12,7 +12,7 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
-from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, STEP_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
 from housefly.hub.api.answers import News, WhereAnswer
@@ -22,6 +22,8 @@ from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.client.discovery import find
 from housefly.hub.client.room_client import RoomClient
 from housefly.messages import PilotStep, TrackedFrame
+
+TOPICS = DroneTopics()
 
 ECHO = "benchmark/echo"
 PAUSE = 0.003
@@ -121,7 +123,7 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
 
     open_ = [
         bus.subscribe(FRAME_TOPIC, frame),
-        bus.subscribe(STEP_TOPIC, step),
+        bus.subscribe(TOPICS.step, step),
         bus.subscribe(ROOM_NEWS_TOPIC, news),
     ]
     time.sleep(WARM_UP)

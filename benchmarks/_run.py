@@ -15,11 +15,13 @@ from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import LinkStatus, Order, OrderKind, Phase, PilotStep
 from housefly.sites.loaded_site import read_site
+
+TOPICS = DroneTopics()
 
 
 def percentile(values: Sequence[float], share: float) -> float:
@@ -54,7 +56,7 @@ class Running:
     def order(self, kind: OrderKind, place: str = "", look_s: float = 3.0) -> None:
         """Give an order."""
         self.bus.publish(
-            ORDER_TOPIC,
+            TOPICS.order,
             Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark"),
         )
 
@@ -91,8 +93,8 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
                 with lock:
                     state.step = step
 
-            bus.subscribe(STEP_TOPIC, heard)
-            bus.subscribe(LINK_TOPIC, state.links.append)
+            bus.subscribe(TOPICS.step, heard)
+            bus.subscribe(TOPICS.link, state.links.append)
             yield state
 
 

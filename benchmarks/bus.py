@@ -22,7 +22,7 @@ from _run import percentile, table
 from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop_sender import StopSender
-from housefly.bus.topics import STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import (
@@ -47,6 +47,8 @@ from housefly.messages import (
 from housefly.record.recorder import FlightRecorder
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
+
+TOPICS = DroneTopics()
 
 HOST, TCP_PORT = "127.77.0.1", 7448
 RATE_HZ, SECONDS = 100.0, 10.0
@@ -91,7 +93,7 @@ def listen(endpoint: str) -> None:
     ):
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         bus.subscribe(
-            STEP_TOPIC, lambda message: ages["zenoh"].append(time.monotonic() - message.now)
+            TOPICS.step, lambda message: ages["zenoh"].append(time.monotonic() - message.now)
         )
         bus.answer("ready", str)
         stream = link.makefile("rb")
@@ -122,7 +124,7 @@ def transports() -> str:
         for number in range(2 * count):
             time.sleep(0.5 / RATE_HZ)
             if number % 2:
-                bus.publish(STEP_TOPIC, step(number, time.monotonic()))
+                bus.publish(TOPICS.step, step(number, time.monotonic()))
             else:
                 data = to_cdr(step(number, time.monotonic()))
                 link.sendall(struct.pack("<I", len(data)) + data)

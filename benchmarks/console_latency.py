@@ -27,7 +27,7 @@ from _chromium import headless_chromium
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
-from housefly.bus.topics import ORDER_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, VideoFrame
 from housefly.web.process import make_server
 from housefly.web.server import create_app
@@ -35,6 +35,8 @@ from housefly.web.server import create_app
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 from fake_pilot import FakePilot
 from fake_room import example_room
+
+TOPICS = DroneTopics()
 
 PRESSES = 200
 PAUSE = 0.06
@@ -96,7 +98,7 @@ def noise_pictures() -> list[tuple[bytes, bool]]:
 async def feed(bus: LocalBus, pictures: list[tuple[bytes, bool]]) -> None:
     """Publish pictures, 30 a second, as the drone would."""
     for number, (data, keyframe) in enumerate(cycle(pictures)):
-        bus.publish(VIDEO_TOPIC, VideoFrame(data, keyframe, 640, 360, number, time.monotonic()))
+        bus.publish(TOPICS.video, VideoFrame(data, keyframe, 640, 360, number, time.monotonic()))
         await asyncio.sleep(1 / 30)
 
 
@@ -131,7 +133,7 @@ async def rows(browser: Browser, *, busy: bool) -> list[tuple[str, str, list[flo
         server = make_server(create_app(bus, token, sender.send))
         pilot = FakePilot(bus.join(), example_room())
         pilot.status, pilot.phase, pilot.height = DroneStatus.FLYING, Phase.HOLDING, 1.1
-        bus.subscribe(ORDER_TOPIC, arrivals.order)
+        bus.subscribe(TOPICS.order, arrivals.order)
         tasks = [asyncio.create_task(server.serve([listener])), asyncio.create_task(pilot.run())]
         address = f"http://{HOST}:{listener.getsockname()[1]}"
         context = await browser.new_context()

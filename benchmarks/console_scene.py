@@ -31,7 +31,7 @@ from console_latency import HOST, feed
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
-from housefly.bus.topics import ORDER_TOPIC, TRAJECTORY_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock
 from housefly.geometry import Vec2
 from housefly.messages import (
@@ -59,6 +59,8 @@ from housefly.web.server import create_app
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 from fake_pilot import FakePilot
 from fake_room import example_room
+
+TOPICS = DroneTopics()
 
 SECONDS = float(os.environ.get("SECONDS", "60"))
 """Over which the processor's share is taken [s]."""
@@ -135,7 +137,7 @@ async def scene(browser: Browser, folder: Path) -> AsyncIterator[Scene]:
     pilot = FakePilot(bus.join(), example_room())
 
     def stop_pilot() -> None:
-        bus.publish(ORDER_TOPIC, Order(OrderKind.STOP, issued_at=RealClock().now(), sender="STOP"))
+        bus.publish(TOPICS.order, Order(OrderKind.STOP, issued_at=RealClock().now(), sender="STOP"))
 
     with socket.socket() as listener:
         listener.bind((HOST, 0))
@@ -175,7 +177,7 @@ async def fly(one: Scene) -> None:
 
 def order(one: Scene, kind: OrderKind, place: str = "") -> None:
     """Give an order as another client of the bus."""
-    one.bus.publish(ORDER_TOPIC, Order(kind, place, issued_at=RealClock().now(), sender="bench"))
+    one.bus.publish(TOPICS.order, Order(kind, place, issued_at=RealClock().now(), sender="bench"))
 
 
 async def stops(one: Scene, presses: int) -> list[float]:
@@ -271,7 +273,7 @@ async def bend(one: Scene) -> None:
                 TrajectoryPoint((*place, 1.1), LEG * k / 0.4, 0.8 * min(k, last - k) / last)
                 for k, place in enumerate(way)
             )
-            one.bus.publish(TRAJECTORY_TOPIC, PlannedTrajectory(0.0, points))
+            one.bus.publish(TOPICS.trajectory, PlannedTrajectory(0.0, points))
         await asyncio.sleep(0.05)
 
 

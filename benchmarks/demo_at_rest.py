@@ -21,7 +21,7 @@ from websockets.exceptions import ConnectionClosed
 
 from _run import bench_site, running, table
 from demo import processes, seconds
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
 
 SECONDS = float(os.environ.get("SECONDS", "60"))
 CPU_GOAL = 0.8
@@ -79,7 +79,7 @@ class Page:
 
 def main() -> None:
     """Print what each process took."""
-    site, _ = lively_site(bench_site("127.9.1.1"), shutil.which("mosquitto") is not None)
+    site, _ = demo_site(bench_site("127.9.1.1"), shutil.which("mosquitto") is not None)
     with running(site) as state:
         web = state.runtime.site().web
         page = Page(web.host, web.port, state.runtime.token)

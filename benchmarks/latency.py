@@ -36,7 +36,7 @@ from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
 from housefly.bus.stop_sender import StopSender
-from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import (
@@ -63,6 +63,8 @@ from stop_under_load import attack
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 from kinematic_world import KinematicWorld
+
+TOPICS = DroneTopics()
 
 TRIALS = 200
 CLICKS, LANDINGS = 100, 10
@@ -172,7 +174,7 @@ class Steps:
 
     def __init__(self, bus: ZenohBus) -> None:
         self._steps: deque[PilotStep] = deque(maxlen=500)
-        bus.subscribe(STEP_TOPIC, self._steps.append)
+        bus.subscribe(TOPICS.step, self._steps.append)
 
     def that(self, obeys: Callable[[Outputs], bool], since: float) -> list[Command]:
         """Return what the steps since then ask for that obey."""
@@ -219,10 +221,11 @@ async def stop_to_command(
 ) -> list[float]:
     """Measure STOP sent -> first command of a pilot that is stopped."""
     delays = []
-    with closing(StopSender("127.0.0.1", runtime.stop_port, runtime.secret)) as sender:
+    with closing(StopSender("127.0.0.1", runtime.stop_ports["drone"], runtime.secret)) as sender:
         for trial in range(TRIALS // 2):
             bus.publish(
-                ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+                TOPICS.order,
+                Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"),
             )
             await asyncio.sleep(0.3 + 0.007 * (trial % 10))
             since = time.monotonic()
@@ -243,7 +246,8 @@ async def stops_to_command(bench: Bench, page: Page, bus: ZenohBus, steps: Steps
     stops = []
     for _ in range(CLICKS):
         bus.publish(
-            ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+            TOPICS.order,
+            Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"),
         )
         await asyncio.sleep(0.4)
         stops.append(
@@ -290,11 +294,12 @@ async def clicks_to_command(
         async with attacked(page, web.port):
             hard = await stops_to_command(bench, page, bus, steps)
         bus.publish(
-            ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+            TOPICS.order,
+            Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"),
         )
         for _ in range(LANDINGS):
             bus.publish(
-                ORDER_TOPIC,
+                TOPICS.order,
                 Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"),
             )
             await asyncio.sleep(4.0)
@@ -326,7 +331,7 @@ async def measure() -> list[tuple[str, list[float]]]:
             if missing:
                 raise SystemExit(missing)
             bus.publish(
-                ORDER_TOPIC,
+                TOPICS.order,
                 Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"),
             )
             await asyncio.sleep(8.0)
@@ -362,8 +367,8 @@ def main() -> int:
         )
     )
     print(
-        "\nA setpoint waits for the next slot of the drone's 30 ms command stream, those of STOP"
-        f" and Land, too. Limit for STOP under attack: {1e3 * STOP_LIMIT:.0f} ms in 99 of 100. The"
+        "\nA setpoint waits for the next slot of the drone's 30 ms command stream; STOP's leaves"
+        f" at once. Limit for STOP under attack: {1e3 * STOP_LIMIT:.0f} ms in 99 of 100. The"
         " attack: a flood of idle connections, 40 greedy sockets of one session, and a disk that is"
         f" synced without a pause; load average {os.getloadavg()[0]:.0f}."
     )

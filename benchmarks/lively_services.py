@@ -24,7 +24,7 @@ from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.oracle import Oracle
 from housefly.messages import DroneStatus, EventCode, Order, OrderKind, Phase, PilotStep
 from housefly.sites.loaded_site import LoadedSite, load_site
-from housefly.twin.lively import lively_changes
+from housefly.twin.demo_site import demo_changes
 
 ROOMS, SERVICES = 20, 5
 LOOK_S = 3.0
@@ -49,7 +49,7 @@ class RoomDay:
 
 def loaded_lively() -> LoadedSite:
     """Return the lively room without its broker, which lock step does not need."""
-    changes = {k: v for k, v in lively_changes().items() if not k.startswith("mqtt__")}
+    changes = {k: v for k, v in demo_changes().items() if not k.startswith("mqtt__")}
     return load_site("bsen", hub__enabled=False, **changes)
 
 

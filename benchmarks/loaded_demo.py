@@ -28,11 +28,13 @@ from pathlib import Path
 import psutil
 
 from _run import table
-from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.lab.safety_case.oracle import HARD_LANDING, STANDING
 from housefly.messages import Order, OrderKind, Phase, PilotStep, SafetyMode, Severity
 from housefly.record.truth import TRUTH_FILE, read_truth
+
+TOPICS = DroneTopics()
 
 PLACE, LOOK_S = "table", 3.0
 READY_S, ASK_EVERY_S, TAKE_OFF_S, FLIGHT_S = 120.0, 5.0, 60.0, 180.0
@@ -107,7 +109,7 @@ def fly_demo(seed: int, folder: Path) -> Loaded:
     try:
         address = _bus_of(demo, printed)
         with ZenohBus(connect=address) as bus:
-            bus.subscribe(STEP_TOPIC, heard.take)
+            bus.subscribe(TOPICS.step, heard.take)
             _fly(bus, heard)
         load = os.getloadavg()[0]
     finally:
@@ -145,7 +147,7 @@ def _fly(bus: ZenohBus, heard: Heard) -> None:
         order = Order(
             OrderKind.SERVICE, PLACE, look_s=LOOK_S, issued_at=time.monotonic(), sender="benchmark"
         )
-        bus.publish(ORDER_TOPIC, order)
+        bus.publish(TOPICS.order, order)
         waited = time.monotonic() + ASK_EVERY_S
         while not heard.flew and time.monotonic() < waited:
             time.sleep(0.1)

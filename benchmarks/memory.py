@@ -144,7 +144,7 @@ class Flight:
         """Let a hundredth of a second pass."""
         self._loop.advance()
         if number % round(BATTERY_EVERY * RATE) == 0:
-            self._world._battery.charge = 1.0
+            self._world.first.battery.charge = 1.0
         orders = (Order(OrderKind.TAKE_OFF, sender="benchmark"),) if number == RATE else ()
         self._loop.step(self._loop.inputs(*orders))
         self.airborne += self._world.truth().pose.position[2] > 0.5

@@ -15,7 +15,7 @@ from typing import Any
 
 from _run import table
 from housefly.sites.loaded_site import load_site
-from housefly.twin.lively import lively_changes
+from housefly.twin.demo_site import demo_changes
 from housefly.twin.people import Scene, load_scene, scene_from_tree
 from scores.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 
@@ -90,7 +90,7 @@ def afternoon(seed: int) -> Scene:
 
 def played(rounds: Iterator[Scene], hours: float) -> list[JudgedAnswer]:
     """Return the answers, asked once a second, of so many simulated hours."""
-    loaded = load_site("bsen", **lively_changes())
+    loaded = load_site("bsen", **demo_changes())
     begin = float(round(time.time()))
     answers: list[JudgedAnswer] = []
     with tempfile.TemporaryDirectory() as folder:

@@ -31,8 +31,9 @@ def on_step(step: housefly.PilotStep) -> None:
 
 site = housefly.load_site("bsen", **WIRES, drone__has_video=False, twin__video=False)
 with housefly.launch(site) as bus:
-    print("topics:", ", ".join(topic.key for topic in housefly.TOPICS))
-    answer = bus.ask(housefly.PLAN_QUERY, '{"place": "entrance"}')
+    drone = housefly.DroneTopics()  # the only one of its site; DroneTopics("red") of several
+    print("topics:", ", ".join(topic.key for topic in (*housefly.ROOM_TOPICS, *drone.all)))
+    answer = bus.ask(drone.plan, '{"place": "entrance"}')
     print("plan to the entrance:", answer[:100], "...")
-    bus.subscribe(housefly.STEP_TOPIC, on_step)
+    bus.subscribe(drone.step, on_step)
     enough.wait(20.0)

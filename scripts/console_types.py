@@ -20,6 +20,7 @@ from housefly.web.messages.client_messages import ClientMessage
 from housefly.web.messages.server_messages import ServerMessage
 from housefly.web.new_site.draft_answers import HeardView, WrittenView
 from housefly.web.new_site.draft_view import DraftView
+from housefly.web.sockets.consoles import DronesView
 
 _WIRE_FOLDER = Path(web.__file__).parent / "client" / "src" / "wire"
 _MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"
@@ -69,7 +70,8 @@ def _room_types() -> str:
         | EditsView
         | BellView
         | FlightsView
-        | FlightReplay,
+        | FlightReplay
+        | DronesView,
         "RoomNews": room_answers.News,
     }
     return _text("housefly/hub/api/answers.py", unions)

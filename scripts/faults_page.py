@@ -31,7 +31,9 @@ housefly demo --fault F16@60s
 A row of the matrix is `ROW[/VARIANT][@START][+DURATION][#SEED]`; one component is
 `COMPONENT[.SIDE]:KIND[@START][+DURATION][=SIZE][#SEED]`. Times are seconds since the simulated room
 began; without a start a fault is there from the beginning, without a duration for good.
-`mocap:ok@30s` ends what began before. In a site file:
+`mocap:ok@30s` ends what began before. In a room with several drones a fault befalls the first, or
+the one that it names, `bert: F13@20s`; scanners, depth cameras and devices are the room's. In a
+site file:
 
 ```toml
 [[faults]]

@@ -32,16 +32,20 @@ def modules(package: Path = PACKAGE) -> dict[str, Path]:
 
 
 def public_definitions(package: Path = PACKAGE) -> dict[str, list[str]]:
-    """Return the modules that define each public function or class at their top level."""
+    """Return the modules that define each public function or class at their top level.
+
+    The names begin with their package: one that is unique there is unique enough.
+    """
     found = defaultdict(list)
     for name, path in modules(package).items():
         if any(part.startswith("_") for part in name.split(".")):
             continue
+        room = ".".join(name.split(".")[1:2])
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
             if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
                 continue
             if not node.name.startswith("_"):
-                found[node.name].append(name)
+                found[f"{room}.{node.name}"].append(name)
     return dict(found)
 
 
@@ -98,7 +102,7 @@ def main() -> None:
     print(f"packages side by side   {len(rooms)}")
     print(f"loose modules           {len(list(package.glob('*.py'))) - 1}")
     print(f"public top-level names  {len(definitions)}")
-    print(f"defined more than once  {len(twice)}  {', '.join(sorted(twice))}")
+    print(f"twice in a package      {len(twice)}  {', '.join(sorted(twice))}")
     print(f"lines over {LINE_MAX}          {len(long_lines(package.parents[1]))}")
     print(f"walk Sighting->Command  {len(walked)} modules, {sum(walked.values())} lines")
 

@@ -95,7 +95,7 @@ def test_the_drone_is_driven_over_the_wire(loopback: str) -> None:
 @pytest.mark.slow
 def test_a_listener_hears_steps_and_gets_a_plan(loopback: str) -> None:
     output = run("05_listen_on_the_bus.py", loopback)
-    assert_in_order(output, "pilot/step", '"path": {"waypoints"', "idle, at (10.5")
+    assert_in_order(output, "drones/drone/step", '"path": {"waypoints"', "idle, at (10.5")
 
 
 @pytest.mark.slow
@@ -159,15 +159,18 @@ def test_a_sensor_of_ones_own_is_heard() -> None:
 
 
 @pytest.mark.wire
-def test_a_drone_of_ones_own_is_flown_and_comes_down_without_its_pilot() -> None:
+@pytest.mark.slow
+def test_a_drone_of_ones_own_flies_the_service_over_its_own_wire() -> None:
     assert_in_order(
-        run("13_add_a_drone.py"),
-        "Kite hovers by itself: no",
-        "told TAKE_OFF, is flying at 1.0 m",
-        "told FLY, is flying",
-        "the pilot is gone",
-        "told LAND, is landed at 0.0 m",
-        "it stands, and its driver has left",
+        run_alone("13_add_a_drone.py"),
+        "it is steered by position, and told where it is 20/s",
+        "it hovers by itself: no; camera: none",
+        "taking off",
+        "looking",
+        "landing",
+        "completed: true rms error 0.0",
+        "() touched",
+        "the same to the last bit",
     )
 
 

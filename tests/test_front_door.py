@@ -19,6 +19,8 @@ from quick_flights import QUICK
 
 import housefly
 
+TOPICS = housefly.DroneTopics()
+
 ROOT = Path(__file__).resolve().parents[1]
 README, PAGE = (ROOT / "README.md").read_text(), (ROOT / "docs" / "python.md").read_text()
 SOURCE = Path(housefly.__file__)
@@ -278,7 +280,7 @@ def test_a_flight_over_real_wires_is_recorded(wired: housefly.LoadedSite) -> Non
 @pytest.mark.slow
 def test_the_room_that_was_launched_is_found_and_asked(wired: housefly.LoadedSite) -> None:
     with housefly.launch(wired) as bus, housefly.connect("B-sen") as room:
-        assert bus.ask(housefly.PLAN_QUERY, '{"place": "sofa"}').startswith("{")
+        assert bus.ask(housefly.TOPICS.plan, '{"place": "sofa"}').startswith("{")
         assert room.where("sofa").kind == "furniture"
     with pytest.raises(housefly.LinkError, match="no room called 'B-sen' is running here"):
         housefly.connect("B-sen")

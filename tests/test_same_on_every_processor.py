@@ -32,7 +32,7 @@ FREE = {
     "lab/experiments/intervals.py": "statistics of what was flown",
     "record": "judges and draws what was flown",
     "room/draft": "makes a room file; it is the file that is flown",
-    "tasks/evidence": "blanks pictures",
+    "evidence": "blanks pictures",
     "tracking/live_check.py": "tells a person how far a body that rests is scattered",
     "web": "draws",
 }

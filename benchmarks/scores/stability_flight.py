@@ -57,7 +57,7 @@ class _TiringWorld(SimulatedWorld):
 
     def obey_later(self, extra: float) -> None:
         """Add to the command delay [s]."""
-        self._delay += extra
+        self.first.command_delay += extra
 
 
 def nearest_periods(delay: float) -> tuple[float, float]:

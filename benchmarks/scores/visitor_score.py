@@ -12,6 +12,7 @@ from math import inf, pi
 from random import Random
 from typing import Any
 
+from housefly.evidence.clip_values import StartClip
 from housefly.geometry import distance, euler_from_quaternion, heading_to, wrap_angle
 from housefly.lab.lockstep.simulation import SETTLING_TIME
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
@@ -19,9 +20,9 @@ from housefly.lab.lockstep.task_lockstep import fly_task_lockstep
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.tasks.api.values import TaskStage
 from housefly.tasks.document.library import bind, load_library
-from housefly.tasks.execution.values import StartClip, StopClip
+from housefly.tasks.execution.values import StopClip
 from housefly.twin.contracts import FlightState
-from housefly.twin.lively import lively_changes
+from housefly.twin.demo_site import demo_changes
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.world import SimulatedWorld
 
@@ -112,7 +113,7 @@ def _site_of(seed: int, dice: Random, among_people: bool) -> LoadedSite:
         "twin__battery": dice.uniform(0.5, 1.0),
     }
     if among_people:
-        changes["lasers"] = lively_changes()["lasers"]
+        changes["lasers"] = demo_changes()["lasers"]
     return open_site(read_site("bsen", hub__enabled=False, **changes))
 
 

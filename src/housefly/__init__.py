@@ -10,14 +10,14 @@
 Sites and rooms   load_site, LoadedSite, Site, Room, OccupancyGrid, import_ros_map, text_map,
                   draw_room
 Flights           fly, open_flight, Flight, Summary, ReplayResult, Simulation
-Wires             launch, Bus, ZenohBus, TOPICS and each topic, PLAN_QUERY, TASKS_QUERY,
+Wires             launch, Bus, ZenohBus, DroneTopics, ROOM_TOPICS and each of these, TASKS_QUERY,
                   ArDrone, run_twin
 Lab               run_campaign, CampaignResult, identify, Identified, choose_gains, Advice,
                   judge_gains, Judgement
 The room          connect, HouseClient, RoomClient, play_scene, PlayedScene
 Sensors           Sensor, SensorHealth, SensorSink, MessageRate
 Drones            Airframe, airframe_in, Capabilities, DroneDriver, Failsafe, DriverServer,
-                  RemoteDrone, RealClock
+                  RemoteDrone, Clock, RealClock, DroneConfig, LimitsConfig, TwinDrone, PlainDrone
 Messages          everything in ``housefly.messages``
 Errors            HouseflyError and those below it
 
@@ -41,24 +41,20 @@ if TYPE_CHECKING:
     from housefly.bus.topics import (
         DEPTH_TOPIC,
         FRAME_TOPIC,
-        LINK_TOPIC,
         OBSTACLE_TOPIC,
-        ORDER_TOPIC,
-        PLAN_QUERY,
-        RECORDING_TOPIC,
         ROOM_EVENT_TOPIC,
+        ROOM_TOPICS,
         SENSOR_TOPIC,
         SIGHT_TOPIC,
-        STEP_TOPIC,
         TASKS_QUERY,
-        TOPICS,
-        TRAJECTORY_TOPIC,
-        VIDEO_TOPIC,
+        DroneTopics,
     )
     from housefly.bus.zenoh_bus import ZenohBus
-    from housefly.clock import RealClock
+    from housefly.clock import Clock, RealClock
     from housefly.config.airframe import Airframe, airframe_in
     from housefly.config.capabilities import Capabilities
+    from housefly.config.drone import DroneConfig
+    from housefly.config.limits import LimitsConfig
     from housefly.config.site import Site
     from housefly.drones.ardrone.driver import ArDrone
     from housefly.drones.contract import DroneDriver
@@ -89,6 +85,7 @@ if TYPE_CHECKING:
     from housefly.messages import (
         LEVEL,
         Action,
+        AnySetpoint,
         Behavior,
         Clearing,
         Command,
@@ -119,6 +116,7 @@ if TYPE_CHECKING:
         PlanAnswer,
         PlannedTrajectory,
         Pose,
+        PositionSetpoint,
         PreflightCheck,
         RecordingNews,
         Reference,
@@ -127,12 +125,14 @@ if TYPE_CHECKING:
         Scan,
         SensorReport,
         Setpoint,
+        SetpointForm,
         Severity,
         Sighting,
         SightNews,
         Telemetry,
         TrackedFrame,
         TrajectoryPoint,
+        VelocitySetpoint,
         VideoFrame,
     )
     from housefly.record.replay import ReplayResult
@@ -147,29 +147,31 @@ if TYPE_CHECKING:
     from housefly.tasks.api.topics import TASK_NEWS_TOPIC
     from housefly.tasks.client.connect import connect
     from housefly.tasks.client.house_client import HouseClient
+    from housefly.twin.contracts import TwinDrone
+    from housefly.twin.plain_drone import PlainDrone
     from housefly.twin.process import run_twin
 
 # fmt: off
 __all__ = [
-    "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
-    "PLAN_QUERY", "RECORDING_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC",
-    "SIGHT_TOPIC", "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "TRAJECTORY_TOPIC",
-    "VIDEO_TOPIC", "Action", "Advice", "Airframe", "ArDrone", "Behavior", "Bus", "CampaignResult",
-    "Capabilities", "Clearing", "Command", "ConfigError", "Covariance", "DepthImage",
-    "DriverServer", "DroneDriver", "DroneFault", "DroneStatus", "EditsError", "Estimate", "Event",
-    "EventCode", "Fact", "Facts", "Failsafe", "Flight", "HouseClient", "HouseflyError",
-    "Identified", "Inputs", "Judgement", "KnownMotion", "LinkError", "LinkStatus", "LoadedSite",
-    "MessageRate", "MissingPartError", "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid",
-    "Order", "OrderAnswer", "OrderKind", "OrderOutcome", "OrderSource", "Outputs", "Path", "Phase",
-    "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose", "PreflightCheck",
+    "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "OBSTACLE_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC",
+    "ROOM_TOPICS", "SENSOR_TOPIC", "SIGHT_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "Action",
+    "Advice", "Airframe", "AnySetpoint", "ArDrone", "Behavior", "Bus", "CampaignResult",
+    "Capabilities", "Clearing", "Clock", "Command", "ConfigError", "Covariance", "DepthImage",
+    "DriverServer", "DroneConfig", "DroneDriver", "DroneFault", "DroneStatus", "DroneTopics",
+    "EditsError", "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe", "Flight",
+    "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion",
+    "LimitsConfig", "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError",
+    "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderAnswer", "OrderKind",
+    "OrderOutcome", "OrderSource", "Outputs", "Path", "Phase", "PilotStep", "PlainDrone",
+    "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose", "PositionSetpoint", "PreflightCheck",
     "RealClock", "RecordingError", "RecordingNews", "Reference", "RemoteDrone", "ReplayResult",
-    "Room", "RoomClient", "RoomError", "RoomEvent", "SafetyMode", "Scan", "Sensor",
-    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "SharedStoreError",
+    "Room", "RoomClient", "RoomError", "RoomEvent", "SafetyMode", "Scan", "Sensor", "SensorHealth",
+    "SensorReport", "SensorSink", "Setpoint", "SetpointForm", "Severity", "SharedStoreError",
     "SightNews", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary",
-    "TaskError", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint",
-    "UnknownState", "VideoFrame", "WireError", "ZenohBus", "airframe_in", "choose_gains", "connect",
-    "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch", "load_site",
-    "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
+    "TaskError", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint", "TwinDrone",
+    "UnknownState", "VelocitySetpoint", "VideoFrame", "WireError", "ZenohBus", "airframe_in",
+    "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains",
+    "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
 # fmt: on
 
@@ -184,14 +186,15 @@ _MODULES = {
     "lab.lockstep.simulation": "Simulation",
     "bus.bus": "Bus",
     "bus.topics": (
-        "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
-        " RECORDING_TOPIC ROOM_EVENT_TOPIC SENSOR_TOPIC SIGHT_TOPIC STEP_TOPIC"
-        " TASKS_QUERY TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
+        "DEPTH_TOPIC DroneTopics FRAME_TOPIC OBSTACLE_TOPIC ROOM_EVENT_TOPIC ROOM_TOPICS"
+        " SENSOR_TOPIC SIGHT_TOPIC TASKS_QUERY"
     ),
     "bus.zenoh_bus": "ZenohBus",
-    "clock": "RealClock",
+    "clock": "Clock RealClock",
     "config.airframe": "Airframe airframe_in",
     "config.capabilities": "Capabilities",
+    "config.drone": "DroneConfig",
+    "config.limits": "LimitsConfig",
     "config.site": "Site",
     "drones.ardrone.driver": "ArDrone",
     "drones.contract": "DroneDriver",
@@ -218,6 +221,8 @@ _MODULES = {
     "tasks.api.topics": "TASK_NEWS_TOPIC",
     "tasks.client.connect": "connect",
     "tasks.client.house_client": "HouseClient",
+    "twin.contracts": "TwinDrone",
+    "twin.plain_drone": "PlainDrone",
     "twin.process": "run_twin",
 }
 """Names by the module that they come from; all others come from ``housefly.messages``."""

@@ -21,11 +21,11 @@ import sys, time
 from pathlib import Path
 from threading import Thread
 from types import SimpleNamespace
-from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.launcher import Landing, Launcher, ProcessSpec
 import os
 runtime = SimpleNamespace(environment=lambda: dict(os.environ))
 launcher = Launcher(runtime, Path(sys.argv[1]), (
-    ProcessSpec("lander", "slow_lander", lands=True), ProcessSpec("twin", "follower")))
+    ProcessSpec("lander", "slow_lander", lands=Landing.LAST), ProcessSpec("twin", "follower")))
 launcher.__enter__()
 while not all((Path(sys.argv[1]) / f"{n}.log").read_text() for n in ("lander", "twin")):
     time.sleep(0.02)

@@ -16,7 +16,7 @@ from housefly.app.new_runtime import new_runtime
 from housefly.app.perception_main import PerceptionProcess
 from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import DEPTH_TOPIC, OBSTACLE_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DEPTH_TOPIC, OBSTACLE_TOPIC, DroneTopics
 from housefly.clock import RealClock, SteppedClock
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
@@ -34,6 +34,8 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.sites.loaded_site import open_site, read_site
+
+TOPICS = DroneTopics()
 
 CAMERAS = [{"name": "depth-1"}]
 ALONG_X = (0.5, -0.5, 0.5, -0.5)
@@ -93,7 +95,7 @@ async def test_perception_takes_in_images_without_any_scanner_and_leaves_out_the
         estimate = Estimate(0.0, (*place, 1.1), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
         await asyncio.sleep(0.01)
         bus.publish(
-            STEP_TOPIC,
+            TOPICS.step,
             PilotStep(0, 0.0, Inputs(telemetry=flying), Outputs(Command(Action.FLY), estimate)),
         )
         for n in range(4):

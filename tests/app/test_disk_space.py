@@ -18,7 +18,7 @@ from room_here import RoomHere
 from housefly.app.disk_space import FREE_ENOUGH_GB, FREE_SHARE_MIN, DiskSpace, disks_of
 from housefly.app.pilot_shell import PilotShell
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock
 from housefly.config.environment import RECORDING_VARIABLE
 from housefly.config.site import Site, changed
@@ -27,6 +27,8 @@ from housefly.messages import Order, OrderKind, PilotStep
 from housefly.pilot.assembly import warm_up
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.tracking.trackers import tracker_of
+
+TOPICS = DroneTopics()
 
 Usage = namedtuple("Usage", "total free")
 RISING = (OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE)
@@ -172,21 +174,21 @@ async def refuses_and_flies_on(
         drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
         shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
         shell._disks = disks
-        bus.subscribe(STEP_TOPIC, steps.append)
+        bus.subscribe(TOPICS.step, steps.append)
         running = asyncio.create_task(shell.run())
         await room.until(
             lambda: running.done() or (drone.telemetry is not None and drone.telemetry.configured)
         )
         assert not running.done(), running.result()
         await room.until(lambda: disks.shortage or disks.refusal)
-        bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
+        bus.publish(TOPICS.order, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
         await room.until(lambda: any(words in e.text for s in steps for e in s.outputs.events))
         await asyncio.sleep(1.0)
         told = [event.text for step in steps for event in step.outputs.events]
         assert room.world.onboard().flight.name == "LANDED", told
         leave(50)
         await room.until(lambda: not (disks.shortage or disks.refusal))
-        bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
+        bus.publish(TOPICS.order, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
         await room.until(lambda: room.world.onboard().flight.name == "HOVERING", 20.0)
         leave(1)
         await room.until(lambda: disks.shortage or disks.refusal)

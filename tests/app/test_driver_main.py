@@ -17,11 +17,13 @@ from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
-from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import Order, OrderKind
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.twin.contracts import FlightState
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(240)]
 
@@ -36,11 +38,14 @@ class Run:
         self.launcher, self.bus, self.room = launcher, bus, room
         self.told: list[str] = []
         bus.subscribe(
-            STEP_TOPIC, lambda step: self.told.extend(event.text for event in step.outputs.events)
+            TOPICS.step,
+            lambda step: self.told.extend(event.text for event in step.outputs.events),
         )
 
     def order(self, kind: OrderKind, place: str = "") -> None:
-        self.bus.publish(ORDER_TOPIC, Order(kind, place, issued_at=time.monotonic(), sender="test"))
+        self.bus.publish(
+            TOPICS.order, Order(kind, place, issued_at=time.monotonic(), sender="test")
+        )
 
     async def cruise(self, place: str, seconds: float = 0.0) -> None:
         """Send the drone somewhere, and wait until it is so long on its way [s]."""
@@ -113,7 +118,7 @@ async def test_a_pilot_stopped_in_cruise_and_back_after_the_landing_does_not_fly
     async with AsyncExitStack() as stack:
         run = await started(tmp_path, write_site(), stack)
         late: list[float] = []
-        run.bus.subscribe(STEP_TOPIC, lambda step: late.append(step.inputs.late))
+        run.bus.subscribe(TOPICS.step, lambda step: late.append(step.inputs.late))
         await run.cruise("entrance", pause)
         run.kill("pilot", signal.SIGSTOP)
         try:

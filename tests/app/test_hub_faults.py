@@ -22,7 +22,7 @@ from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
 from housefly.bus.stop_sender import StopSender
-from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import HUB_QUERY, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import changed, site_from_file
 from housefly.errors import LinkError
@@ -33,6 +33,8 @@ from housefly.hub.store.run_length import STILL_DISTANCE
 from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.room.files import load_room
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(180)]
 
@@ -64,7 +66,8 @@ class Flight:
 
     def order(self, kind: OrderKind, place: str = "") -> None:
         self.bus.publish(
-            ORDER_TOPIC, Order(kind, place, look_s=1.0, issued_at=time.monotonic(), sender="test")
+            TOPICS.order,
+            Order(kind, place, look_s=1.0, issued_at=time.monotonic(), sender="test"),
         )
 
     def send(self) -> None:
@@ -132,7 +135,7 @@ def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
         flight = Flight(
             runtime, launcher, bus, ServiceMonitor(time.monotonic(), home, 120.0, grace=90.0)
         )
-        bus.subscribe(STEP_TOPIC, flight.heard)
+        bus.subscribe(TOPICS.step, flight.heard)
         assert until(lambda: flight.age() < 1.0, 20.0), (folder / "hub.log").read_text()
         flight.send()
         yield flight
@@ -182,7 +185,7 @@ def test_a_hub_that_stands_still_disturbs_neither_the_flight_nor_stop(
     with flying(write_site(), tmp_path) as flight:
         hub = psutil.Process(flight.launcher.pid("hub"))
         hub.suspend()
-        listener = ("127.0.0.1", flight.runtime.stop_port)
+        listener = ("127.0.0.1", flight.runtime.stop_ports["drone"])
         with closing(StopSender(*listener, flight.runtime.secret)) as sender:
             sender.send()
         assert until(lambda: flight.phase is Phase.HOLDING, 5.0), flight.phase

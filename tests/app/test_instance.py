@@ -10,13 +10,13 @@ import pytest
 
 from housefly.app.commands.asked_room import asked_site
 from housefly.app.instance import free_instance, site_of_instance
-from housefly.app.ports import refuse_taken_ports
+from housefly.app.ports import port_needs, refuse_taken_ports
 from housefly.config.site import Site, changed
 from housefly.config.state import database_file, edits_folder, tasks_folder
 from housefly.errors import ConfigError, LinkError
 from housefly.hub.store.lock import reserved_store
 from housefly.sites.loaded_site import read_site
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
 
 
 @pytest.fixture(autouse=True)
@@ -25,7 +25,7 @@ def _own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def demo(**changes: object) -> Site:
-    return changed(lively_site(read_site("bsen"), has_broker=True)[0], **changes)
+    return changed(demo_site(read_site("bsen"), has_broker=True)[0], **changes)
 
 
 def owned(site: Site) -> set[str]:
@@ -49,6 +49,15 @@ def test_instances_share_nothing_and_the_first_is_the_site_as_it_is() -> None:
     assert sites[1].drone.address == "127.0.2.1" and sites[1].web.port == 8081
     kept = site_of_instance(demo(hub__store="/tmp/x/mine.db"), 3)
     assert kept.hub.store == "/tmp/x/mine-3.db"
+
+
+def test_each_drone_of_an_instance_has_an_address_of_its_own() -> None:
+    blue = {"name": "blue", "address": "127.0.0.2", "pad": (4.0, 4.0, 0.0)}
+    site = site_of_instance(changed(Site(), drones=[{"name": "red"}, blue]), 2)
+    assert [drone.address for drone in site.all_drones] == ["127.0.2.1", "127.0.2.2"]
+    needs = {need.name: need.address for need in port_needs(site, web=False)}
+    assert needs["simulated drone red"] == "127.0.2.1"
+    assert needs["simulated drone blue"] == "127.0.2.2"
 
 
 def test_what_cannot_stand_beside_another_is_refused_in_words() -> None:

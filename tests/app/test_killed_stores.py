@@ -17,7 +17,7 @@ from crash_nursery import CrashNursery
 from crashing_stores import STORES
 from power_cut import power_cut
 
-from housefly.tasks.evidence.clip_store import ClipTable
+from housefly.evidence.clip_store import ClipTable
 from housefly.tasks.scheduler.task_store import TaskStore
 
 pytestmark = pytest.mark.slow

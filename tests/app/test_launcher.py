@@ -17,7 +17,7 @@ import psutil
 import pytest
 
 from housefly.app.console_answer import console_answers
-from housefly.app.launcher import Launcher, ProcessSpec, processes_of
+from housefly.app.launcher import Landing, Launcher, ProcessSpec, processes_of
 from housefly.app.new_runtime import new_runtime
 from housefly.app.people_note import UNSEEN_PEOPLE
 from housefly.app.runtime import Runtime
@@ -126,14 +126,16 @@ def test_who_is_killed_again_and_again_is_always_started_again(
     tmp_path: Path, runtime: Runtime
 ) -> None:
     (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
-    with Launcher(runtime, tmp_path, (ProcessSpec("pilot", "steady", lands=True),)) as launcher:
+    with Launcher(
+        runtime, tmp_path, (ProcessSpec("pilot", "steady", lands=Landing.FIRST),)
+    ) as launcher:
         for number in range(1, 7):
             os.kill(launcher.pid("pilot"), signal.SIGKILL)
             wait_for(lambda number=number: launcher.restarts("pilot") == number)
         assert launcher.given_up == ()
 
 
-def test_the_last_one_that_lands_is_never_killed_and_a_hung_one_before_it_is(
+def test_who_lands_last_is_never_killed_and_who_hangs_before_is_all_drones_at_once(
     tmp_path: Path, runtime: Runtime, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("housefly.app.launcher._LANDING_TIMEOUT", 1.0)
@@ -141,17 +143,23 @@ def test_the_last_one_that_lands_is_never_killed_and_a_hung_one_before_it_is(
         "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN);"
         " print('ready', flush=True); time.sleep(100)"
     )
-    parts = tuple(ProcessSpec(name, "deaf", lands=True) for name in ("pilot", "driver"))
+    pilots, drivers = ("pilot-red", "pilot-blue"), ("driver-red", "driver-blue")
+    parts = (
+        *(ProcessSpec(name, "deaf", lands=Landing.FIRST) for name in pilots),
+        *(ProcessSpec(name, "deaf", lands=Landing.LAST) for name in drivers),
+    )
     launcher = Launcher(runtime, tmp_path, parts)
     with launcher:
-        for name in ("pilot", "driver"):
+        for name in (*pilots, *drivers):
             wait_for(lambda name=name: (tmp_path / f"{name}.log").read_text())
-        pilot, driver = (psutil.Process(launcher.pid(name)) for name in ("pilot", "driver"))
+        running = {name: psutil.Process(launcher.pid(name)) for name in (*pilots, *drivers)}
         try:
-            assert launcher.stop() == ("driver",)
-            assert not pilot.is_running() and driver.is_running()
+            assert launcher.stop() == drivers
+            assert not any(running[name].is_running() for name in pilots)
+            assert all(running[name].is_running() for name in drivers)
         finally:
-            driver.kill()
+            for name in drivers:
+                running[name].kill()
 
 
 def test_logs_are_for_their_user_alone(tmp_path: Path, runtime: Runtime) -> None:
@@ -201,7 +209,7 @@ def test_only_the_console_inherits_its_socket(tmp_path: Path, runtime: Runtime) 
     (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
     port = ConsolePort("127.0.0.1", 0)
     parts = (
-        ProcessSpec("pilot", "steady", lands=True),
+        ProcessSpec("pilot", "steady", lands=Landing.FIRST),
         ProcessSpec("web", "steady", port=port),
         ProcessSpec("twin", "steady"),
     )

@@ -26,7 +26,7 @@ def test_a_folder_that_is_gone_a_file_that_is_none_and_no_folder_remember_nothin
 ) -> None:
     gone = OriginMemory(SITE, tmp_path / "gone")
     gone.note()
-    (tmp_path / ORIGIN_FILE).write_bytes(b"\xff\xfe")
+    (tmp_path / f"{ORIGIN_FILE}-drone").write_bytes(b"\xff\xfe")
     alone = OriginMemory(SITE)
     alone.note()
     assert not gone.known and not OriginMemory(SITE, tmp_path).known and not alone.known

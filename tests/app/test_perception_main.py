@@ -16,7 +16,7 @@ from housefly.app.new_runtime import new_runtime
 from housefly.app.perception_main import PerceptionProcess
 from housefly.app.replaying import verify_recording
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, SIGHT_TOPIC, STEP_TOPIC
+from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, SIGHT_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.site import changed
@@ -33,6 +33,8 @@ from housefly.twin.movable import Movable
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.world import SimulatedWorld
+
+TOPICS = DroneTopics()
 
 
 def loaded(address: str = "127.0.0.1", **changes: object) -> LoadedSite:
@@ -181,7 +183,7 @@ def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_t
             heard.extend(step.inputs.obstacles)
             sight.append(step.now - step.inputs.people_seen_at)
 
-        bus.subscribe(STEP_TOPIC, on_step)
+        bus.subscribe(TOPICS.step, on_step)
         deadline = time.monotonic() + 60.0
         while len(heard) < 10 and time.monotonic() < deadline:
             time.sleep(0.05)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.app.pilot_publisher import PilotPublisher
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import TRAJECTORY_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.messages import (
     Action,
     Command,
@@ -16,12 +16,14 @@ from housefly.messages import (
 )
 from housefly.pilot.behavior.trajectory_profile import SpacePath
 
+TOPICS = DroneTopics()
+
 
 def test_what_is_planned_in_space_is_told_when_it_is_new_and_each_second() -> None:
     told: list[PlannedTrajectory] = []
     bus = LocalBus()
-    bus.subscribe(TRAJECTORY_TOPIC, told.append)
-    publisher = PilotPublisher(bus)
+    bus.subscribe(TOPICS.trajectory, told.append)
+    publisher = PilotPublisher(bus, TOPICS)
     way = ((1.0, 1.0), (2.0, 1.0))
     first = SpacePath(way, 1.0, 0.5, heights=(1.0, 1.2), times=(0.0, 2.0), speeds=(0.0, 0.5))
     other = SpacePath(way[::-1], 1.0, 0.5, heights=(1.0, 1.3), times=(0.0, 2.0), speeds=(0.0, 0.5))

@@ -18,14 +18,7 @@ from housefly.app.new_runtime import new_runtime
 from housefly.app.pilot_shell import PilotShell, StepFailure
 from housefly.app.readiness import Readiness
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import (
-    FRAME_TOPIC,
-    LINK_TOPIC,
-    ORDER_TOPIC,
-    RECORDING_TOPIC,
-    STEP_TOPIC,
-    VIDEO_TOPIC,
-)
+from housefly.bus.topics import FRAME_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
@@ -51,6 +44,8 @@ from housefly.pilot.assembly import warm_up
 from housefly.pilot.estimation.estimation_report import EstimationReport
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.tracking.trackers import tracker_of
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.usefixtures("fresh_log")]
 
@@ -80,7 +75,10 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
         ZenohBus(connect=runtime.bus) as bus,
     ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
-        subscriptions = [bus.subscribe(FRAME_TOPIC, on_frame), bus.subscribe(STEP_TOPIC, on_step)]
+        subscriptions = [
+            bus.subscribe(FRAME_TOPIC, on_frame),
+            bus.subscribe(TOPICS.step, on_step),
+        ]
         assert enough.wait(30.0)
         for subscription in subscriptions:
             subscription.close()
@@ -139,12 +137,12 @@ async def flying_shell(room: RoomHere, steps: list[PilotStep], links: list[LinkS
     shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
     failing = FailingPilot(shell.pilot)
     shell.pilot = failing  # type: ignore[assignment]
-    bus.subscribe(STEP_TOPIC, steps.append)
-    bus.subscribe(LINK_TOPIC, links.append)
+    bus.subscribe(TOPICS.step, steps.append)
+    bus.subscribe(TOPICS.link, links.append)
     running = asyncio.create_task(shell.run())
     await room.until(lambda: steps and steps[-1].outputs.estimate is not None)
     await room.until(lambda: drone.telemetry is not None and drone.telemetry.configured)
-    bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
+    bus.publish(TOPICS.order, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
     await room.until(lambda: room.world.onboard().flight.name == "HOVERING", 20.0)
     return shell, failing, bus, running
 
@@ -159,16 +157,16 @@ async def test_the_drones_light_shows_that_its_camera_is_recorded_until_the_reco
         shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
         running = asyncio.create_task(shell.run())
         await room.until(lambda: drone.telemetry is not None and drone.telemetry.configured)
-        bus.publish(RECORDING_TOPIC, RecordingNews(clock.now() - 10.0, records=True))
+        bus.publish(TOPICS.recording, RecordingNews(clock.now() - 10.0, records=True))
         await asyncio.sleep(0.5)
         assert room.world.truth().leds == 6, "an old message says nothing about now"
         for _ in range(3):
-            bus.publish(RECORDING_TOPIC, RecordingNews(clock.now(), records=True))
+            bus.publish(TOPICS.recording, RecordingNews(clock.now(), records=True))
             await room.until(lambda: room.world.truth().leds == 2)
             await asyncio.sleep(0.5)
-        bus.publish(RECORDING_TOPIC, RecordingNews(clock.now(), records=False))
+        bus.publish(TOPICS.recording, RecordingNews(clock.now(), records=False))
         await room.until(lambda: room.world.truth().leds == 6)
-        bus.publish(RECORDING_TOPIC, RecordingNews(clock.now(), records=True))
+        bus.publish(TOPICS.recording, RecordingNews(clock.now(), records=True))
         await room.until(lambda: room.world.truth().leds == 2)
         await room.until(lambda: room.world.truth().leds == 6)
         shell.leave()
@@ -247,7 +245,7 @@ async def test_after_a_failed_step_cutting_the_motors_still_passes_and_stop_land
         await room.until(lambda: steps[-1].outputs.command.action is Action.LAND)
         shell.stop()
         assert steps[-1].outputs.command.action is Action.LAND
-        bus.publish(ORDER_TOPIC, Order(OrderKind.CUT))
+        bus.publish(TOPICS.order, Order(OrderKind.CUT))
         await room.until(lambda: room.world.onboard().flight.name == "EMERGENCY", 1.0)
         with pytest.raises(StepFailure):
             await asyncio.wait_for(running, 10.0)
@@ -262,8 +260,8 @@ async def test_a_flood_of_orders_is_named_and_stop_passes_it_at_once(write_site:
         for number in range(1000):
             place = ("table", "entrance")[number % 2]
             now = shell._clock.now()
-            bus.publish(ORDER_TOPIC, Order(OrderKind.GO, place, issued_at=now, sender="loop"))
-        bus.publish(ORDER_TOPIC, Order(OrderKind.STOP, issued_at=shell._clock.now()))
+            bus.publish(TOPICS.order, Order(OrderKind.GO, place, issued_at=now, sender="loop"))
+        bus.publish(TOPICS.order, Order(OrderKind.STOP, issued_at=shell._clock.now()))
         await room.until(lambda: len(steps) > before, 1.0)
         assert [order.kind for order in steps[before].inputs.orders][-1] is OrderKind.STOP
         assert len(steps[before].inputs.orders) == 2
@@ -291,7 +289,7 @@ async def test_a_step_that_cannot_be_published_is_said_and_flown_all_the_same(
         shell, _, bus, running = await flying_shell(room, steps, links)
 
         def refuse(topic: object, message: object) -> None:
-            if topic is STEP_TOPIC:
+            if topic is TOPICS.step:
                 raise ValueError("too long")
             publish(topic, message)
 
@@ -319,8 +317,8 @@ async def test_a_picture_or_report_that_cannot_be_published_stops_nothing(
 
     monkeypatch.setattr(bus, "publish", refuse)
     for topic, hear in (
-        (VIDEO_TOPIC, lambda: shell._on_video(VideoFrame(b"", True, 640, 360, 0, 1.0))),
-        (LINK_TOPIC, shell._report),
+        (TOPICS.video, lambda: shell._on_video(VideoFrame(b"", True, 640, 360, 0, 1.0))),
+        (TOPICS.link, shell._report),
     ):
         hear()
         problem = f"{topic.key} could not be published: LinkError: the bus is gone"

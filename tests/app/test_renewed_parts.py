@@ -11,16 +11,18 @@ from typing import Any
 import psutil
 import pytest
 
-from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.launcher import Landing, Launcher, ProcessSpec
 from housefly.app.new_runtime import new_runtime
 from housefly.app.room_renewal import RoomRenewal
 from housefly.app.runtime import Runtime
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import STAND_DOWN_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.config.edits import Edits, NoFlyZone
 from housefly.config.state import edits_folder
 from housefly.room.edit_versions import EditVersions
 from housefly.sites.loaded_site import read_site
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
@@ -43,10 +45,10 @@ class Run:
     def __init__(self, folder: Path, runtime: Runtime) -> None:
         self.folder, self.runtime, self.word = folder, runtime, ""
         self.bus = LocalBus()
-        self.bus.answer(STAND_DOWN_QUERY, lambda _: self.word)
+        self.bus.answer(TOPICS.stand_down, lambda _: self.word)
         parts = (
-            ProcessSpec("pilot", "steady", lands=True),
-            ProcessSpec("driver", "steady", lands=True),
+            ProcessSpec("pilot", "steady", lands=Landing.FIRST),
+            ProcessSpec("driver", "steady", lands=Landing.LAST),
             ProcessSpec("hub", "steady"),
             ProcessSpec("web", "steady"),
         )

@@ -18,7 +18,7 @@ from housefly.app.ports import port_needs
 from housefly.app.readiness import Readiness
 from housefly.app.room_main import DronelessPilot, RoomTracking
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY, STAND_DOWN_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock, SteppedClock
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError, LinkError, ThingError
@@ -29,7 +29,9 @@ from housefly.messages import PlanAnswer, Pose, Sighting
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.remote_tracker import RemoteTracker
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
+
+TOPICS = DroneTopics()
 
 
 def site_at(folder: Path, **changes: object) -> Site:
@@ -71,11 +73,11 @@ async def test_what_tracking_sees_is_remembered_and_the_room_is_told(tmp_path: P
         assert (mocap.kind, mocap.connected) == ("mocap", True)
         with pytest.raises(ThingError):
             hub.memory.world.thing("the drone")
-        assert from_json(RoomView, bus.ask(ROOM_QUERY, "")).site == "B-sen"
-        refused = from_json(PlanAnswer, bus.ask(PLAN_QUERY, to_json(PlanRequest("sofa"))))
+        assert from_json(RoomView, bus.ask(TOPICS.room, "")).site == "B-sen"
+        refused = from_json(PlanAnswer, bus.ask(TOPICS.plan, to_json(PlanRequest("sofa"))))
         assert refused.path is None and refused.reason == "this room has no drone"
-        assert from_json(PreflightView, bus.ask(PREFLIGHT_QUERY, "")) == PreflightView()
-        assert bus.ask(STAND_DOWN_QUERY, "") == "", "nothing flies that new edits would disturb"
+        assert from_json(PreflightView, bus.ask(TOPICS.preflight, "")) == PreflightView()
+        assert bus.ask(TOPICS.stand_down, "") == "", "nothing flies that new edits would disturb"
     finally:
         running.cancel()
         await asyncio.gather(running, return_exceptions=True)
@@ -116,7 +118,7 @@ async def test_a_pilot_hears_each_frame_also_when_the_bus_takes_none(
 
 
 def test_no_drone_is_asked_for_started_or_given_a_port(tmp_path: Path) -> None:
-    site = changed(lively_site(site_at(tmp_path), has_broker=True)[0], drone__enabled=False)
+    site = changed(demo_site(site_at(tmp_path), has_broker=True)[0], drone__enabled=False)
     names = [spec.name for spec in processes_of(new_runtime(site, tmp_path))]
     assert names[0] == "room" and not {"pilot", "driver"} & set(names)
     assert not any("drone" in need.name for need in port_needs(site, web=True))

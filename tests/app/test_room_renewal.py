@@ -19,11 +19,13 @@ import pytest
 from outside_room import OutsideRoom, Run, outside_site, running_outside, wait_for
 from websockets.asyncio.client import ClientConnection, connect
 
-from housefly.bus.topics import PLAN_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.pilot_queries import PlanRequest
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import OrderKind, PlanAnswer
+
+TOPICS = DroneTopics()
 
 pytestmark = [
     pytest.mark.wire,
@@ -99,7 +101,7 @@ class House:
     def way(self) -> tuple[Vec2, ...]:
         """Ask the pilot for the way to the entrance."""
         asked = to_json(PlanRequest("entrance", start=self.pad))
-        answer = from_json(PlanAnswer, self.run.bus.ask(PLAN_QUERY, asked, 5.0))
+        answer = from_json(PlanAnswer, self.run.bus.ask(TOPICS.plan, asked, 5.0))
         assert answer.path is not None, answer.reason
         return answer.path.waypoints
 

@@ -7,9 +7,10 @@ import random
 import pytest
 from task_flights import flown
 
+from housefly.evidence.clip_values import StartClip
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.tasks.api.values import ReasonCode, TaskStage
-from housefly.tasks.execution.values import StartClip, StopClip
+from housefly.tasks.execution.values import StopClip
 from scores.visitor_score import score_visitor
 
 RUNS = 100

@@ -10,6 +10,7 @@ from functools import cache
 import pytest
 from task_flights import premises, scene_of
 
+from housefly.evidence.clip_values import StartClip
 from housefly.geometry import distance
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.lab.lockstep.task_lockstep import fly_task_lockstep
@@ -17,7 +18,7 @@ from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.execution.values import StartClip, StopClip
+from housefly.tasks.execution.values import StopClip
 from housefly.twin.people.scene import Scene
 
 MOMENTS = 50

@@ -17,10 +17,11 @@ import pytest
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.readiness import Readiness
-from housefly.bus.topics import STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, site_from_tree
 from housefly.errors import LinkError, TaskError
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.geometry import Vec2
 from housefly.hub.api.answers import EventAnswer
 from housefly.hub.client.room_client import RoomClient
@@ -28,9 +29,11 @@ from housefly.messages import DroneStatus, Phase, PilotStep
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record.truth import TrueFlight, read_truth
 from housefly.room.files import load_room
-from housefly.tasks.api.questions import ClipsQuestion, Sentence
+from housefly.tasks.api.questions import Sentence
 from housefly.tasks.api.values import ENDED, ReasonCode, TaskStage, TaskStatus
 from housefly.tasks.client.tasks_client import TasksClient
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(600)]
 
@@ -159,7 +162,7 @@ def running(folder: Path) -> Iterator[House]:
             folder / "tasks.log",
             load_room(site.room.model).home,
         )
-        bus.subscribe(STEP_TOPIC, house.heard)
+        bus.subscribe(TOPICS.step, house.heard)
         assert until(lambda: answers(house), PATIENCE), house.log.read_text()
         yield house
 

@@ -19,7 +19,7 @@ from mcap_ros2._dynamic import generate_dynamic
 from housefly import messages
 from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.interfaces import definition, recorded_store, ros_name, type_store
-from housefly.bus.topics import TOPICS
+from housefly.bus.topics import ROOM_TOPICS, DroneTopics
 from housefly.errors import WireError
 from housefly.messages import (
     Action,
@@ -80,7 +80,7 @@ def values_of(hint: Any) -> st.SearchStrategy[Any]:
     return st.builds(hint, **{field.name: values_of(hints[field.name]) for field in fields(hint)})
 
 
-MESSAGES = [topic.type for topic in TOPICS]
+MESSAGES = [topic.type for topic in (*ROOM_TOPICS, *DroneTopics().all)]
 EXAMPLE = PilotStep(
     7,
     2.0,

@@ -8,56 +8,58 @@ import pytest
 
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.errors import LinkError
 from housefly.messages import LinkStatus, Order, OrderKind
+
+TOPICS = DroneTopics()
 
 
 def test_a_message_has_arrived_when_publish_returns() -> None:
     bus: Bus = LocalBus()
     heard: list[Order] = []
-    bus.subscribe(ORDER_TOPIC, heard.append)
-    bus.publish(ORDER_TOPIC, Order(OrderKind.STOP))
+    bus.subscribe(TOPICS.order, heard.append)
+    bus.publish(TOPICS.order, Order(OrderKind.STOP))
     assert heard == [Order(OrderKind.STOP)]
 
 
 def test_handlers_are_called_in_the_order_of_subscription_across_members() -> None:
     bus = LocalBus()
     calls: list[str] = []
-    bus.subscribe(LINK_TOPIC, lambda _: calls.append("first"))
-    bus.join().subscribe(LINK_TOPIC, lambda _: calls.append("second"))
-    bus.subscribe(LINK_TOPIC, lambda _: calls.append("third"))
-    bus.join().publish(LINK_TOPIC, LinkStatus(0.0))
+    bus.subscribe(TOPICS.link, lambda _: calls.append("first"))
+    bus.join().subscribe(TOPICS.link, lambda _: calls.append("second"))
+    bus.subscribe(TOPICS.link, lambda _: calls.append("third"))
+    bus.join().publish(TOPICS.link, LinkStatus(0.0))
     assert calls == ["first", "second", "third"]
 
 
 def test_a_handler_hears_only_its_topic() -> None:
     bus = LocalBus()
     heard: list[LinkStatus] = []
-    bus.subscribe(LINK_TOPIC, heard.append)
-    bus.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
+    bus.subscribe(TOPICS.link, heard.append)
+    bus.publish(TOPICS.order, Order(OrderKind.HOVER))
     assert heard == []
 
 
 def test_a_closed_subscription_is_silent_and_closing_twice_does_no_harm() -> None:
     bus = LocalBus()
     heard: list[LinkStatus] = []
-    subscription = bus.subscribe(LINK_TOPIC, heard.append)
+    subscription = bus.subscribe(TOPICS.link, heard.append)
     subscription.close()
     subscription.close()
-    bus.publish(LINK_TOPIC, LinkStatus(0.0))
+    bus.publish(TOPICS.link, LinkStatus(0.0))
     assert heard == []
 
 
 def test_a_member_that_leaves_takes_only_its_own_handlers() -> None:
     bus = LocalBus()
     heard: list[str] = []
-    bus.subscribe(LINK_TOPIC, lambda _: heard.append("stays"))
+    bus.subscribe(TOPICS.link, lambda _: heard.append("stays"))
     with bus.join() as member:
-        member.subscribe(LINK_TOPIC, lambda _: heard.append("leaves"))
+        member.subscribe(TOPICS.link, lambda _: heard.append("leaves"))
         member.answer("who", lambda _: "me")
-    bus.publish(LINK_TOPIC, LinkStatus(0.0))
-    member.publish(LINK_TOPIC, LinkStatus(1.0))
+    bus.publish(TOPICS.link, LinkStatus(0.0))
+    member.publish(TOPICS.link, LinkStatus(1.0))
     assert heard == ["stays"]
     with pytest.raises(LinkError, match="nobody"):
         bus.ask("who")
@@ -85,11 +87,11 @@ def test_a_handler_may_subscribe_and_publish_itself() -> None:
     heard: list[float] = []
 
     def echo(order: Order) -> None:
-        bus.subscribe(LINK_TOPIC, lambda link: heard.append(link.at))
-        bus.publish(LINK_TOPIC, LinkStatus(order.issued_at))
+        bus.subscribe(TOPICS.link, lambda link: heard.append(link.at))
+        bus.publish(TOPICS.link, LinkStatus(order.issued_at))
 
-    bus.subscribe(ORDER_TOPIC, echo)
-    bus.publish(ORDER_TOPIC, Order(OrderKind.GO, issued_at=3.0))
+    bus.subscribe(TOPICS.order, echo)
+    bus.publish(TOPICS.order, Order(OrderKind.GO, issued_at=3.0))
     assert heard == [3.0]
 
 
@@ -102,12 +104,12 @@ def test_no_message_is_lost_when_many_threads_publish_and_subscribe() -> None:
         with lock:
             count[0] += 1
 
-    bus.subscribe(ORDER_TOPIC, add)
+    bus.subscribe(TOPICS.order, add)
 
     def work() -> None:
         for _ in range(200):
-            bus.subscribe(LINK_TOPIC, lambda _: None).close()
-            bus.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
+            bus.subscribe(TOPICS.link, lambda _: None).close()
+            bus.publish(TOPICS.order, Order(OrderKind.HOVER))
 
     threads = [threading.Thread(target=work) for _ in range(8)]
     for thread in threads:

@@ -19,7 +19,7 @@ import pytest
 
 from housefly.bus.bus import Bus
 from housefly.bus.endpoint import endpoint_in
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError, WireError
 from housefly.messages import (
@@ -34,26 +34,28 @@ from housefly.messages import (
     VideoFrame,
 )
 
+TOPICS = DroneTopics()
+
 pytestmark = pytest.mark.wire
 
 CHILD = """
 import json, os, sys, time
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import LinkStatus, Order, OrderKind
 
 options = json.loads(sys.argv[1])
-name = options.pop("name")
+name, TOPICS = options.pop("name"), DroneTopics()
 bus = ZenohBus(**options)
 def answer(order):
-    bus.publish(LINK_TOPIC, LinkStatus(order.issued_at, notes=(name, order.place)))
+    bus.publish(TOPICS.link, LinkStatus(order.issued_at, notes=(name, order.place)))
 
-bus.subscribe(ORDER_TOPIC, answer)
-bus.subscribe(VIDEO_TOPIC, lambda picture: None)
+bus.subscribe(TOPICS.order, answer)
+bus.subscribe(TOPICS.video, lambda picture: None)
 bus.answer("who/" + name, lambda text: f"{name} {text} {os.getpid()}")
 print("ready", flush=True)
 for line in sys.stdin:
-    bus.publish(ORDER_TOPIC, Order(OrderKind.GO, line.strip(), sender=name))
+    bus.publish(TOPICS.order, Order(OrderKind.GO, line.strip(), sender=name))
 """
 
 
@@ -126,10 +128,10 @@ def test_a_message_crosses_to_another_process_and_back(
 ) -> None:
     with ZenohBus(listen=endpoint) as bus:
         heard: list[LinkStatus] = []
-        bus.subscribe(LINK_TOPIC, heard.append)
+        bus.subscribe(TOPICS.link, heard.append)
         child("other", connect=endpoint)
         assert bus.ask("who/other", "is").startswith("other is ")
-        bus.publish(ORDER_TOPIC, Order(OrderKind.GO, "entrance", issued_at=1.5))
+        bus.publish(TOPICS.order, Order(OrderKind.GO, "entrance", issued_at=1.5))
         until(lambda: heard)
         assert heard == [LinkStatus(1.5, notes=("other", "entrance"))]
 
@@ -141,7 +143,7 @@ def test_three_processes_hear_each_other_through_the_one_that_listens(
     web = child("web", connect=endpoint)
     with ZenohBus(connect=endpoint) as bus:
         orders: list[Order] = []
-        bus.subscribe(ORDER_TOPIC, orders.append)
+        bus.subscribe(TOPICS.order, orders.append)
         assert bus.ask("who/web").startswith("web")
         assert bus.ask("who/pilot").startswith("pilot")
         web.order("sofa")
@@ -164,11 +166,11 @@ def test_orders_arrive_again_after_the_listener_was_killed_and_restarted(
 ) -> None:
     with ZenohBus(connect=endpoint) as bus:
         heard: list[LinkStatus] = []
-        bus.subscribe(LINK_TOPIC, heard.append)
+        bus.subscribe(TOPICS.link, heard.append)
         for place in ("first", "second"):
             pilot = child("pilot", listen=endpoint)
             assert bus.ask("who/pilot", timeout=10.0).endswith(str(pilot.process.pid))
-            bus.publish(ORDER_TOPIC, Order(OrderKind.GO, place))
+            bus.publish(TOPICS.order, Order(OrderKind.GO, place))
             until(lambda place=place: any(link.notes[1] == place for link in heard))
             os.kill(pilot.process.pid, signal.SIGKILL)
             pilot.process.wait()
@@ -184,7 +186,7 @@ def test_the_listener_goes_on_when_a_member_is_killed_and_a_new_one_comes(
             os.kill(web.process.pid, signal.SIGKILL)
             web.process.wait()
             for number in range(50):
-                bus.publish(STEP_TOPIC, step(number))
+                bus.publish(TOPICS.step, step(number))
 
 
 def test_a_stopped_member_does_not_hold_up_the_sender(
@@ -196,11 +198,11 @@ def test_a_stopped_member_does_not_hold_up_the_sender(
         web = child("web", connect=endpoint)
         assert bus.ask("who/web", timeout=10.0)
         watcher = ZenohBus(connect=endpoint)
-        watcher.subscribe(VIDEO_TOPIC, heard.append)
-        until(lambda: (bus.publish(VIDEO_TOPIC, picture), heard)[1])
+        watcher.subscribe(TOPICS.video, heard.append)
+        until(lambda: (bus.publish(TOPICS.video, picture), heard)[1])
         web.process.send_signal(signal.SIGSTOP)
         for _ in range(100):
-            bus.publish(VIDEO_TOPIC, picture)
+            bus.publish(TOPICS.video, picture)
             time.sleep(0.01)
         web.process.send_signal(signal.SIGCONT)
         watcher.close()
@@ -217,11 +219,11 @@ def test_a_slow_handler_skips_messages_and_delays_nobody_else(endpoint: str) -> 
         gate.wait(10.0)
 
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        other.subscribe(LINK_TOPIC, wait)
-        other.subscribe(LINK_TOPIC, quick.append)
-        until(lambda: (bus.publish(LINK_TOPIC, LinkStatus(-1.0)), quick and slow)[1])
+        other.subscribe(TOPICS.link, wait)
+        other.subscribe(TOPICS.link, quick.append)
+        until(lambda: (bus.publish(TOPICS.link, LinkStatus(-1.0)), quick and slow)[1])
         for number in range(100):
-            bus.publish(LINK_TOPIC, LinkStatus(float(number)))
+            bus.publish(TOPICS.link, LinkStatus(float(number)))
             until(lambda number=number: quick[-1].at == number)
         gate.set()
         until(lambda: slow[-1].at == 99.0)
@@ -242,11 +244,11 @@ def test_a_recorder_that_stands_still_for_seconds_misses_no_step(endpoint: str) 
         gate.wait(60.0)
 
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        other.subscribe(STEP_TOPIC, slow)
-        other.subscribe(STEP_TOPIC, lambda heard_of: crossed.put(heard_of.sequence))
-        until(lambda: (bus.publish(STEP_TOPIC, step(-1)), heard and not crossed.empty())[1])
+        other.subscribe(TOPICS.step, slow)
+        other.subscribe(TOPICS.step, lambda heard_of: crossed.put(heard_of.sequence))
+        until(lambda: (bus.publish(TOPICS.step, step(-1)), heard and not crossed.empty())[1])
         for number in range(900):
-            bus.publish(STEP_TOPIC, step(number))
+            bus.publish(TOPICS.step, step(number))
             while crossed.get(timeout=20.0) != number:
                 pass  # one of those before the first
         assert heard == [-1], "it stands still"
@@ -258,12 +260,12 @@ def test_a_recorder_that_stands_still_for_seconds_misses_no_step(endpoint: str) 
 def test_what_nobody_hears_is_not_even_encoded(endpoint: str) -> None:
     broken = LinkStatus("no time")  # type: ignore[arg-type]
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        bus.publish(LINK_TOPIC, broken)
+        bus.publish(TOPICS.link, broken)
         heard: list[LinkStatus] = []
-        other.subscribe(LINK_TOPIC, heard.append)
-        until(lambda: (bus.publish(LINK_TOPIC, LinkStatus(1.0)), heard)[1])
+        other.subscribe(TOPICS.link, heard.append)
+        until(lambda: (bus.publish(TOPICS.link, LinkStatus(1.0)), heard)[1])
         with pytest.raises(WireError, match="cannot be encoded"):
-            bus.publish(LINK_TOPIC, broken)
+            bus.publish(TOPICS.link, broken)
 
 
 def test_every_order_arrives_in_order_although_the_handler_is_slow(endpoint: str) -> None:
@@ -274,11 +276,11 @@ def test_every_order_arrives_in_order_although_the_handler_is_slow(endpoint: str
         heard.append(order.issued_at)
 
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        bus.subscribe(ORDER_TOPIC, slow)
+        bus.subscribe(TOPICS.order, slow)
         bus.answer("there", str)
         other.ask("there", timeout=10.0)
         for number in range(1000):
-            other.publish(ORDER_TOPIC, Order(OrderKind.HOVER, issued_at=float(number)))
+            other.publish(TOPICS.order, Order(OrderKind.HOVER, issued_at=float(number)))
         until(lambda: len(heard) == 1000)
         assert heard == [float(number) for number in range(1000)]
 
@@ -294,9 +296,9 @@ def test_a_handler_that_fails_hears_the_next_message(
             raise ValueError("broken handler")
 
     with ZenohBus(listen=endpoint) as bus:
-        bus.subscribe(ORDER_TOPIC, handler)
-        bus.publish(ORDER_TOPIC, Order(OrderKind.GO, "bad"))
-        bus.publish(ORDER_TOPIC, Order(OrderKind.GO, "good"))
+        bus.subscribe(TOPICS.order, handler)
+        bus.publish(TOPICS.order, Order(OrderKind.GO, "bad"))
+        bus.publish(TOPICS.order, Order(OrderKind.GO, "good"))
         until(lambda: heard == ["bad", "good"])
     assert "broken handler" in caplog.text
 
@@ -329,12 +331,12 @@ def test_an_address_in_use_is_a_link_error_that_names_it(endpoint: str) -> None:
 def test_a_closed_bus_is_quiet_and_closing_twice_does_no_harm(endpoint: str) -> None:
     bus: Bus = ZenohBus(listen=endpoint)
     heard: list[Order] = []
-    bus.subscribe(ORDER_TOPIC, heard.append)
+    bus.subscribe(TOPICS.order, heard.append)
     bus.close()
     bus.close()
-    bus.publish(ORDER_TOPIC, Order(OrderKind.STOP))
+    bus.publish(TOPICS.order, Order(OrderKind.STOP))
     with pytest.raises(LinkError, match="closed"):
-        bus.subscribe(ORDER_TOPIC, heard.append)
+        bus.subscribe(TOPICS.order, heard.append)
     with pytest.raises(LinkError, match="closed"):
         bus.ask("who")
     assert heard == []
@@ -348,9 +350,9 @@ def test_a_closed_subscription_is_silent_also_when_its_own_handler_closes_it(end
             heard.append(order)
             subscription.close()
 
-        subscription = bus.subscribe(ORDER_TOPIC, once)
+        subscription = bus.subscribe(TOPICS.order, once)
         for _ in range(3):
-            bus.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
+            bus.publish(TOPICS.order, Order(OrderKind.HOVER))
         until(lambda: heard)
         time.sleep(0.05)
         assert len(heard) == 1

@@ -40,6 +40,9 @@ def test_every_airframe_that_ships_can_be_read_and_a_site_may_name_it(name: str)
         ("gain = 4.0", "gian = 4.0", "brake.gain: is missing"),
         ("lead = 0.2", "lead = 0.2\nleed = 0.2", "brake.leed: is not a known key"),
         ('"tilt and climb"', '"thrust"', "capabilities.setpoints.0: is 'thrust'"),
+        ('"tilt and climb"', '"trajectory"', "setpoints: none that the pilot makes"),
+        ('"tilt and climb"', '"position"', "setpoints: a place in the room means nothing"),
+        ('"tilt and climb"', '"velocity"', "response.velocity_lag is missing"),
         ('answer = "lands"', 'answer = "sings"', "capabilities.silence.answer: is 'sings'"),
     ],
 )

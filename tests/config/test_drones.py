@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.drones import drone_in_tree
 from housefly.config.site import Site, changed, site_from_file, site_from_tree
 from housefly.errors import ConfigError
 
@@ -66,6 +68,14 @@ def test_a_site_with_drones_survives_json_and_changes_for_all(tmp_path: Path) ->
     assert changed(site, drone__drag=0.7).for_drone("blue").drone.drag == 0.7
 
 
+def test_the_driver_finds_its_drone_in_the_file_of_the_run_without_reading_all_of_it() -> None:
+    site = site_with(RED, BLUE, models={"fast": {"drag": 0.3}}, drone={"has_video": False})
+    for one in (site, site.for_drone("red")):
+        tree = json.loads(one.model_dump_json())
+        assert drone_in_tree(tree, "blue") == site.for_drone("blue").drone
+    assert drone_in_tree(json.loads(Site().model_dump_json()), "drone") == Site().drone
+
+
 def test_a_profile_gives_its_constants_to_the_one_who_names_it(tmp_path: Path) -> None:
     (tmp_path / "red.toml").write_text("[constants]\ndrag = 0.31\n")
     site = tmp_path / "site.toml"
@@ -97,7 +107,8 @@ def test_a_profile_gives_its_constants_to_the_one_who_names_it(tmp_path: Path) -
         ([RED | {"name": "any"}], "what orders call whichever is free; choose another"),
         ([RED | {"name": "Red Baron"}], "drones.0.name: is 'Red Baron'"),
         ([RED | {"name": "visitor"}], "'visitor' is a person's or a piece of furniture's"),
-        ([RED | {"body": "wagon"}], "'wagon' is a person's or a piece of furniture's"),
+        ([RED | {"body": "wagon"}], "'wagon', which is the drone or the visitor"),
+        ([RED | {"name": "cart"}], "'cart' is a person's or a piece of furniture's"),
         ([RED | {"model": "ardron"}], "did you mean 'ardrone'"),
         ([RED | {"hull_length": 9.0}], r"drones.0.hull_length: is 9.0; allowed: .*2 m"),
         ([RED | {"attitude_lag": 0.5}], "loop would be unstable"),

@@ -22,6 +22,7 @@ from housefly.drones.driver_messages import (
     DriverStatus,
     LightOrder,
     MessageReader,
+    PoseNews,
     TimedCommand,
     encode_driver_message,
 )
@@ -32,10 +33,15 @@ from housefly.messages import (
     DroneFault,
     DroneStatus,
     KnownMotion,
+    Pose,
+    PositionSetpoint,
     Setpoint,
+    Sighting,
     Telemetry,
+    VelocitySetpoint,
     VideoFrame,
 )
+from housefly.messages.steering import commanded
 from housefly.messages.words import Words, literal
 
 numbers = st.floats(allow_nan=False)
@@ -47,11 +53,13 @@ words = st.lists(problems, max_size=3).map(tuple)
 motions = st.builds(KnownMotion, numbers, numbers, numbers, numbers, st.booleans()) | st.builds(
     KnownMotion, theta=numbers, phi=numbers, hovers=st.booleans()
 )
+setpoints = st.one_of(
+    st.builds(form, numbers, numbers, numbers, numbers)
+    for form in (Setpoint, VelocitySetpoint, PositionSetpoint)
+)
 commands = st.builds(
     TimedCommand,
-    st.builds(
-        Command, st.sampled_from(Action), st.builds(Setpoint, numbers, numbers, numbers, numbers)
-    ),
+    st.builds(commanded, st.sampled_from(Action), setpoints),
     st.floats(allow_nan=False, allow_infinity=False),
     st.none() | motions,
 )
@@ -108,6 +116,9 @@ states = st.builds(
     st.none() | abilities,
 )
 lights = st.builds(LightOrder, st.booleans())
+finite = st.floats(allow_nan=False, allow_infinity=False)
+poses = st.builds(Pose, st.tuples(finite, finite, finite), st.tuples(*[finite] * 4))
+seen = st.builds(PoseNews, st.builds(Sighting, st.text(max_size=20), poses, finite, finite))
 pictures = st.builds(
     VideoFrame,
     data=st.binary(max_size=500),
@@ -121,7 +132,7 @@ pictures = st.builds(
 
 
 @given(
-    st.lists(st.one_of(commands, reports, states, pictures, lights), min_size=1, max_size=5),
+    st.lists(st.one_of(commands, reports, states, pictures, lights, seen), min_size=1, max_size=5),
     st.lists(st.integers(1, 60), min_size=1, max_size=40),
 )
 def test_messages_arrive_as_they_were_however_the_stream_is_cut(
@@ -145,7 +156,7 @@ def test_no_bytes_make_the_reader_raise_anything_else(parts: list[bytes]) -> Non
         pass
 
 
-@given(st.integers(0, 4), st.binary(max_size=120))
+@given(st.integers(0, 5), st.binary(max_size=120))
 def test_no_body_makes_the_reader_raise_anything_else(kind: int, body: bytes) -> None:
     data = b"HFd1" + bytes([kind]) + len(body).to_bytes(4, "little") + body
     with contextlib.suppress(WireError):

@@ -61,7 +61,7 @@ class Hall:
     lasers: Sequence[int] = (0,)
     now: float = 10.0
     things: dict[str, tuple[Vec2, float]] = field(default_factory=dict)
-    own: OwnFootprint | None = None
+    own: tuple[OwnFootprint, ...] = ()
 
     def __post_init__(self) -> None:
         self.random = np.random.default_rng(self.seed)

@@ -97,7 +97,7 @@ class Scene:
     noise: float = 0.008
     size: tuple[int, int] = (160, 120)
     now: float = 10.0
-    own: OwnFootprint | None = None
+    own: tuple[OwnFootprint, ...] = ()
     seen: TrackingResult = field(default_factory=TrackingResult)
 
     def __post_init__(self) -> None:
@@ -190,7 +190,7 @@ def test_what_lies_lower_than_the_drone_flies_is_no_obstacle(scene: Scene) -> No
 
 def test_the_drone_itself_is_no_obstacle(scene: Scene) -> None:
     scene.things = (BOX,)
-    scene.own = OwnFootprint((4.0, 2.5), 0.6)
+    scene.own = (OwnFootprint((4.0, 2.5), 0.6),)
     assert not scene.look(8).obstacles
 
 
@@ -281,7 +281,7 @@ def test_any_images_are_survived_and_what_comes_out_is_finite(
     scene: Scene, garbage: list[DepthImage]
 ) -> None:
     for image in garbage:
-        for o in scene.tracker.update(image, 10.0, OwnFootprint((1.0, 1.0), 0.5)).obstacles:
+        for o in scene.tracker.update(image, 10.0, (OwnFootprint((1.0, 1.0), 0.5),)).obstacles:
             assert all(np.isfinite([*o.position, o.radius, *o.size, *o.velocity]))
 
 

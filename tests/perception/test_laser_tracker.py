@@ -117,9 +117,9 @@ def test_a_thing_hidden_behind_another_is_not_gone(make_hall: Make) -> None:
 def test_the_drone_itself_is_no_obstacle_and_without_knowing_of_it_it_is(make_hall: Make) -> None:
     hall = make_hall()
     hall.things = {"drone": ((4.0, 2.0), 0.25)}
-    hall.own = OwnFootprint((4.0, 2.0), 0.6)
+    hall.own = (OwnFootprint((4.0, 2.0), 0.6),)
     assert not hall.look(20).obstacles
-    hall.own = None
+    hall.own = ()
     assert len(hall.look(20).obstacles) == 1
 
 
@@ -189,7 +189,7 @@ def test_any_scans_are_survived_and_what_comes_out_is_finite(
 ) -> None:
     hall = make_hall()
     for scan in garbage:
-        for o in hall.tracker.update(scan, 10.0, OwnFootprint((1.0, 1.0), 0.5)).obstacles:
+        for o in hall.tracker.update(scan, 10.0, (OwnFootprint((1.0, 1.0), 0.5),)).obstacles:
             assert all(np.isfinite([*o.position, o.radius, *o.size, *o.velocity]))
 
 

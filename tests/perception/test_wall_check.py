@@ -22,7 +22,7 @@ def told(hall: Any, change: Callable[[Scan], Scan] = lambda scan: scan, scans: i
     """Return what is said of the first scanner after so many scans, each changed."""
     for _ in range(scans):
         hall.now += 0.025
-        seen = hall.tracker.update(change(hall.scan()), hall.now, None)
+        seen = hall.tracker.update(change(hall.scan()), hall.now)
     problem: str = seen.problem
     return problem
 
@@ -46,7 +46,7 @@ def test_distances_that_are_off_are_told_with_how_far(make_hall: Make, by: float
     hang(hall)
     problem = told(hall, longer(by))
     assert problem.startswith("laser-1: ") and f"{abs(by):.2f} m too {way}" in problem
-    assert not hall.tracker.update(longer(by)(hall.scan()), hall.now + 0.01, None).obstacles
+    assert not hall.tracker.update(longer(by)(hall.scan()), hall.now + 0.01).obstacles
 
 
 def test_whom_a_wrong_scanner_sees_is_put_where_they_are(make_hall: Make) -> None:
@@ -57,7 +57,7 @@ def test_whom_a_wrong_scanner_sees_is_put_where_they_are(make_hall: Make) -> Non
     hall.things = {"anna": ((5.0, 3.0), 0.25)}
     for _ in range(10):
         hall.now += 0.025
-        seen = hall.tracker.update(longer(0.5)(hall.scan()), hall.now, None)
+        seen = hall.tracker.update(longer(0.5)(hall.scan()), hall.now)
     (anna,) = seen.obstacles
     assert distance(anna.position, (5.0, 3.0)) < 0.1 and seen.problem
 

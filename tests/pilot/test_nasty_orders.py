@@ -12,10 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.errors import WireError
 from housefly.messages import Action, Order, OrderKind, Phase
 from housefly.messages.order_fault import CALMING_ORDERS, order_fault
+
+TOPICS = DroneTopics()
 
 Fly = Callable[..., Any]
 NUMBERS = st.floats() | st.sampled_from(
@@ -80,9 +82,9 @@ def test_no_step_raises_whatever_the_order(fly: Fly) -> None:
 def test_the_bus_neither_sends_nor_delivers_it(order: Order) -> None:
     heard: list[Order] = []
     with LocalBus() as bus:
-        bus.subscribe(ORDER_TOPIC, heard.append)
+        bus.subscribe(TOPICS.order, heard.append)
         with pytest.raises(WireError, match="order"):
-            bus.publish(ORDER_TOPIC, order)
+            bus.publish(TOPICS.order, order)
     assert heard == []
 
 

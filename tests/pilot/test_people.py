@@ -25,7 +25,7 @@ from housefly.messages import (
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.commander import Commander
-from housefly.pilot.behavior.mission import Refused
+from housefly.pilot.behavior.mission import LANDING_PLACE, Mission, Refused
 from housefly.pilot.planning.people_map import SPOT_APART
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell
@@ -412,17 +412,16 @@ def test_where_no_way_leads_to_the_nearest_places_to_land_the_next_one_is_tried(
     fly: Fly, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[tuple[float, float]] = []
-    land_at = Commander.land_at
+    way = Commander.way
 
-    def first_ones_refused(self: Commander, spot: Any, vehicle: Any) -> Any:
-        asked.append(spot)
-        return (
-            Refused(OrderOutcome.NO_WAY, "no way")
-            if len(asked) <= 2
-            else land_at(self, spot, vehicle)
-        )
+    def first_ones_refused(self: Commander, mission: Mission, vehicle: Any) -> Any:
+        if mission.name == LANDING_PLACE and mission.goal not in asked:
+            asked.append(mission.goal)
+            if len(asked) <= 2:
+                return Refused(OrderOutcome.NO_WAY, "no way")
+        return way(self, mission, vehicle)
 
-    monkeypatch.setattr(Commander, "land_at", first_ones_refused)
+    monkeypatch.setattr(Commander, "way", first_ones_refused)
     flight = homeward(fly)
     put_on_pad(flight)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)

@@ -13,7 +13,7 @@ import pytest
 
 from housefly.bus.codec import decoded
 from housefly.bus.endpoint import endpoint_in
-from housefly.bus.topics import ORDER_TOPIC, Topic
+from housefly.bus.topics import DroneTopics, Topic
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.tracking import TrackingConfig
 from housefly.messages import Order, OrderKind, Sighting
@@ -26,6 +26,8 @@ from housefly.wires.vicon import (
     StreamInfo,
     encode_packet,
 )
+
+TOPICS = DroneTopics()
 
 pytestmark = pytest.mark.wire
 OFFERED = frozenset({StreamInfo.KIND, FrameInfo.KIND, GlobalSegments.KIND})
@@ -71,20 +73,20 @@ def test_a_message_that_is_too_long_is_dropped_before_it_is_read(
         return decoded(topic, payload)
 
     monkeypatch.setattr("housefly.bus.zenoh_bus.decoded", noted)
-    wide_open = replace(ORDER_TOPIC, fault=lambda _: "")
+    wide_open = replace(TOPICS.order, fault=lambda _: "")
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        bus.subscribe(ORDER_TOPIC, heard.append)
+        bus.subscribe(TOPICS.order, heard.append)
         end = time.monotonic() + 20.0
         while not heard and time.monotonic() < end:
-            other.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
+            other.publish(TOPICS.order, Order(OrderKind.HOVER))
             time.sleep(0.05)
         heard.clear()
         for length in (300_000, 30_000_000):
             other.publish(wide_open, Order(OrderKind.GO, "x" * length))
         other.publish(wide_open, Order(OrderKind.GO, goal=(1e308, 1e308)))
-        other.publish(ORDER_TOPIC, Order(OrderKind.LAND, sender="last"))
+        other.publish(TOPICS.order, Order(OrderKind.LAND, sender="last"))
         while not any(order.sender == "last" for order in heard) and time.monotonic() < end:
             time.sleep(0.02)
     assert {order.kind for order in heard} <= {OrderKind.HOVER, OrderKind.LAND}
     assert heard[-1].sender == "last"
-    assert 0 < max(read) <= ORDER_TOPIC.max_size
+    assert 0 < max(read) <= TOPICS.order.max_size

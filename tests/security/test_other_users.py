@@ -125,15 +125,24 @@ async def test_another_user_cannot_take_the_port_of_stop_while_the_pilot_is_down
 ) -> None:
     """He would keep every new pilot from starting."""
     told: list[str] = []
-    with closing(StopSender("127.0.0.1", runtime.stop_port, runtime.secret)) as sender:
+    with closing(StopSender("127.0.0.1", runtime.stop_ports["drone"], runtime.secret)) as sender:
         for pilot in ("first", "second"):
-            assert taken_as_nobody(runtime.stop_port, *options) == "Address already in use"
+            assert (
+                taken_as_nobody(runtime.stop_ports["drone"], *options) == "Address already in use"
+            )
             listener = StopListener(
-                *("127.0.0.1", runtime.stop_port, runtime.secret, partial(told.append, pilot)),
+                *(
+                    "127.0.0.1",
+                    runtime.stop_ports["drone"],
+                    runtime.secret,
+                    partial(told.append, pilot),
+                ),
                 is_held=True,
             )
             await listener.start()
-            assert taken_as_nobody(runtime.stop_port, *options) == "Address already in use"
+            assert (
+                taken_as_nobody(runtime.stop_ports["drone"], *options) == "Address already in use"
+            )
             for _ in range(20):
                 assert await asyncio.wrap_future(sender.send())
             listener.close()

@@ -14,6 +14,7 @@ from stand_in_tasks import StandInTasks
 
 from housefly.bus.local import LocalBus
 from housefly.errors import LinkError
+from housefly.evidence.clip_values import ClipInfo
 from housefly.hub.api.json import (
     answer_from_json,
     answer_to_json,
@@ -28,7 +29,6 @@ from housefly.hub.room_status import RoomStatus
 from housefly.hub.store.open import open_store
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, RoomEvent
-from housefly.tasks.api.answers import ClipInfo
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import TaskQuestion
 

@@ -18,7 +18,7 @@ from housefly.pilot.planning.space.voxels import VoxelMap
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 from housefly.sites.loaded_site import LoadedSite
-from housefly.twin.physics import Physics
+from housefly.twin.drone_body import DroneBody
 
 Flown = TypeVar("Flown")
 CONSTANT = (LoadedSite, Site, Room, OccupancyGrid, StaticColumns, VoxelMap, DoorMap, SearchScratch)
@@ -33,7 +33,7 @@ def branched(flight: Flown) -> Flown:
     """
     copiers = cast("dict[type, Any]", vars(copy)["_deepcopy_dispatch"])
     before = copiers.copy()
-    copiers |= {FunctionType: _function, Physics: _physics}
+    copiers |= {FunctionType: _function, DroneBody: _drone_body}
     copiers |= dict.fromkeys(CONSTANT, lambda one, memo: one)
     try:
         return copy.deepcopy(flight)
@@ -55,17 +55,17 @@ def _function(function: FunctionType, memo: dict[int, Any]) -> FunctionType:
     return made
 
 
-def _physics(physics: Physics, memo: dict[int, Any]) -> Physics:
-    """Copy a world; its windows into MuJoCo's numbers look into the numbers of the copy."""
-    memo[id(physics)] = made = Physics.__new__(Physics)
-    vars(made).update(copy.deepcopy(vars(physics), memo))
+def _drone_body(body: DroneBody, memo: dict[int, Any]) -> DroneBody:
+    """Copy a drone; its windows into MuJoCo's numbers look into the numbers of the copy."""
+    memo[id(body)] = made = DroneBody.__new__(DroneBody)
+    vars(made).update(copy.deepcopy(vars(body), memo))
     for name, whole in (
         ("_qpos", "qpos"),
         ("_qvel", "qvel"),
         ("_qacc", "qacc"),
         ("_force", "qfrc_applied"),
     ):
-        window, numbers = getattr(physics, name), getattr(physics.data, whole)
+        window, numbers = getattr(body, name), getattr(body.data, whole)
         first = (window.ctypes.data - numbers.ctypes.data) // numbers.itemsize
         setattr(made, name, getattr(made.data, whole)[first : first + len(window)])
     return made

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from housefly.tasks.api.questions import ClipsQuestion
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_store import ClipRow, new_clip_row
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_store import ClipRow, new_clip_row
+from housefly.evidence.clip_values import ClipsQuestion
 
 NOW = 1_790_000_000.0
 DAY = 86_400.0

@@ -18,8 +18,12 @@ import av
 from filming import SIZE, number_of, striped
 
 from housefly.config.edits import Edits, NoFlyZone
+from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.config.tasks import TasksConfig
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_values import ClipsQuestion, StartClip
 from housefly.messages import (
     Action,
     Command,
@@ -36,19 +40,8 @@ from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps
 from housefly.room.edit_versions import EditVersions
 from housefly.sites.loaded_site import LoadedSite, load_site
-from housefly.tasks.api.questions import ClipsQuestion
-from housefly.tasks.api.values import (
-    ENDED,
-    HouseMode,
-    Priority,
-    ReasonCode,
-    TaskRequest,
-    TaskStage,
-)
+from housefly.tasks.api.values import ENDED, Priority, ReasonCode, TaskRequest, TaskStage
 from housefly.tasks.engine.task_record import task_status
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
-from housefly.tasks.execution.values import StartClip
 from housefly.tasks.rules.rule_memory import RuleMemory
 from housefly.tasks.rules.rule_store import KeptRules, RuleStore
 from housefly.tasks.scheduler.scheduler import Scheduler

@@ -27,7 +27,7 @@ class EstimatorBench:
         params = estimator_parameters(False, site.drone, site.control)
         self.params = params._replace(kind=int(kind))
         self._estimator = PoseEstimator(
-            self.params, "ardrone", 0.0, site.drone.airframe.sonar, drag=site.drone.drag
+            self.params, "ardrone", 0.0, site.drone.airframe, drag=site.drone.drag
         )
 
     @property

@@ -19,15 +19,7 @@ from fake_room import EXAMPLE_CHECKS, FAKE_PILOT_SPEED, example_room, plan_on
 
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import (
-    FRAME_TOPIC,
-    LINK_TOPIC,
-    ORDER_TOPIC,
-    PLAN_QUERY,
-    PREFLIGHT_QUERY,
-    ROOM_QUERY,
-    STEP_TOPIC,
-)
+from housefly.bus.topics import FRAME_TOPIC, DroneTopics
 from housefly.clock import Clock, RealClock
 from housefly.geometry import Vec2, wrap_angle
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
@@ -64,6 +56,8 @@ from housefly.messages.order_words import asked_words, refused_words
 from housefly.messages.words import Words, literal
 from housefly.web.server import create_app
 
+TOPICS = DroneTopics()
+
 _CLIMB_RATE = 0.6
 _TURN_RATE = 1.2
 _BATTERY_DRAIN = 1.0 / 720.0
@@ -78,6 +72,7 @@ class FakePilot:
         bus: where it publishes and answers.
         room: what it flies in.
         clock: its time.
+        topics: of its drone.
         orders: every order it received, oldest first.
         checks: what its pre-flight checks find.
         telemetry_age: how long ago the drone was heard [s].
@@ -111,17 +106,18 @@ class FakePilot:
     notes: tuple[str, ...] = ()
     link_notes: tuple[str, ...] = ()
     nudge: Order | None = None
+    topics: DroneTopics = TOPICS
     _events: list[Event] = field(default_factory=list)
     _answers: list[OrderAnswer] = field(default_factory=list)
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def __post_init__(self) -> None:
         self.position = self.room.home
-        self.bus.subscribe(ORDER_TOPIC, self._obey)
-        self.bus.answer(PREFLIGHT_QUERY, lambda _: to_json(self._preflight()))
-        self.bus.answer(ROOM_QUERY, lambda _: to_json(self.room))
+        self.bus.subscribe(self.topics.order, self._obey)
+        self.bus.answer(self.topics.preflight, lambda _: to_json(self._preflight()))
+        self.bus.answer(self.topics.room, lambda _: to_json(self.room))
         self.bus.answer(
-            PLAN_QUERY, lambda text: to_json(self._answer(from_json(PlanRequest, text)))
+            self.topics.plan, lambda text: to_json(self._answer(from_json(PlanRequest, text)))
         )
 
     async def run(self, rate_hz: float = 100.0) -> None:
@@ -136,7 +132,7 @@ class FakePilot:
         """Publish the status of the wires."""
         if self.publishing:
             self.bus.publish(
-                LINK_TOPIC,
+                self.topics.link,
                 LinkStatus(
                     at=self.clock.now(),
                     tracking_connected=self.connected,
@@ -161,7 +157,7 @@ class FakePilot:
             self._answers.clear()
         if self.publishing:
             self.bus.publish(FRAME_TOPIC, TrackedFrame(step.inputs.sightings))
-            self.bus.publish(STEP_TOPIC, step)
+            self.bus.publish(self.topics.step, step)
 
     def add_event(self, severity: Severity, code: str, text: str) -> None:
         """Add an event to the next step."""

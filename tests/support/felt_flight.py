@@ -7,19 +7,19 @@ from dataclasses import dataclass, field
 from math import cos, exp, inf, isnan, pi, sin, sqrt
 
 import numpy as np
+from ardrone_flow import FLOW
 
 from housefly.config.airframe import airframe_named
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.estimation.displacement import OdometryTolerance
-from housefly.pilot.estimation.onboard_odometry import FLOW_BIAS, FLOW_BIAS_TIME, FLOW_NOISE
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
 from housefly.pilot.safety.tracking_rules import DRIFT_LAND, DRIFT_LASTS, DRIFT_WARN
 
 TICK = 0.01
 _SONAR = airframe_named("ardrone").sonar
 _DELAY_TICKS = 4
-_KEEP = exp(-TICK / FLOW_BIAS_TIME)
+_KEEP = exp(-TICK / FLOW.bias_time)
 
 
 @dataclass(frozen=True)
@@ -95,18 +95,18 @@ def judged(flight: FeltFlight, seconds: float) -> Judgement:
     """Return what the monitor says of a flight of so many seconds."""
     rng, monitor = (
         np.random.default_rng(flight.seed),
-        TrackingMonitor(OdometryTolerance(0.002, flight.way_error), 0.58, _SONAR),
+        TrackingMonitor(OdometryTolerance(0.002, flight.way_error, FLOW), 0.58, _SONAR),
     )
     judgement, past = Judgement(), [0.0] * (_DELAY_TICKS + 1)
     x = psi = next_seen = next_told = 0.0
-    bias, drive = np.zeros(2), FLOW_BIAS * sqrt(1.0 - _KEEP * _KEEP)
+    bias, drive = np.zeros(2), FLOW.bias * sqrt(1.0 - _KEEP * _KEEP)
     for tick in range(int(seconds / TICK)):
         t = tick * TICK
         x += TICK * flight.speed(t)
         psi += TICK * flight.turning(t)
         past = [*past[1:], flight.speed(t)]
         bias = _KEEP * bias + drive * rng.standard_normal(2)
-        noise = FLOW_NOISE * rng.standard_normal(2)
+        noise = FLOW.noise * rng.standard_normal(2)
         if t >= next_told - 1e-9:
             next_told += flight.told_every
             if flight.reports(t):

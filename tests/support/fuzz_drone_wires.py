@@ -14,6 +14,7 @@ from housefly.drones.ardrone.telemetry import NavdataReports
 from housefly.drones.driver_messages import (
     DriverStatus,
     MessageReader,
+    PoseNews,
     TimedCommand,
     encode_driver_message,
 )
@@ -23,10 +24,15 @@ from housefly.messages import (
     Command,
     DroneFault,
     DroneStatus,
+    Pose,
+    PositionSetpoint,
     Setpoint,
+    Sighting,
     Telemetry,
+    VelocitySetpoint,
     VideoFrame,
 )
+from housefly.messages.steering import flying
 from housefly.wires.ardrone.at import (
     Animation,
     Config,
@@ -112,6 +118,9 @@ def _driver_seeds() -> Iterable[bytes]:
     )
     for message in (
         TimedCommand(Command(Action.FLY, Setpoint(0.1, 0.2, 0.3, 0.4)), 5.0),
+        TimedCommand(flying(VelocitySetpoint(0.5, 0.0, 0.1, 0.2)), 5.0),
+        TimedCommand(flying(PositionSetpoint(1.0, 2.0, 1.1)), 5.0),
+        PoseNews(Sighting("drone", Pose((1.0, 2.0, 1.1)), 4.0, 4.02)),
         report,
         DriverStatus(True, False, 200.0, "silent", airframe_named("ardrone").capabilities),
         VideoFrame(b"\0\0\1\x65", True, 640, 360, 3, 1.0, 2.0),

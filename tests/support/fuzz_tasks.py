@@ -11,8 +11,10 @@ from fuzz_target import DEEP, HUGE, FuzzTarget, as_file, scratch
 from rule_bench import KnownRoom, make_rule
 from talk_room import NAMES
 
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, LinkError, TaskError, WireError
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.hub.api.answers import Answer
 from housefly.hub.api.questions import Question
 from housefly.hub.client.room_queries import AskedRoom
@@ -25,14 +27,13 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     RequestTask,
     RulesQuestion,
     Sentence,
     ServicesQuestion,
     TaskHistoryQuestion,
 )
-from housefly.tasks.api.values import HouseMode, RequestSurface, ServiceInfo
+from housefly.tasks.api.values import RequestSurface, ServiceInfo
 from housefly.tasks.document.library import SHIPPED, bind, linked, load_library, read_task, text_of
 from housefly.tasks.document.marked_yaml import SIZE_MAX
 from housefly.tasks.document.open_library import OpenLibrary

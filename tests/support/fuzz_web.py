@@ -16,7 +16,17 @@ from stand_in_tasks import StandInTasks
 
 from housefly.bus.codec import decoded, encoded
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, TOPICS, Topic
+from housefly.bus.topics import (
+    DEPTH_TOPIC,
+    FRAME_TOPIC,
+    HUB_QUERY,
+    OBSTACLE_TOPIC,
+    ROOM_EVENT_TOPIC,
+    SENSOR_TOPIC,
+    SIGHT_TOPIC,
+    DroneTopics,
+    Topic,
+)
 from housefly.config.site import Site
 from housefly.errors import LinkError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES, EventAnswer, News
@@ -57,8 +67,25 @@ from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.web.api.edit_service import EditService
 from housefly.web.server import create_app
 
+_OURS = DroneTopics()
 _PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)
-_TOPICS: tuple[Topic[Any], ...] = (*TOPICS, ROOM_NEWS_TOPIC, TASK_NEWS_TOPIC)
+_TOPICS: tuple[Topic[Any], ...] = (
+    FRAME_TOPIC,
+    _OURS.step,
+    _OURS.trajectory,
+    _OURS.link,
+    _OURS.video,
+    _OURS.order,
+    OBSTACLE_TOPIC,
+    DEPTH_TOPIC,
+    SENSOR_TOPIC,
+    SIGHT_TOPIC,
+    ROOM_EVENT_TOPIC,
+    _OURS.recording,
+    ROOM_NEWS_TOPIC,
+    TASK_NEWS_TOPIC,
+)
+"""In the order that the inputs under ``tests/fuzz`` were kept with."""
 _STATUSES = (200, 401, 404, 503)
 _QUESTIONS = tuple(ANSWER_TYPES)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.config.airframe import Ability
 from housefly.pilot.safety.rules import SAFETY_RULES
 
 HEADER = ("| rule | wrong is | counts | after | answer | ends |", "|---|---|---|---|---|---|")
@@ -18,3 +19,17 @@ def rules_table() -> str:
             f" | {rule.mode.value} | {ends} |"
         )
     return "\n".join((*HEADER, *rows))
+
+
+def needs_table() -> str:
+    """Return what each rule needs that a drone may lack, and what stands in for it."""
+    lines: dict[tuple[str, str], list[str]] = {}
+    for rule in SAFETY_RULES:
+        if rule.needs:
+            needs = " and ".join(one.value for one in Ability if one in rule.needs)
+            lines.setdefault((needs, rule.instead), []).append(f"`{rule.code}`")
+    rows = [
+        f"| {needs} | {', '.join(codes)} | {instead} |" for (needs, instead), codes in lines.items()
+    ]
+    head = ("| a drone without | is not held against | but by |", "|---|---|---|")
+    return "\n".join((*head, *rows))

@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import numpy as np
+from ardrone_flow import FLOW
 from numba import njit
 
-from housefly.pilot.estimation.displacement import OdometryTolerance
+from housefly.pilot.estimation.displacement import (
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+    TrackRing,
+)
 from housefly.pilot.estimation.onboard_odometry import (
-    FLOW_BIAS,
-    FLOW_BIAS_TIME,
-    FLOW_NOISE,
     MOTION_RING_SIZE,
-    NO_ODOMETRY,
     ONBOARD_MOTION,
     MotionRing,
     OnboardReport,
     odometry_advanced,
     odometry_at,
+    odometry_begun,
     odometry_headed,
 )
-from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE, TrackRing
 from housefly.pilot.estimation.track_windows import EMPTY_WINDOWS, windows_advanced
 
 TICK = 0.01
@@ -40,11 +42,11 @@ def _flown(
     rows: TrackRing,
 ) -> tuple[float, float, float]:
     np.random.seed(seed)
-    odometry, windows = NO_ODOMETRY, EMPTY_WINDOWS
+    odometry, windows = odometry_begun(FLOW), EMPTY_WINDOWS
     bias_x, bias_y, x, next_at = 0.0, 0.0, 0.0, 0.0
     worst, told, landed = 0.0, np.inf, np.inf
-    keep = np.exp(-TICK / FLOW_BIAS_TIME)
-    drive = FLOW_BIAS * np.sqrt(1.0 - keep * keep)
+    keep = np.exp(-TICK / FLOW.bias_time)
+    drive = FLOW.bias * np.sqrt(1.0 - keep * keep)
     past = np.zeros(4)
     tolerance = OdometryTolerance(0.002, max(0.001, abs(flow_scale - 1.0)))
     for tick in range(1, int(seconds / TICK)):
@@ -54,7 +56,7 @@ def _flown(
         x += TICK * 0.5 * (v + past[-1])
         bias_x = keep * bias_x + drive * np.random.normal()
         bias_y = keep * bias_y + drive * np.random.normal()
-        noise_x, noise_y = FLOW_NOISE * np.random.normal(), FLOW_NOISE * np.random.normal()
+        noise_x, noise_y = FLOW.noise * np.random.normal(), FLOW.noise * np.random.normal()
         report = OnboardReport(
             at=at,
             theta=0.0,

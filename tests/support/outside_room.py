@@ -18,7 +18,7 @@ from pathlib import Path
 import psutil
 from filming import RATE_HZ, video
 
-from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.site import Site, changed, site_from_file
@@ -29,6 +29,8 @@ from housefly.twin.contracts import EncodedPicture, FlightState
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
+
+TOPICS = DroneTopics()
 
 _IN_THE_AIR = 0.3
 _SITE = """
@@ -134,7 +136,7 @@ class Run:
         self.process, self.log, self.bus = process, log, bus
         self.parts = psutil.Process(process.pid).children(recursive=True)
         self._status = DroneStatus.UNKNOWN
-        self._steps = bus.subscribe(STEP_TOPIC, self._on_step)
+        self._steps = bus.subscribe(TOPICS.step, self._on_step)
 
     def _on_step(self, step: PilotStep) -> None:
         if step.inputs.telemetry is not None:
@@ -153,7 +155,7 @@ class Run:
 
     def order(self, kind: OrderKind, place: str = "") -> None:
         self.bus.publish(
-            ORDER_TOPIC, Order(kind, place, issued_at=RealClock().now(), sender="test")
+            TOPICS.order, Order(kind, place, issued_at=RealClock().now(), sender="test")
         )
 
     def order_take_off(self, place: str = "entrance") -> None:

@@ -10,10 +10,11 @@ from typing import Any
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import TASKS_QUERY
+from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_values import ClipInfo, ClipsAnswer, ClipsQuestion, DeleteClip, KeepClip
 from housefly.tasks.api.answers import (
-    ClipInfo,
-    ClipsAnswer,
     FiringsAnswer,
     ModeAnswer,
     RehearsalAnswer,
@@ -34,11 +35,8 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -56,7 +54,6 @@ from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.api.values import (
     ENDED,
     Confirm,
-    HouseMode,
     ParameterInfo,
     ParameterValue,
     PersonQuestion,
@@ -70,7 +67,6 @@ from housefly.tasks.api.values import (
     TaskStepState,
     TaskStepStatus,
 )
-from housefly.tasks.evidence.clip_index import ClipIndex
 
 SERVICES = (
     ServiceInfo(

@@ -16,7 +16,7 @@ from housefly.app.live_task_room import LiveTaskRoom
 from housefly.app.task_outlet_bus import BusTaskOutlet
 from housefly.app.task_parts import task_service
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, ROOM_EVENT_TOPIC
+from housefly.bus.topics import HUB_QUERY, ROOM_EVENT_TOPIC, DroneTopics
 from housefly.clock import SteppedClock
 from housefly.hub.api.told_events import checked_event
 from housefly.hub.hub import Hub
@@ -39,9 +39,8 @@ from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import TaskQuestion
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStatus
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.drone_state import TakeOffReadiness
 from housefly.tasks.execution.live_obstacles import LiveObstacles
-from housefly.tasks.execution.step_inbox import StepInbox
-from housefly.tasks.service.drone_state import TakeOffReadiness
 
 GOOD = RehearsalReport(True, ReasonCode.OK, "it can be flown", duration=40.0, took=0.1)
 _TICK = 1.0 / 15.0
@@ -53,11 +52,13 @@ class Rehearsals:
     def __init__(self) -> None:
         self.report: RehearsalReport | Exception = GOOD
         self.asked: list[BoundTask] = []
+        self.drones: list[str] = []
         self.is_slow = False
         self.waiting: list[Future[RehearsalReport]] = []
 
-    def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
+    def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
         self.asked.append(task)
+        self.drones.append(drone)
         found: Future[RehearsalReport] = Future()
         if isinstance(self.report, Exception):
             found.set_exception(self.report)
@@ -95,16 +96,24 @@ class TaskStage:
             self.bus.answer(HUB_QUERY, memory.answer)
         self.orders: list[Order] = []
         self.events: list[RoomEvent] = []
-        self.bus.subscribe(ORDER_TOPIC, self.orders.append)
+        names = self.loaded.site.drone_names or ("drone",)
+        self.orders_of: dict[str, list[Order]] = {name: [] for name in names}
+        for name in names:
+            self.bus.subscribe(DroneTopics(name).order, self.orders.append)
+            self.bus.subscribe(DroneTopics(name).order, self.orders_of[name].append)
         self.bus.subscribe(ROOM_EVENT_TOPIC, self._told)
         self.rehearsals = Rehearsals()
         self.live = LiveObstacles(self.loaded.site, self.loaded.room)
         outlet = BusTaskOutlet(self.bus.join(), "bsen")
-        room = LiveTaskRoom(self.loaded, self.bus, self.live, self.clock.now)
+        rooms = {
+            name: LiveTaskRoom(self.loaded.for_drone(name), self.bus, self.live, self.clock.now)
+            for name in names
+        }
         self.service, self.parts, self.problems = task_service(
-            self.loaded, room, StepInbox(), self.rehearsals, outlet, self.clock.now, self.wall
+            self.loaded, rooms, self.rehearsals, outlet, self.clock.now, self.wall
         )
-        self.service.readiness = TakeOffReadiness(True, "")
+        for drone in self.parts.drones.values():
+            drone.readiness = TakeOffReadiness(True, "")
         self.loop: Simulation | None = None
         self._sequence, self._taken = 0, 0
 
@@ -145,7 +154,8 @@ class TaskStage:
         self.service.tick()
 
     def heard(self, step: PilotStep) -> None:
-        self.parts.inbox.add(step)
+        for drone in self.parts.drones.values():
+            drone.inbox.add(step)
         self.live.heard_frame(TrackedFrame(step.inputs.sightings))
 
     def fly(self, until: Callable[[], bool], limit: float = 150.0) -> bool:
@@ -181,7 +191,8 @@ class TaskStage:
         return abs(x - home[0]) < 0.3 and abs(y - home[1]) < 0.3 and z < 0.2
 
     def close(self) -> None:
-        self.parts.clips.close()
+        for drone in self.parts.drones.values():
+            drone.clips.close()
         self.parts.store.close()
         if self.hub is not None:
             self.hub.close()

@@ -111,7 +111,7 @@ def test_a_disturbance_that_ends_leaves_the_drone_as_it_was_built(
     model = world._physics.model
     built = model.body_mass.copy(), model.body_inertia.copy()
     world.disturb(Disturbances(payload=Payload(0.1, (0.1, 0.0, 0.0))))
-    assert model.body_mass[world._physics.drone_id] == pytest.approx(0.536)
+    assert model.body_mass[world._physics.drones[0].number] == pytest.approx(0.536)
     world.disturb(Disturbances())
     assert (model.body_mass == built[0]).all()
     assert (model.body_inertia == built[1]).all()

@@ -171,6 +171,6 @@ def test_a_stuck_gauge_hides_an_empty_battery_until_the_motors_stop(
     assert (world.onboard().battery, world.onboard().battery_voltage) == said
     assert world.truth().pose.position[2] > 0.8
     pilot.wait(6.0)
-    assert world._battery.voltage <= CUT_OFF_VOLTAGE
+    assert world.first.battery.voltage <= CUT_OFF_VOLTAGE
     assert (world.onboard().battery, world.onboard().battery_voltage) == said
     assert world.truth().pose.position[2] < 0.1

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import asyncio
+import functools
 import signal
 import sys
 from asyncio.subprocess import PIPE, STDOUT, Process
 from collections.abc import AsyncIterator, Awaitable, Callable
+from ipaddress import ip_address
 from pathlib import Path
 
 import psutil
@@ -84,6 +86,35 @@ async def test_it_says_when_it_is_ready_serves_and_ends_on_a_signal(start, loopb
     process.send_signal(signal.SIGTERM)
     assert "lost to stalls" in await line(process)
     assert await asyncio.wait_for(process.wait(), 10.0) == 0
+
+
+async def test_each_drone_of_a_site_answers_at_its_own_address_and_has_its_own_truth(
+    start, loopback, tmp_path: Path
+):
+    anna = loopback
+    bert = str(ip_address(anna) + 1)
+    process = await start(
+        f'[tracking]\naddress = "{anna}"\n[twin]\nvideo = false\n'
+        f'[[drones]]\nname = "anna"\naddress = "{anna}"\npad = [10.55, 1.25, 0.0]\n'
+        f'[[drones]]\nname = "bert"\naddress = "{bert}"\npad = [8.05, 1.25, 0.0]\n',
+        "--truth",
+        str(tmp_path / "truth.jsonl"),
+    )
+    assert f"drones anna at {anna}, bert at {bert}, tracking" in await line(process)
+    for address in (anna, bert):
+        received: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+        transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
+            functools.partial(_Once, received), remote_addr=(address, NAVDATA_PORT)
+        )
+        transport.sendto(b"\x01")
+        decode_navdata(await asyncio.wait_for(received, 5.0))
+        transport.close()
+    process.send_signal(signal.SIGTERM)
+    assert await asyncio.wait_for(process.wait(), 10.0) == 0
+    for name, x in (("anna", 10.55), ("bert", 8.05)):
+        truth = read_truth(tmp_path / f"truth-{name}.jsonl")
+        assert truth is not None
+        assert truth.position[-1][0] == pytest.approx(x, abs=0.05)
 
 
 class _Once(asyncio.DatagramProtocol):

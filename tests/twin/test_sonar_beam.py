@@ -32,7 +32,7 @@ def furnished() -> SimulatedWorld:
 
 @pytest.fixture(scope="module")
 def beam(furnished: SimulatedWorld) -> SonarBeam:
-    return SonarBeam(furnished._physics)
+    return SonarBeam(furnished._physics.drones[0])
 
 
 @settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -70,13 +70,13 @@ def test_a_child_is_seen_in_every_posture_and_no_longer_when_it_went(
 
 def test_a_table_overhead_is_not_below(make_room: MakeRoom) -> None:
     table = Solid("table top", "table", Shape.BOX, (2.0, 2.5, 0.72), (1.2, 1.2, 0.04))
-    beam = SonarBeam(SimulatedWorld(Site(), make_room((table,)))._physics)
+    beam = SonarBeam(SimulatedWorld(Site(), make_room((table,)))._physics.drones[0])
     assert beam.height((2.0, 2.5, 0.3)) == 0.0
     assert beam.height((2.0, 2.5, 1.3)) == pytest.approx(0.74)
 
 
 def test_a_wall_beside_the_drone_is_not_below(make_room: MakeRoom, wall: Solid) -> None:
-    beam = SonarBeam(SimulatedWorld(Site(), make_room((wall,)))._physics)
+    beam = SonarBeam(SimulatedWorld(Site(), make_room((wall,)))._physics.drones[0])
     assert beam.height((3.75, 2.5, 2.0)) == 0.0
 
 

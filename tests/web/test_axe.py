@@ -17,8 +17,8 @@ from playwright.async_api import Browser, Page, expect
 from stand_in_tasks import StandInTasks
 
 from housefly.config.tasks import TasksConfig
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_writer import ClipWriter
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_writer import ClipWriter
 from housefly.web.access.users import UserBook
 from housefly.web.messages.role import Role
 

@@ -15,9 +15,11 @@ import pytest_asyncio
 from plan_pixels import drawn_plan
 from playwright.async_api import Browser, Page, expect
 
-from housefly.bus.topics import VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock
 from housefly.messages import DroneStatus, OrderKind, Phase, Severity, VideoFrame
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -456,7 +458,7 @@ async def feed(bus: Any) -> None:
         picture = np.full((180, 320, 3), [(number * 9) % 256, 128, 64], np.uint8)
         for packet in encoder.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")):
             bus.publish(
-                VIDEO_TOPIC,
+                TOPICS.video,
                 VideoFrame(bytes(packet), bool(packet.is_keyframe), 320, 180, number, clock.now()),
             )
         await asyncio.sleep(1 / 30)

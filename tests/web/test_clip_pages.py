@@ -20,8 +20,8 @@ from playwright.async_api import Browser, Page, ViewportSize, expect
 from stand_in_tasks import StandInTasks
 
 from housefly.config.tasks import TasksConfig
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_writer import ClipWriter
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_writer import ClipWriter
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 

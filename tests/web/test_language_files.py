@@ -13,6 +13,7 @@ import yaml
 from word_templates import made_words, templates
 
 import house
+from housefly.config.airframe import Ability
 from housefly.messages import DroneFault, DroneStatus, Phase
 from housefly.messages.preflight import FrameCheckState
 from housefly.pilot.behavior.mission_tables import Response
@@ -24,7 +25,7 @@ CONSOLE, NEW_SITE = CLIENT / "messages", CLIENT / "new" / "messages"
 PAGES = {CONSOLE: 300, NEW_SITE: 150}
 """Where the texts of a page are, and how many it has at least."""
 OTHERS = ("ja", "de")
-SPOKEN = (DroneFault, DroneStatus, FrameCheckState, Phase, RejectionReason, Response)
+SPOKEN = (Ability, DroneFault, DroneStatus, FrameCheckState, Phase, RejectionReason, Response)
 """Enums whose values are said as they are (``messages.words.said``)."""
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _TEXT = r'"(?:[^"\\]|\\.)*"(?:\s*\+\s*"(?:[^"\\]|\\.)*")*'

@@ -13,7 +13,7 @@ from plan_pixels import PLAN, drawn_plan
 from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 
 from housefly.app.views import room_view
-from housefly.bus.topics import TRAJECTORY_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.geometry import Vec2
 from housefly.messages import (
     DroneStatus,
@@ -27,6 +27,8 @@ from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.sites.loaded_site import open_site, read_site
 from housefly.web.api.edit_service import EditService
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -350,7 +352,7 @@ async def fly(console: Any) -> None:
         way[5],
         1.1,
     )
-    console.bus.publish(TRAJECTORY_TOPIC, PlannedTrajectory(0.0, points))
+    console.bus.publish(TOPICS.trajectory, PlannedTrajectory(0.0, points))
     console.pilot.status, console.pilot.phase = DroneStatus.FLYING, Phase.HOLDING
 
 

@@ -18,15 +18,16 @@ from PIL import Image
 from playwright.async_api import Browser, Page, expect
 from stand_in_tasks import StandInTasks
 
-from housefly.bus.topics import VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_values import ClipsAnswer, TakeSnapshot
 from housefly.messages import DroneStatus, VideoFrame
-from housefly.tasks.api.answers import ClipsAnswer
 from housefly.tasks.api.questions import TakePhoto
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
-from housefly.tasks.execution.values import TakeSnapshot
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -62,7 +63,7 @@ class Darkroom:
             )
             self.recorder.tick(now, time.time(), self.status, self.mode)
             self.recorder.add(frame, None)
-            bus.publish(VIDEO_TOPIC, frame)
+            bus.publish(TOPICS.video, frame)
             await asyncio.sleep(1 / 15)
 
 

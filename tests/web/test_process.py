@@ -58,7 +58,7 @@ class Meeting:
             "XDG_STATE_HOME": str(self.site.parent),
             "HOUSEFLY_TOKEN": "the-token",
             "HOUSEFLY_SECRET": SECRET,
-            "HOUSEFLY_STOP_PORT": str(self.stop_port),
+            "HOUSEFLY_STOP_PORTS": f"drone={self.stop_port}",
         }
         arguments = ["--site", str(self.site), "--bus", self.endpoint, "--port", str(port)]
         process = await asyncio.create_subprocess_exec(
@@ -160,7 +160,7 @@ async def test_an_address_that_others_reach_is_refused() -> None:
 def test_a_console_that_nobody_launched_says_how_to_launch_it(
     tmp_path: Path, capsys: Any, monkeypatch: Any
 ) -> None:
-    monkeypatch.delenv("HOUSEFLY_STOP_PORT", raising=False)
+    monkeypatch.delenv("HOUSEFLY_STOP_PORTS", raising=False)
     before = signal.getsignal(signal.SIGTERM)
     site = tmp_path / "site.toml"
     site.write_text("", encoding="utf-8")

@@ -10,9 +10,11 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -43,7 +45,7 @@ async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     pilot.status, pilot.phase, pilot.height = DroneStatus.FLYING, Phase.HOLDING, 1.1
     await expect(page.locator(".app")).to_have_attribute("data-flying", "true")
     order = Order(OrderKind.GO, "entrance", issued_at=RealClock().now(), sender="test")
-    console.bus.publish(ORDER_TOPIC, order)
+    console.bus.publish(TOPICS.order, order)
     await expect(page.locator(".trail path").nth(1)).to_be_attached(timeout=15_000)
     await asyncio.sleep(1.0)
     yield page

@@ -16,11 +16,12 @@ from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 from stand_in_tasks import REHEARSAL, StandInTasks
 
 from housefly.bus.local import LocalBus
+from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
-from housefly.tasks.api.answers import ClipInfo
+from housefly.evidence.clip_export import ClipExport
+from housefly.evidence.clip_values import ClipInfo
 from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
-from housefly.tasks.api.values import HouseMode, ReasonCode, TaskStage
-from housefly.tasks.evidence.clip_export import ClipExport
+from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.web.api.simulated_bell import BellView, SimulatedBell
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]

@@ -13,7 +13,7 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.bus.topics import TRAJECTORY_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.messages import (
     DroneStatus,
     Path,
@@ -33,6 +33,8 @@ from housefly.web.flights.flight_log import (
     LoggedStage,
     line_text,
 )
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -232,7 +234,7 @@ async def page_in_space(console: Any, chromium: Browser) -> AsyncIterator[Page]:
         for place, height, at, speed in zip(WAY, HEIGHTS, TIMES, SPEEDS, strict=True)
     ]
     console.pilot.path = Path(WAY, 4.1, 0.4)
-    console.bus.publish(TRAJECTORY_TOPIC, PlannedTrajectory(0.0, tuple(points)))
+    console.bus.publish(TOPICS.trajectory, PlannedTrajectory(0.0, tuple(points)))
     console.pilot.status, console.pilot.phase = DroneStatus.FLYING, Phase.HOLDING
     await expect(page.locator(".curve .speed").first).to_be_visible()
     yield page

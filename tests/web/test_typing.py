@@ -13,10 +13,10 @@ from playwright.async_api import Browser, Locator, Page, expect
 from stand_in_tasks import StandInTasks
 
 from housefly.app.views import room_view
+from housefly.config.house_mode import HouseMode
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.sites.loaded_site import open_site, read_site
-from housefly.tasks.api.values import HouseMode
 from housefly.web.api.edit_service import EditService
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]

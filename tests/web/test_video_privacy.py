@@ -14,8 +14,11 @@ from filming import SIZE, number_of, video
 from numpy.typing import NDArray
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
+from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
+from housefly.evidence.frame_blanker import BLANK
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.messages import (
     LEVEL,
     Action,
@@ -28,10 +31,9 @@ from housefly.messages import (
     Telemetry,
     VideoFrame,
 )
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.frame_blanker import BLANK
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.camera.video import FRAME_HEADER, VideoRelay
+
+TOPICS = DroneTopics()
 
 ZONE = PrivacyZone(name="bed", polygon=((5, -2), (7, -2), (7, 2), (5, 2)), z_min=0.0, z_max=1.0)
 IN_ZONE = (slice(100, 125), slice(80, 240))
@@ -59,8 +61,8 @@ async def watched(
     with relay.subscribed() as queue:
         for frame in frames:
             at = frame.received_at
-            bus.publish(STEP_TOPIC, step_at(at, pose_age, yaw(at)))
-            bus.publish(VIDEO_TOPIC, frame)
+            bus.publish(TOPICS.step, step_at(at, pose_age, yaw(at)))
+            bus.publish(TOPICS.video, frame)
             await asyncio.sleep(0)
             while (message := queue.next()) is not None:
                 queue.acknowledge()

@@ -15,7 +15,7 @@ from housefly.messages import DepthImage, SensorReport
 from housefly.messages.words import UNSAID, Words, literal
 from housefly.perception.depth_tracker import DepthTracker
 from housefly.perception.laser_tracker import OwnFootprint
-from housefly.perception.sight import Sight
+from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.tracked import untracked
 from housefly.sensors.message_rate import MessageRate
 from housefly.sites.loaded_site import LoadedSite
@@ -30,20 +30,20 @@ class DepthService:
     """Processes the images of a site's depth cameras, until closed.
 
     Attributes:
-        own: where the drone is, None when it is not in the air or not known.
+        own: where our drones are, of those in the air whose place is known.
         sight: until when the cameras were believed.
     """
 
     def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
         site = loaded.site
         height, half = site.map.flight_height, site.map.half_band
-        self.own: OwnFootprint | None = None
+        self.own: tuple[OwnFootprint, ...] = ()
         self._bus, self._clock = bus, clock
         self._tracker = DepthTracker(
             untracked(loaded.room, site), site.depth_cameras, (height - half, height + half)
         )
         names = [camera.name for camera in site.depth_cameras]
-        self.sight = Sight(names)
+        self.sight = SensorFreshness(names)
         self._lock = threading.Lock()
         self._rates = {name: MessageRate() for name in names}
         self._refused = dict.fromkeys(["", *names], ("", -inf))

@@ -149,7 +149,7 @@ def check_room(site: Site) -> MachineCheck:
         return MachineCheck("room", False, str(error), "mend that file, or: housefly new")
     x_min, y_min, x_max, y_max = loaded.room.bounds
     size = f"{x_max - x_min:.1f} m x {y_max - y_min:.1f} m"
-    if not site.drone.enabled:
+    if not site.drone_names:
         return MachineCheck("room", True, size)
     reached = reached_from(loaded.grid, loaded.room.home)
     places = loaded.room.places
@@ -166,7 +166,7 @@ def check_room(site: Site) -> MachineCheck:
 def _hardware(site: Site) -> MachineCheck:
     without = [
         name
-        for name, there in (("drone", site.drone.enabled), ("tracking", site.tracking.enabled))
+        for name, there in (("drone", bool(site.drone_names)), ("tracking", site.tracking.enabled))
         if not there
     ]
     if site.twin.enabled:
@@ -178,14 +178,8 @@ def _hardware(site: Site) -> MachineCheck:
     tracking = (
         f"{site.tracking.address}:{site.tracking.port_of(wire)}" if wire else site.tracking.address
     )
-    expected = " and ".join(
-        where
-        for where, there in (
-            (site.drone.address, site.drone.enabled),
-            (tracking, site.tracking.enabled),
-        )
-        if there
-    )
+    drones = [drone.address for drone in site.all_drones if drone.enabled]
+    expected = " and ".join([*drones, *([tracking] if site.tracking.enabled else [])])
     return MachineCheck("drone and tracking", True, f"real, expected at {expected}")
 
 

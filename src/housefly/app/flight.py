@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.app.console_door import ConsoleDoor
+from housefly.app.console_addresses import ConsoleAddresses
 from housefly.app.flight_progress import FlightProgress
 from housefly.app.headless import fly_over_wires
 from housefly.app.new_runtime import new_runtime
@@ -82,7 +82,8 @@ def fly_service(
                     recorder,
                     progress.show,
                     progress.say,
-                    on_console=ConsoleDoor(runtime).print_address,
+                    on_console=ConsoleAddresses(runtime).print_address,
+                    drone=loaded.site.drone.name,
                 )
     finally:
         summary = recorder.finish(outcome)

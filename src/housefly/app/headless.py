@@ -11,16 +11,13 @@ from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
+from housefly.app.truth_files import take_truth
 from housefly.bus.bus import Bus
-from housefly.bus.topics import (
-    LINK_TOPIC,
-    ORDER_TOPIC,
-    STEP_TOPIC,
-    TRAJECTORY_TOPIC,
-    VIDEO_TOPIC,
-)
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
+from housefly.config.drone import DRONE_NAME
+from housefly.config.site import Site
 from housefly.errors import LinkError
 from housefly.geometry import Vec2
 from housefly.hub.store.lock import reserved_store
@@ -50,8 +47,9 @@ def fly_over_wires(
     *,
     on_console: Callable[[], None] = lambda: None,
     give_up_after: float = 240.0,
+    drone: str = DRONE_NAME,
 ) -> str:
-    """Fly one service over real wires and return its outcome ("completed" or the reason).
+    """Fly one service of a drone over real wires; return its outcome ("completed" or the reason).
 
     Where there is a console, ``on_console`` is called once it answers. Ctrl-C lands the
     drone first and gives the outcome "interrupted".
@@ -60,6 +58,7 @@ def fly_over_wires(
         LinkError: the drone or the tracking system did not answer in time.
     """
     site = runtime.site()
+    flown = site.for_drone(drone)
     with (
         reserved_store(site),
         EndSignals(),
@@ -81,7 +80,9 @@ def fly_over_wires(
             raise LinkError(
                 f"not ready after {_START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
             )
-        return _serve(bus, site.tracking.body, home, order, recorder, on_step, say, give_up_after)
+        outcome = _serve(bus, flown, home, order, recorder, on_step, say, give_up_after)
+    take_truth(recorder.truth_file, drone, recorder.truth_file)
+    return outcome
 
 
 class Steadiness:
@@ -105,7 +106,7 @@ class Steadiness:
 
 def _serve(
     bus: Bus,
-    body: str,
+    site: Site,
     home: Vec2,
     order: Order,
     recorder: FlightRecorder,
@@ -113,6 +114,7 @@ def _serve(
     say: Callable[[str], None],
     give_up_after: float,
 ) -> str:
+    topics, body = DroneTopics(site.drone.name), site.tracking.body
     clock, seen, done = RealClock(), threading.Event(), threading.Event()
     monitor, steadiness = ServiceMonitor(clock.now(), home, give_up_after), Steadiness(body)
 
@@ -127,10 +129,10 @@ def _serve(
             done.set()
 
     open_ = [
-        bus.subscribe(STEP_TOPIC, on_pilot_step),
-        bus.subscribe(VIDEO_TOPIC, recorder.add_video),
-        bus.subscribe(TRAJECTORY_TOPIC, recorder.add_trajectory),
-        bus.subscribe(LINK_TOPIC, recorder.add_link),
+        bus.subscribe(topics.step, on_pilot_step),
+        bus.subscribe(topics.video, recorder.add_video),
+        bus.subscribe(topics.trajectory, recorder.add_trajectory),
+        bus.subscribe(topics.link, recorder.add_link),
     ]
     try:
         # The recording must hold everything that the pilot knows, or a replay decides differently.
@@ -138,7 +140,7 @@ def _serve(
             say(f"waiting until tracking sees {body} without gaps")
             seen.wait(_STEADY_TIMEOUT - _STEADY_SOON)
         bus.publish(
-            ORDER_TOPIC,
+            topics.order,
             Order(
                 order.kind,
                 order.place,
@@ -154,7 +156,7 @@ def _serve(
                 if clock.now() > monitor.started_at + give_up_after + 5.0:
                     return f"no word from the pilot for {give_up_after:.0f} s"
         except KeyboardInterrupt:
-            bus.publish(ORDER_TOPIC, Order(OrderKind.LAND, issued_at=clock.now(), sender="Ctrl-C"))
+            bus.publish(topics.order, Order(OrderKind.LAND, issued_at=clock.now(), sender="Ctrl-C"))
             done.wait(30.0)
             return _INTERRUPTED
         return monitor.outcome

@@ -15,12 +15,12 @@ from dataclasses import dataclass, replace
 from math import inf
 from pathlib import Path
 
-from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
+from housefly.app.launcher import Launcher, ProcessSpec, driver_process
 from housefly.app.new_runtime import new_runtime
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.priority import raise_priority
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.drones.remote_drone import RemoteDrone
@@ -157,7 +157,7 @@ def fly_identification_over_wires(
     runtime = new_runtime(loaded.site, folder)
     site = runtime.site()
     processes = (
-        DRIVER_PROCESS,
+        driver_process(site, site.drone.name),
         *(
             (ProcessSpec("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),)
             if site.twin.enabled
@@ -166,7 +166,7 @@ def fly_identification_over_wires(
     )
     warm_up(loaded.site, loaded.room, loaded.grid)
     with Launcher(runtime, folder, processes), _undisturbed():
-        return asyncio.run(_fly(loaded, flight, runtime.driver_socket, on_step))
+        return asyncio.run(_fly(loaded, flight, runtime.driver_socket(site.drone.name), on_step))
 
 
 @contextmanager
@@ -188,6 +188,7 @@ async def _fly(
     on_step: Callable[[PilotStep], None],
 ) -> str:
     site, clock, bus = loaded.site, RealClock(), LocalBus()
+    topics = DroneTopics(site.drone.name)
     shell = PilotShell(
         loaded,
         bus,
@@ -205,7 +206,7 @@ async def _fly(
         if flight.outcome:
             shell.leave()
         elif order is not None:
-            bus.publish(ORDER_TOPIC, order)
+            bus.publish(topics.order, order)
 
     def interrupt() -> None:
         interrupted.set()
@@ -214,7 +215,7 @@ async def _fly(
     loop = asyncio.get_running_loop()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         loop.add_signal_handler(number, interrupt)
-    subscription = bus.subscribe(STEP_TOPIC, on_pilot_step)
+    subscription = bus.subscribe(topics.step, on_pilot_step)
     try:
         await shell.run()
     finally:

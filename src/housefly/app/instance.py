@@ -36,10 +36,15 @@ def site_of_instance(site: Site, instance: int) -> Site:
         laser | {"address": _moved(laser["address"], instance)}
         for laser in site.model_dump()["lasers"]
     ]
+    drones = [
+        drone | ({"address": _moved(drone["address"], instance)} if "address" in drone else {})
+        for drone in site.model_dump()["drones"]
+    ]
     return changed(
         site,
         name=f"{site.name} {instance}",
         drone__address=_moved(site.drone.address, instance),
+        drones=drones,
         tracking__address=_moved(site.tracking.address, instance),
         lasers=lasers,
         web__port=site.web.port and site.web.port + instance - 1,

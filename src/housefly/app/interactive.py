@@ -10,8 +10,8 @@ from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 
+from housefly.app.console_addresses import ConsoleAddresses
 from housefly.app.console_answer import console_answers
-from housefly.app.console_door import ConsoleDoor
 from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
@@ -21,14 +21,9 @@ from housefly.app.readiness import Readiness
 from housefly.app.room_renewal import RoomRenewal
 from housefly.app.runtime import Runtime
 from housefly.app.terminal import console
+from housefly.app.truth_files import take_truth
 from housefly.bus.bus import Bus
-from housefly.bus.topics import (
-    LINK_TOPIC,
-    STEP_TOPIC,
-    TRAJECTORY_TOPIC,
-    USE_EDITS_QUERY,
-    VIDEO_TOPIC,
-)
+from housefly.bus.topics import USE_EDITS_QUERY, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.hub.client.discovery import announced
@@ -63,7 +58,7 @@ _NO_FLIGHT = "Open the address: who and what is where, and what happened. Ctrl-C
 class _Teller:
     """Prints each death of a process once, and where the console is when it answers."""
 
-    def __init__(self, launcher: Launcher, door: ConsoleDoor) -> None:
+    def __init__(self, launcher: Launcher, door: ConsoleAddresses) -> None:
         self.launcher = launcher
         self._door = door
         self._told = 0
@@ -111,11 +106,12 @@ def run_interactively(
     with ExitStack() as stack:
         stack.enter_context(reserved_store(loaded.site))
         runtime = replace(new_runtime(loaded.site, folder, web=True), recording=record)
-        recorder = None
-        if record is not None:
-            recorder = FlightRecorder(record, loaded.site, loaded.room, loaded.grid)
+        recorders = _recorders(loaded, record)
+        truth_file = _truth_file(recorders)
+        for name, recorder in recorders.items():
             stack.callback(recorder.finish, "ended by the user")
-        truth_file = None if recorder is None else recorder.truth_file
+            if truth_file is not None:
+                stack.callback(take_truth, truth_file, name, recorder.truth_file)
         signals = stack.enter_context(EndSignals())
         stack.enter_context(announced(discovery_entry(runtime)))
         launcher = stack.enter_context(
@@ -129,16 +125,18 @@ def run_interactively(
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         renewal = RoomRenewal(launcher, bus, is_recorded=record is not None)
         stack.callback(bus.answer(USE_EDITS_QUERY, renewal.answer, _WISHES).close)
-        teller = _Teller(launcher, ConsoleDoor(runtime, first.value))
+        teller = _Teller(launcher, ConsoleAddresses(runtime, first.value))
         try:
             _introduce(runtime, bus, teller, started, first)
-            if recorder is not None:
-                stack.callback(_record(recorder, bus))
+            for name, recorder in recorders.items():
+                stack.callback(_record(recorder, bus, DroneTopics(name)))
+            if record is not None:
                 console.print(f"recording to {record}", markup=False)
             teller.tell_for_ever()
         except KeyboardInterrupt:
             lands = any(spec.lands for spec in launcher.processes)
-            leaving = "landing the drone, then leaving (Ctrl-C again does not wait for it)"
+            drones = "drones" if len(loaded.site.drone_names) > 1 else "drone"
+            leaving = f"landing the {drones}, then leaving (Ctrl-C again does not wait for it)"
             _say(f"\n{leaving if lands else 'leaving'}")
             _land_and_leave(launcher)
     return 0
@@ -148,13 +146,13 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
     site = runtime.site()
     console.print(f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {_kind_of(site)}")
     if site.tasks.enabled:
-        asked = "who is at the door" if site.drone.enabled else "where is the cup"
+        asked = "who is at the door" if site.drone_names else "where is the cup"
         console.print(f'ask:      {_command()} ask "{asked}"', markup=False)
     console.print(
         f"bus:      {runtime.bus}  (who may run programs here may listen and order)",
         soft_wrap=True,
     )
-    if site.drone.enabled and (note := people_note(site)):
+    if site.drone_names and (note := people_note(site)):
         console.print(f"people:   {note}", markup=False)
     video = site.has_picture
     with console.status("starting") as status:
@@ -169,7 +167,7 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
     def said_ready() -> bool:
         if readiness.wait(0.0):
             return False
-        then = f"{_NEXT[first]} Ctrl-C lands and ends." if site.drone.enabled else _NO_FLIGHT
+        then = f"{_NEXT[first]} Ctrl-C lands and ends." if site.drone_names else _NO_FLIGHT
         console.print(f"ready after {time.monotonic() - started:.1f} s. {then}", soft_wrap=True)
         return True
 
@@ -187,7 +185,7 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
 
 
 def _kind_of(site: Site) -> str:
-    if site.drone.enabled:
+    if site.drone_names:
         return "simulated room" if site.twin.enabled else "real hardware"
     return f"{'simulated' if site.twin.enabled else 'real'} room, no drone"
 
@@ -211,12 +209,33 @@ def _say(words: str) -> None:
         console.print(words, markup=False)
 
 
-def _record(recorder: FlightRecorder, bus: Bus) -> Callable[[], None]:
+def _recorders(loaded: LoadedSite, folder: Path | None) -> dict[str, FlightRecorder]:
+    """Return a recorder for each drone; several have a folder each in the one that is named."""
+    if folder is None:
+        return {}
+    names = loaded.site.drone_names or (loaded.site.drone.name,)
+    recorders = {}
+    for name in names:
+        one = loaded.for_drone(name)
+        into = folder / name if len(names) > 1 else folder
+        recorders[name] = FlightRecorder(into, one.site, one.room, one.grid)
+    return recorders
+
+
+def _truth_file(recorders: dict[str, FlightRecorder]) -> Path | None:
+    """Return the file that the simulated room is given; several drones have one each beside it."""
+    files = [recorder.truth_file for recorder in recorders.values()]
+    if len(files) > 1:
+        return files[0].parent.with_name(files[0].name)
+    return files[0] if files else None
+
+
+def _record(recorder: FlightRecorder, bus: Bus, topics: DroneTopics) -> Callable[[], None]:
     open_ = [
-        bus.subscribe(STEP_TOPIC, recorder.add_step),
-        bus.subscribe(VIDEO_TOPIC, recorder.add_video),
-        bus.subscribe(TRAJECTORY_TOPIC, recorder.add_trajectory),
-        bus.subscribe(LINK_TOPIC, recorder.add_link),
+        bus.subscribe(topics.step, recorder.add_step),
+        bus.subscribe(topics.video, recorder.add_video),
+        bus.subscribe(topics.trajectory, recorder.add_trajectory),
+        bus.subscribe(topics.link, recorder.add_link),
     ]
 
     def close() -> None:

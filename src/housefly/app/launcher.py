@@ -3,6 +3,7 @@
 room        the bus, and the tracking system; as urgent as the pilot
 pilot       the only one that must be on time; the others run at lower priority
 driver      the drone's wires and the watchdog over the pilot; the last to leave
+            (with several drones, each has a pilot-NAME and a driver-NAME)
 twin        the simulated drone and cameras, nearly as urgent; absent with real hardware
 hub         the room's memory
 broker      an MQTT broker; absent where the devices have their own
@@ -21,6 +22,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from enum import Enum
 from pathlib import Path
 from types import TracebackType
 from typing import IO, Self
@@ -29,6 +31,7 @@ from housefly.app.child import RENEW_SIGNAL
 from housefly.app.liveness import RunLiveness
 from housefly.app.restart_policy import Death, last_words, restart_after
 from housefly.app.runtime import Runtime
+from housefly.config.site import Site
 from housefly.web.console_port import ConsolePort
 
 _LANDING_TIMEOUT = 30.0
@@ -40,6 +43,13 @@ _RENEWAL_TIMEOUT = 5.0
 _POLL_PERIOD = 0.1
 
 
+class Landing(Enum):
+    """When a process that brings a drone down is told to: LAST is where FIRST could not."""
+
+    FIRST = "first"
+    LAST = "last"
+
+
 @dataclass(frozen=True, slots=True)
 class ProcessSpec:
     """One process of a run.
@@ -47,8 +57,8 @@ class ProcessSpec:
     Attributes:
         name, module, arguments: what it is called, and what it runs.
         niceness: below 0 it counts as 0 where the system does not allow it.
-        lands: whether it brings the drone down before it ends. Those are told to end one after the
-            other, in this order, before all others; the last one is never killed.
+        lands: whether it brings a drone down before it ends, and when it is told to end: FIRST,
+            then LAST, then all others. What is LAST is never killed.
         port: where it listens; it alone inherits the socket, which the launcher keeps to the end.
     """
 
@@ -56,7 +66,7 @@ class ProcessSpec:
     module: str
     arguments: tuple[str, ...] = ()
     niceness: int = 0
-    lands: bool = False
+    lands: Landing | None = None
     port: ConsolePort | None = None
 
     @property
@@ -65,8 +75,29 @@ class ProcessSpec:
         return () if self.port is None else (self.port.descriptor,)
 
 
-DRIVER_PROCESS = ProcessSpec("driver", "housefly.app.driver_main", niceness=-5, lands=True)
-"""Whoever pilots, the driver is a process of its own."""
+def driver_process(site: Site, drone: str) -> ProcessSpec:
+    """Return the process of a drone's driver; whoever pilots, it is one of its own."""
+    return ProcessSpec(
+        _named(site, "driver", drone),
+        "housefly.app.driver_main",
+        ("--drone", drone),
+        niceness=-5,
+        lands=Landing.LAST,
+    )
+
+
+def pilot_process(site: Site, drone: str) -> ProcessSpec:
+    """Return the process of a drone's pilot."""
+    return ProcessSpec(
+        _named(site, "pilot", drone),
+        "housefly.app.pilot_main",
+        ("--drone", drone),
+        lands=Landing.FIRST,
+    )
+
+
+def _named(site: Site, role: str, drone: str) -> str:
+    return f"{role}-{drone}" if len(site.drone_names) > 1 else role
 
 
 def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[ProcessSpec, ...]:
@@ -79,8 +110,8 @@ def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[P
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
     processes = [ProcessSpec("room", "housefly.app.room_main")]
-    if site.drone.enabled:
-        processes += [ProcessSpec("pilot", "housefly.app.pilot_main", lands=True), DRIVER_PROCESS]
+    processes += [pilot_process(site, name) for name in site.drone_names]
+    processes += [driver_process(site, name) for name in site.drone_names]
     if site.mqtt.broker and site.mqtt.start:
         processes.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
@@ -218,11 +249,8 @@ class Launcher:
         self._leaving.set()
         if self._supervisor is not None:
             self._supervisor.join()
-        landing = [running for running in self._running.values() if running.spec.lands]
         try:
-            left = [
-                running.spec.name for running in landing if not self._land(running, landing[-1])
-            ]
+            left = [*self._land(Landing.FIRST), *self._land(Landing.LAST)]
         finally:
             self._liveness.close()
         if not left:
@@ -238,28 +266,34 @@ class Launcher:
         self._running.clear()
         return tuple(left)
 
-    def _land(self, running: _Running, last: _Running) -> bool:
-        """Tell a process to land the drone and end; return False if it is left to itself."""
-        process = running.process
-        if process.poll() is None:
-            process.terminate()
+    def _land(self, turn: Landing) -> list[str]:
+        """Tell all whose turn it is to land and end; return who is left to itself."""
+        landing = {
+            running.spec.name: running.process
+            for running in self._running.values()
+            if running.spec.lands is turn
+        }
+        for process in landing.values():
+            if process.poll() is None:
+                process.terminate()
         deadline = time.monotonic() + _LANDING_TIMEOUT
-        while process.poll() is None:
+        while left := [name for name, process in landing.items() if process.poll() is None]:
             if self.is_impatient():
-                return False
+                return left
             if time.monotonic() > deadline:
-                if running is last:
-                    return False
-                process.kill()
-                process.wait()
+                if turn is Landing.LAST:
+                    return left
+                for name in left:
+                    landing[name].kill()
+                    landing[name].wait()
             time.sleep(0.02)
-        return True
+        return []
 
     def _start(self, spec: ProcessSpec) -> _Running:
         path = self.folder / f"{spec.name}.log"
         # Whoever reads a log knows what people do here.
         log = os.fdopen(os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600), "ab")
-        descriptors = self._liveness.descriptors(lands=spec.lands)
+        descriptors = self._liveness.descriptors(lands=spec.lands is not None)
         numbers = (os.getpid(), spec.niceness, descriptors.watched, descriptors.held)
         command = [
             *(sys.executable, "-m", "housefly.app.child"),

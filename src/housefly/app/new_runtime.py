@@ -20,7 +20,7 @@ from housefly.web.console_port import ConsolePort
 
 
 def new_runtime(site: Site, folder: Path, *, web: bool = False) -> Runtime:
-    """Write the site into a folder; make a folder for sockets, a free port and fresh secrets.
+    """Write the site into a folder; make a folder for sockets, free ports and fresh secrets.
 
     Args:
         site: of the run.
@@ -38,18 +38,17 @@ def new_runtime(site: Site, folder: Path, *, web: bool = False) -> Runtime:
         site = changed(site, mqtt__port=_free_port())
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
-    sockets, held, secret = new_run_folder(), StopPort(), secrets.token_hex(16)
+    sockets, secret = new_run_folder(), secrets.token_hex(16)
+    held = {name: StopPort() for name in site.drone_names or (site.drone.name,)}
     return Runtime(
         site_file,
         bus=endpoint_in(sockets),
-        stop_port=held.number,
+        stop_ports={name: port.number for name, port in held.items()},
         secret=secret,
         token=secrets.token_urlsafe(16),
-        room_socket=sockets / "room",
-        driver_socket=sockets / "driver",
-        tracking_socket=sockets / "tracking",
+        sockets=sockets,
         room_key=api_key(secret),
-        held_port=held,
+        held_ports=tuple(held.values()),
         console_port=console,
     )
 
@@ -65,6 +64,7 @@ def discovery_entry(runtime: Runtime) -> RoomAddress:
         os.getpid(),
         room,
         runtime.bus,
+        site.drone_names or (site.drone.name,),
     )
 
 

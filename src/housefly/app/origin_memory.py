@@ -29,7 +29,7 @@ class OriginMemory:
 
     def __init__(self, site: Site, folder: Path | None = None) -> None:
         self._digest = tracking_digest(site.tracking)
-        self._file = folder / ORIGIN_FILE if folder else None
+        self._file = folder / f"{ORIGIN_FILE}-{site.drone.name}" if folder else None
         noted = self._noted()
         is_right = frames_known(site).state is FrameCheckState.RIGHT and noted != _REVOKED
         self.known = is_right or noted == self._digest

@@ -13,17 +13,18 @@ import signal
 
 from housefly.app.depth_service import DepthService
 from housefly.app.runtime import Runtime, runtime_from_environment
-from housefly.bus.bus import Bus
-from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, SIGHT_TOPIC, STEP_TOPIC
+from housefly.bus.bus import Bus, Subscription
+from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, SIGHT_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_line
+from housefly.config.site import Site
 from housefly.config.text import without_numbers
-from housefly.lab.lockstep.lockstep_perception import own_footprint
-from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
+from housefly.lab.lockstep.lockstep_perception import own_footprints
+from housefly.messages import DroneStatus, PilotStep, Scan, SensorReport, SightNews
 from housefly.messages.words import literal
-from housefly.perception.laser_tracker import LaserTracker
-from housefly.perception.sight import Sight
+from housefly.perception.laser_tracker import LaserTracker, OwnFootprint
+from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import LaserClient
 from housefly.sensors.message_rate import MessageRate
@@ -43,14 +44,14 @@ class PerceptionProcess:
         self._tracker = LaserTracker(untracked(loaded.room, loaded.site), loaded.site.lasers)
         self._clients = {laser.name: LaserClient(laser, clock) for laser in loaded.site.lasers}
         self._rates = {name: MessageRate() for name in self._clients}
-        self._sight = Sight(self._clients)
+        self._sight = SensorFreshness(self._clients)
         self._depth = DepthService(loaded, bus, clock)
-        self._estimate: Estimate | None = None
+        self._own: dict[str, tuple[OwnFootprint, ...]] = dict.fromkeys(self._site.drone_names, ())
         self._doubts: dict[str, str] = {}
 
     async def run(self) -> None:
         """Run until cancelled."""
-        steps = self._bus.subscribe(STEP_TOPIC, self._on_step)
+        steps = [self._heard(self._site.for_drone(name)) for name in self._site.drone_names]
         try:
             await asyncio.gather(
                 *(client.run(self._on_scan) for client in self._clients.values()),
@@ -58,19 +59,28 @@ class PerceptionProcess:
                 self._report_sight(),
             )
         finally:
-            steps.close()
+            for subscription in steps:
+                subscription.close()
             self._depth.close()
 
-    def _on_step(self, step: PilotStep) -> None:
-        telemetry = step.inputs.telemetry
-        on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
-        self._estimate = None if on_the_ground else step.outputs.estimate
-        self._depth.own = own_footprint(self._site, self._estimate)
+    def _heard(self, site: Site) -> Subscription:
+        """Follow where the drone of a site is."""
+
+        def on_step(step: PilotStep) -> None:
+            telemetry = step.inputs.telemetry
+            on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
+            estimate = None if on_the_ground else step.outputs.estimate
+            where = own_footprints(site, (estimate,))
+            self._own[site.drone.name] = where  # each on a thread of its own
+            self._depth.own = self._all_own()
+
+        return self._bus.subscribe(DroneTopics(site.drone.name).step, on_step)
+
+    def _all_own(self) -> tuple[OwnFootprint, ...]:
+        return tuple(one for each in self._own.values() for one in each)
 
     def _on_scan(self, scan: Scan) -> None:
-        seen = self._tracker.update(
-            scan, self._clock.now(), own_footprint(self._site, self._estimate)
-        )
+        seen = self._tracker.update(scan, self._clock.now(), self._all_own())
         self._rates[scan.source].add(scan.received_at)
         self._doubts[scan.source] = seen.problem
         if not seen.problem:

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import TypeVar
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import STEP_TOPIC, TRAJECTORY_TOPIC, Topic
+from housefly.bus.topics import DroneTopics, Topic
 from housefly.config.process_log import log_traceback
 from housefly.messages import Path, PilotStep
 from housefly.pilot.behavior.planned_trajectory import planned_trajectory
@@ -22,13 +22,14 @@ class PilotPublisher:
 
     Args:
         bus: on which it is told.
+        topics: of the drone.
 
     Attributes:
         problem: what could not be published, in words, or "".
     """
 
-    def __init__(self, bus: Bus) -> None:
-        self._bus = bus
+    def __init__(self, bus: Bus, topics: DroneTopics) -> None:
+        self._bus, self._topics = bus, topics
         self._path: Path | None = None
         self._path_at = 0.0
         self.problem = ""
@@ -40,14 +41,14 @@ class PilotPublisher:
 
     def publish_step(self, step: PilotStep) -> None:
         """Publish a step, and what is planned in space: when it is new, and for newcomers."""
-        self.publish(STEP_TOPIC, step)
+        self.publish(self._topics.step, step)
         path, now = step.outputs.path, step.now
         if path == self._path and now - self._path_at < _TRAJECTORY_PERIOD:
             return
         self._path, self._path_at = path, now
-        with self._noting(TRAJECTORY_TOPIC.key):
+        with self._noting(self._topics.trajectory.key):
             if (planned := planned_trajectory(path, now)) is not None:
-                self._bus.publish(TRAJECTORY_TOPIC, planned)
+                self._bus.publish(self._topics.trajectory, planned)
 
     @contextmanager
     def _noting(self, what: str) -> Iterator[None]:

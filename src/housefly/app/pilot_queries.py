@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
-from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.errors import WireError
 from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
@@ -21,7 +21,7 @@ from housefly.sites.loaded_site import LoadedSite
 
 
 class PilotQueryServer:
-    """Answers ROOM_QUERY, PLAN_QUERY and PREFLIGHT_QUERY on a bus until closed."""
+    """Answers the queries of one drone on a bus until closed."""
 
     def __init__(self, loaded: LoadedSite, bus: Bus) -> None:
         self._room = to_json(room_view(loaded))
@@ -29,10 +29,11 @@ class PilotQueryServer:
         self._pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
         self._drone_at: Vec2 = loaded.room.home
         self._preflight = to_json(PreflightView())
+        topics = DroneTopics(loaded.site.drone.name)
         self._open = [
-            bus.answer(ROOM_QUERY, lambda _: self._room),
-            bus.answer(PREFLIGHT_QUERY, lambda _: self._preflight),
-            bus.answer(PLAN_QUERY, self._plan),
+            bus.answer(topics.room, lambda _: self._room),
+            bus.answer(topics.preflight, lambda _: self._preflight),
+            bus.answer(topics.plan, self._plan),
         ]
 
     def update(self, step: PilotStep) -> None:

@@ -29,18 +29,10 @@ from housefly.app.pilot_publisher import PilotPublisher
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.app.refused_orders import answers_to
-from housefly.app.stand_down import StandDown
+from housefly.app.take_off_pause import TakeOffPause
 from housefly.bus.bus import Bus
 from housefly.bus.rate import Rate
-from housefly.bus.topics import (
-    LINK_TOPIC,
-    OBSTACLE_TOPIC,
-    ORDER_TOPIC,
-    RECORDING_TOPIC,
-    SIGHT_TOPIC,
-    STAND_DOWN_QUERY,
-    VIDEO_TOPIC,
-)
+from housefly.bus.topics import OBSTACLE_TOPIC, SIGHT_TOPIC, DroneTopics
 from housefly.clock import RealClock
 from housefly.config.frame_check import frames_known
 from housefly.config.process_log import log_traceback
@@ -99,6 +91,7 @@ class PilotShell:
         maneuver: Maneuver | None = None,
         origin: OriginMemory | None = None,
     ) -> None:
+        self._topics = DroneTopics(loaded.site.drone.name)
         self._queries = PilotQueryServer(loaded, bus)
         self.pilot = make_pilot(
             loaded.site, loaded.room, loaded.grid, maneuver, frames=frames_known(loaded.site)
@@ -106,7 +99,7 @@ class PilotShell:
         self._origin = origin or OriginMemory(loaded.site)
         self._disks = disks_of(loaded.site)
         self._load = machine_load()
-        self._stand_down = StandDown()
+        self._stand_down = TakeOffPause()
         self._outputs: Outputs | None = None
         self._body = loaded.site.tracking.body
         self._people_note = people_note(loaded.site)
@@ -127,7 +120,7 @@ class PilotShell:
         self._drone_problem = ""
         self._failure = UNSAID
         self._is_cut = False
-        self._publisher = PilotPublisher(bus)
+        self._publisher = PilotPublisher(bus, self._topics)
         self._pose_rate: PoseRate | None = None
 
     async def run(self) -> None:
@@ -137,15 +130,17 @@ class PilotShell:
             StepFailure: the step failed; the drone is down, or did not land in time.
         """
         loop = asyncio.get_running_loop()
-        orders = self._bus.subscribe(ORDER_TOPIC, self._orders.add)
+        orders = self._bus.subscribe(self._topics.order, self._orders.add)
         obstacles = self._bus.subscribe(OBSTACLE_TOPIC, self._obstacles.add)
         sight = self._bus.subscribe(
             SIGHT_TOPIC, lambda news: _soon(loop, lambda: self._sight.heard(news))
         )
         recording = self._bus.subscribe(
-            RECORDING_TOPIC, lambda news: _soon(loop, lambda: self._recording.heard(news))
+            self._topics.recording, lambda news: _soon(loop, lambda: self._recording.heard(news))
         )
-        standing = self._bus.answer(STAND_DOWN_QUERY, lambda _: self._asked_to_stand_down(loop))
+        standing = self._bus.answer(
+            self._topics.stand_down, lambda _: self._asked_to_stand_down(loop)
+        )
         self._drone.on_video(self._on_video)
         tasks = [
             asyncio.create_task(self._tracker.run(self._on_sightings)),
@@ -283,7 +278,7 @@ class PilotShell:
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._video.add(frame.received_at)
-        self._publisher.publish(VIDEO_TOPIC, frame)
+        self._publisher.publish(self._topics.video, frame)
 
     async def _connect_drone(self) -> None:
         while True:
@@ -303,7 +298,7 @@ class PilotShell:
 
     def _report(self) -> None:
         self._load = machine_load(self._lateness.percentiles()[1])
-        self._publisher.publish(LINK_TOPIC, self._link_status())
+        self._publisher.publish(self._topics.link, self._link_status())
         self._look_at_preflight()
 
     async def _show_recording(self) -> None:

@@ -7,6 +7,7 @@ import socket
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from housefly.config.airframe import installed_models
 from housefly.config.site import Site
 from housefly.config.tracking import MocapWire
 from housefly.errors import LinkError
@@ -49,9 +50,11 @@ class PortNeed:
 def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
     """Return the ports that a site needs on this machine, and which are in use."""
     needs = []
-    if site.twin.enabled and site.drone.enabled:
-        remedy = "drone.address, for example 127.0.0.2"
-        needs.append(_need("simulated drone", site.drone.address, _DRONE_PORTS, remedy))
+    for drone in site.all_drones if site.twin.enabled else ():
+        if drone.enabled and drone.kind not in installed_models():
+            of = f" {drone.name}" if len(site.drone_names) > 1 else ""
+            remedy = "drone.address, for example 127.0.0.2"
+            needs.append(_need(f"simulated drone{of}", drone.address, _DRONE_PORTS, remedy))
     if site.twin.enabled:
         if site.tracking.enabled:
             needs += [_tracking_need(site, wire) for wire in site.served_wires]

@@ -10,9 +10,9 @@ from math import isfinite
 from housefly.app.console_answer import console_answers
 from housefly.app.machine_load import machine_load
 from housefly.bus.bus import Bus, Subscription
-from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, SIGHT_TOPIC, STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, SIGHT_TOPIC, DroneTopics
 from housefly.config.site import Site
-from housefly.messages import LinkStatus, PilotStep, SightNews, VideoFrame
+from housefly.messages import LinkStatus, PilotStep, SightNews
 
 
 class Readiness:
@@ -38,20 +38,37 @@ class Readiness:
         self._site, self._on_console = site, on_console
         self._lock = threading.Lock()
         self._seen: set[str] = set()
+        names = site.drone_names
+        several = len(names) > 1
+        self._of = {name: f" of {name}" if several else "" for name in names or (site.drone.name,)}
+        each = [self._of[name] for name in names]
         self._wanted = [
-            *(["pilot"] if site.drone.enabled else []),
+            *(f"pilot{of}" for of in each),
             *(["tracking"] if site.tracking.enabled else []),
-            *(["drone"] if site.drone.enabled else []),
+            *(f"drone{of}" for of in each),
             *(["sensors for people"] if site.sees_people else []),
-            *(["picture"] if video else []),
+            *(f"picture{self._of[name]}" for name in self._with_picture(video)),
             *(["console"] if web else []),
         ]
-        self._notes: tuple[str, ...] = ()
+        self._notes: dict[str, tuple[str, ...]] = {}
         self._open = [
-            bus.subscribe(STEP_TOPIC, self._on_step),
-            bus.subscribe(LINK_TOPIC, self._on_link),
-            bus.subscribe(VIDEO_TOPIC, self._on_video),
-            *([] if site.drone.enabled else self._without_pilot(bus)),
+            *(one for name, of in self._of.items() for one in self._of_drone(bus, name, of)),
+            *([] if names else self._without_pilot(bus)),
+        ]
+
+    def _with_picture(self, video: bool) -> list[str]:
+        names = self._site.drone_names if video else ()
+        return [name for name in names if self._site.for_drone(name).has_picture]
+
+    def _of_drone(self, bus: Bus, name: str, of: str) -> list[Subscription]:
+        def on_link(link: LinkStatus) -> None:
+            self._notes = self._notes | {name: link.notes}
+
+        topics = DroneTopics(name)
+        return [
+            bus.subscribe(topics.step, lambda step: self._on_step(step, of)),
+            bus.subscribe(topics.link, on_link),
+            bus.subscribe(topics.video, lambda _: self._see(f"picture{of}")),
         ]
 
     def _without_pilot(self, bus: Bus) -> list[Subscription]:
@@ -104,25 +121,20 @@ class Readiness:
     def _words(self, missing: list[str]) -> str:
         if not missing:
             return ""
-        found = dict.fromkeys(filter(None, (*self._notes, machine_load().note)))
-        notes = f" ({'; '.join(found)})" if found else ""
-        return f"waiting for {', '.join(missing)}{notes}"
+        notes = (note for each in self._notes.values() for note in each)
+        found = dict.fromkeys(filter(None, (*notes, machine_load().note)))
+        more = f" ({'; '.join(found)})" if found else ""
+        return f"waiting for {', '.join(missing)}{more}"
 
     def _see(self, name: str) -> None:
         with self._lock:
             self._seen.add(name)
 
-    def _on_step(self, step: PilotStep) -> None:
-        self._see("pilot")
+    def _on_step(self, step: PilotStep, of: str) -> None:
+        self._see(f"pilot{of}")
         if step.outputs.estimate is not None:
             self._see("tracking")
         if step.inputs.telemetry is not None:
-            self._see("drone")
+            self._see(f"drone{of}")
         if isfinite(step.inputs.people_seen_at):
             self._see("sensors for people")
-
-    def _on_link(self, link: LinkStatus) -> None:
-        self._notes = link.notes
-
-    def _on_video(self, frame: VideoFrame) -> None:
-        self._see("picture")

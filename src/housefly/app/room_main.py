@@ -20,14 +20,7 @@ from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
-from housefly.bus.topics import (
-    FRAME_TOPIC,
-    LINK_TOPIC,
-    PLAN_QUERY,
-    PREFLIGHT_QUERY,
-    ROOM_QUERY,
-    STAND_DOWN_QUERY,
-)
+from housefly.bus.topics import FRAME_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.config.process_log import log_line, log_traceback
@@ -102,18 +95,19 @@ class DronelessPilot:
         room, home = to_json(room_view(loaded)), loaded.room.home
         refused = to_json(PlanAnswer(home, home, None, literal(NO_DRONE)))
         unready = to_json(PreflightView())
+        topics = self._topics = DroneTopics(loaded.site.drone.name)
         self._answering = [
-            bus.answer(ROOM_QUERY, lambda _: room),
-            bus.answer(PLAN_QUERY, lambda _: refused),
-            bus.answer(PREFLIGHT_QUERY, lambda _: unready),
-            bus.answer(STAND_DOWN_QUERY, lambda _: ""),
+            bus.answer(topics.room, lambda _: room),
+            bus.answer(topics.plan, lambda _: refused),
+            bus.answer(topics.preflight, lambda _: unready),
+            bus.answer(topics.stand_down, lambda _: ""),
         ]
 
     async def run(self) -> None:
         """Run until cancelled."""
         try:
             while True:
-                self._bus.publish(LINK_TOPIC, self._link_status())
+                self._bus.publish(self._topics.link, self._link_status())
                 due = self._clock.now() + _LINK_PERIOD
                 await asyncio.sleep(_LINK_PERIOD)
                 self._late = self._clock.now() - due
@@ -142,7 +136,7 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
         if tracker is not None:
             tracking = RoomTracking(tracker, bus, runtime.tracking_socket, clock)
             work, frames = [tracking.run()], tracking.frames
-        if not site.drone.enabled:
+        if not site.drone_names:
             work.append(DronelessPilot(loaded, bus, tracker, frames, clock).run())
         running = asyncio.gather(*work)
         loop = asyncio.get_running_loop()

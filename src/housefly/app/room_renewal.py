@@ -14,10 +14,10 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from housefly.app.launcher import Launcher
-from housefly.app.stand_down import STAND_DOWN_TIME
+from housefly.app.launcher import Launcher, pilot_process
+from housefly.app.take_off_pause import TAKE_OFF_PAUSE_TIME
 from housefly.bus.bus import Bus
-from housefly.bus.topics import STAND_DOWN_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.config.site import Site
 from housefly.config.state import edits_folder
 from housefly.errors import EditsError, HouseflyError, LinkError, StaleEdits
@@ -26,14 +26,15 @@ from housefly.sites.loaded_site import open_site, with_newest_edits
 
 _LOG = logging.getLogger(__name__)
 
-ROOM_READERS = ("pilot", "hub", "perception", "tasks")
-"""They keep places, zones or the map; in this order they start again. The room's own solids, which
-the twin has, and what the console shows, which the pilot tells, are not among them."""
+ROOM_READERS = ("hub", "perception", "tasks")
+"""They keep places, zones or the map; after the pilots, in this order, they start again. The room's
+own solids, which the twin has, and what the console shows, which the pilot tells, are not among
+them."""
 _ANSWER_PAUSE = 0.5
 """Before the pilot is ended, through which the answer goes [s]."""
 _PATIENCE = 2.0
 """How long the pilot may take to give its word [s]."""
-_WORD_HOLDS = STAND_DOWN_TIME - _PATIENCE
+_WORD_HOLDS = TAKE_OFF_PAUSE_TIME - _PATIENCE
 """So long after it was asked its word is relied on [s]."""
 
 
@@ -91,15 +92,21 @@ class RoomRenewal:
         def begin() -> bool:
             return self._swap(staged, path, deadline)
 
+        site = self._launcher.runtime.site()
+        pilots = tuple(pilot_process(site, name).name for name in site.drone_names)
         # Without a pilot it is the room's process that tells what the room is like.
-        first = () if self._launcher.runtime.site().drone.enabled else ("room",)
-        self._launcher.renew((*first, *ROOM_READERS), _ANSWER_PAUSE, begin)
+        self._launcher.renew((*(pilots or ("room",)), *ROOM_READERS), _ANSWER_PAUSE, begin)
 
     def _pilots_objection(self) -> str:
-        try:
-            return self._bus.ask(STAND_DOWN_QUERY, "", _PATIENCE)
-        except LinkError:
-            return "the pilot does not answer, so nobody knows whether the drone flies"
+        site = self._launcher.runtime.site()
+        for name in site.drone_names or (site.drone.name,):
+            try:
+                objection = self._bus.ask(DroneTopics(name).stand_down, "", _PATIENCE)
+            except LinkError:
+                objection = "the pilot does not answer, so nobody knows whether the drone flies"
+            if objection:
+                return f"{name}: {objection}" if len(site.drone_names) > 1 else objection
+        return ""
 
     def _swap(self, staged: Path, path: Path, deadline: float) -> bool:
         """Put the new site in place of the old one, while the pilot's word holds."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 import logging
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC
+from housefly.bus.topics import ROOM_EVENT_TOPIC, DroneTopics
+from housefly.config.drone import DRONE_NAME
 from housefly.config.process_log import log_line
 from housefly.errors import HouseflyError
 from housefly.messages import Order, RoomEvent
@@ -30,13 +31,14 @@ class BusTaskOutlet:
         self.mqtt: MqttLink | None = None
         self._bus, self._said = bus, task_topic(site, "said")
 
-    def order(self, order: Order) -> None:
-        """Give the pilot an order."""
+    def order(self, order: Order, drone: str) -> None:
+        """Give a drone's pilot an order."""
         try:
-            self._bus.publish(ORDER_TOPIC, order)
+            self._bus.publish(DroneTopics(drone).order, order)
         except HouseflyError as error:
             _log.error("an order could not be given: %s", error)
-        log_line(f"order: {order.kind.value} by {order.sender}")
+        to = "" if drone == DRONE_NAME else f" to {drone}"
+        log_line(f"order{to}: {order.kind.value} by {order.sender}")
 
     def tell(self, event: RoomEvent) -> None:
         """Tell the room's memory what happened."""

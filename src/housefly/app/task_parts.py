@@ -6,23 +6,23 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from housefly.app.live_task_room import LiveTaskRoom
+from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.config.state import clips_folder, tasks_folder
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError
+from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.hub.api.questions import Question
 from housefly.hub.client.room_queries import AskedRoom
 from housefly.sites.loaded_site import LoadedSite
-from housefly.tasks.api.values import HouseMode
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import TaskDocument
 from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.engine.task_engine import TaskEngine
 from housefly.tasks.engine.task_outlet import TaskOutlet, TaskRehearser
 from housefly.tasks.engine.task_rehearsals import TaskRehearsals
 from housefly.tasks.engine.task_runs import TaskRuns
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
-from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.task_run import HOLD_PERIOD
 from housefly.tasks.intents.names import names_of_room
 from housefly.tasks.rules.room_facts import AskedRoomFacts
@@ -42,8 +42,7 @@ _ASKING_PATIENCE = 5.0
 
 def task_service(
     loaded: LoadedSite,
-    room: LiveTaskRoom,
-    inbox: StepInbox,
+    rooms: Mapping[str, LiveTaskRoom],
     rehearser: TaskRehearser,
     outlet: TaskOutlet,
     clock: Callable[[], float],
@@ -54,8 +53,7 @@ def task_service(
 
     Args:
         loaded: the site.
-        room: memory, people and viewpoints as of now.
-        inbox: the pilot's steps.
+        rooms: by drone: memory, people and viewpoints as of now.
         rehearser: flies in lock step.
         outlet: takes orders and events.
         clock: the pilot's [s].
@@ -67,19 +65,22 @@ def task_service(
     """
     site, folder = loaded.site, tasks_folder(loaded.site)
     config = site.tasks
-    own, has_drone = config.documents, site.drone.enabled
-    library = OpenLibrary(Path(own) if own else None, has_drone=has_drone)
+    own, has_drone = config.documents, bool(site.drone_names)
+    library = OpenLibrary(
+        Path(own) if own else None, has_drone=has_drone, has_camera=site.has_camera
+    )
     rules, wrong_rules = _rules(config)
     rules = rules if has_drone else rules_without_flight(rules, library)
     rule_store = RuleStore(folder, HouseMode(config.mode))
     store = TaskStore(folder / TASK_FILE)
-    clips = ClipRecorder(clips_folder(site), config)
+    drones = TaskDrones(*(_drone(site, name, room) for name, room in rooms.items()))
+    room = next(iter(rooms.values()))
     rehearsals = TaskRehearsals(rehearser)
-    actions = TaskActions(outlet, clips, site.tracking.body)
-    runs = TaskRuns(room, rehearsals, actions, inbox)
+    actions = TaskActions(outlet, drones)
+    runs = TaskRuns(drones, rehearsals, actions)
     runs.recording = recording
     limits = SchedulerLimits(config.queue, config.beside, config.confirm_time, config.fresh_time)
-    engine = TaskEngine(store, limits, runs, actions)
+    engine = TaskEngine(store, limits, runs, actions, drones)
 
     def ask(question: Question) -> object:
         return room.ask(question, _ASKING_PATIENCE)
@@ -90,9 +91,8 @@ def task_service(
         store,
         rehearsals,
         actions,
-        inbox,
+        drones,
         RuleService(RuleEngine(rules), rule_store, AskedRoomFacts(room.ask), wrong_rules),
-        clips,
         AskedRoom(ask),
         outlet,
         names_of_room(loaded.room),
@@ -110,6 +110,11 @@ def task_service(
     )
     service = TaskService(parts, clock, wall)
     return service, parts, tuple(problem for problem in problems if problem)
+
+
+def _drone(site: Site, name: str, room: LiveTaskRoom) -> TaskDrone:
+    body = site.for_drone(name).tracking.body
+    return TaskDrone(name, body, room, ClipRecorder(clips_folder(site), site.tasks))
 
 
 def _rules(config: TasksConfig) -> tuple[tuple[Rule, ...], str]:

@@ -16,6 +16,7 @@ import signal
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from housefly.app.live_task_room import LiveTaskRoom
@@ -26,11 +27,8 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import (
     FRAME_TOPIC,
     OBSTACLE_TOPIC,
-    PREFLIGHT_QUERY,
-    RECORDING_TOPIC,
-    STEP_TOPIC,
     TASKS_QUERY,
-    VIDEO_TOPIC,
+    DroneTopics,
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
@@ -38,29 +36,30 @@ from housefly.config.environment import ROOM_KEY_VARIABLE
 from housefly.config.process_log import log_line
 from housefly.config.text import without_numbers
 from housefly.errors import HouseflyError, LinkError
+from housefly.evidence.camera_pose import camera_pose_of
 from housefly.hub.api.answers import News
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.hub.api.pilot_queries_json import from_json
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
+from housefly.lab.rehearsal.drone_rehearsers import DroneRehearsers
 from housefly.lab.rehearsal.rehearsal_ahead import tasks_ahead
 from housefly.lab.rehearsal.rehearser import Rehearser
-from housefly.lab.rehearsal.room_now import room_now
-from housefly.messages import PilotStep, RecordingNews, VideoFrame
+from housefly.lab.rehearsal.room_now import RoomNow, room_now
+from housefly.messages import RecordingNews, VideoFrame
 from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.preflight import preflight_refusal
 from housefly.sites.loaded_site import LoadedSite, open_site
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.tasks.client.tasks_client import tasks_socket
-from housefly.tasks.evidence.camera_pose import camera_pose_of
+from housefly.tasks.engine.drone_state import TakeOffReadiness
+from housefly.tasks.engine.task_drones import TaskDrone
 from housefly.tasks.execution.live_obstacles import LiveObstacles
-from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.rules.dry_run import event_of
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
-from housefly.tasks.service.drone_state import TakeOffReadiness
 
 _log = logging.getLogger(__name__)
 
@@ -89,21 +88,23 @@ class TasksProcess:
         self._bus, self._wall = bus, WallClock()
         self._live = LiveObstacles(loaded.site, loaded.room)
         site, clock, wall = loaded.site, RealClock(), self._wall.now
-        room, inbox = LiveTaskRoom(loaded, bus, self._live, clock.now), StepInbox()
-        self._rehearser = Rehearser(
-            loaded, lambda: room_now(self._live, inbox.newest, clock.now(), wall()), room.ask
+        sites = {name: loaded.for_drone(name) for name in site.drone_names or (site.drone.name,)}
+        rooms = {name: LiveTaskRoom(one, bus, self._live, clock.now) for name, one in sites.items()}
+        self._rehearser = DroneRehearsers(
+            {name: partial(self._rehearser_of, one, rooms[name]) for name, one in sites.items()}
         )
+        self._topics = {name: DroneTopics(name) for name in sites}
         outlet = BusTaskOutlet(bus, site.mqtt.site)
         self.service, self._parts, problems = task_service(
             loaded,
-            room,
-            inbox,
+            rooms,
             self._rehearser,
             outlet,
             clock.now,
             wall,
             str(recording or ""),
         )
+        self._rehearser.start()
         for problem in problems:
             log_line(f"tasks: {problem}")
         self._triggers: queue.Queue[Trigger] = queue.Queue(_MAX_TRIGGERS)
@@ -113,15 +114,30 @@ class TasksProcess:
             outlet.mqtt = MqttLink(site.mqtt, site.tasks, rules, self.service.answer, wall)
         self._mqtt = outlet.mqtt
         self._published: TaskBoard | None = None
-        self._recording = RecordingNews(float("-inf"), records=False)
+        self._recording = dict.fromkeys(sites, RecordingNews(float("-inf"), records=False))
+
+    def _rehearser_of(self, loaded: LoadedSite, room: LiveTaskRoom) -> Rehearser:
+        """Start the rehearsals of one drone."""
+        inbox, clock = self._parts.drones[loaded.site.drone.name].inbox, RealClock()
+
+        def look() -> RoomNow:
+            return room_now(self._live, inbox.newest, clock.now(), self._wall.now())
+
+        return Rehearser(loaded, look, room.ask)
 
     async def run(self) -> None:
         """Run until cancelled; then what flies is sent home."""
         bus = self._bus
         subscriptions = (
             bus.subscribe(FRAME_TOPIC, self._live.heard_frame),
-            bus.subscribe(STEP_TOPIC, self._on_step),
-            bus.subscribe(VIDEO_TOPIC, self._on_video),
+            *(
+                bus.subscribe(self._topics[name].step, drone.inbox.add)
+                for name, drone in self._parts.drones.items()
+            ),
+            *(
+                bus.subscribe(self._topics[name].video, partial(_film, drone))
+                for name, drone in self._parts.drones.items()
+            ),
             bus.subscribe(OBSTACLE_TOPIC, self._live.heard_obstacle),
             bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
             bus.answer(TASKS_QUERY, self.service.answer, _ANSWERERS),
@@ -142,22 +158,16 @@ class TasksProcess:
 
     def _tick(self) -> None:
         self.service.tick()
-        self._tell_recording(RealClock().now())
+        for drone in self._parts.drones.values():
+            self._tell_recording(drone, RealClock().now())
 
-    def _tell_recording(self, now: float) -> None:
+    def _tell_recording(self, drone: TaskDrone, now: float) -> None:
         """Tell the pilot, whose drone shows it; again and again, for it stops when this dies."""
-        before, news = self._recording, RecordingNews(now, self._parts.clips.is_taking)
+        before, news = self._recording[drone.name], RecordingNews(now, drone.clips.is_taking)
         is_due = news.records and now - before.at >= _RECORDING_PERIOD
         if is_due or news.records is not before.records:
-            self._recording = news
-            self._bus.publish(RECORDING_TOPIC, news)
-
-    def _on_step(self, step: PilotStep) -> None:
-        self._parts.inbox.add(step)
-
-    def _on_video(self, frame: VideoFrame) -> None:
-        step = self._parts.inbox.newest
-        self._parts.clips.add(frame, None if step is None else camera_pose_of(step))
+            self._recording[drone.name] = news
+            self._bus.publish(self._topics[drone.name].recording, news)
 
     def _on_news(self, news: News) -> None:
         for event in news.events:
@@ -176,20 +186,28 @@ class TasksProcess:
         if not self._parts.has_drone:
             return
         self._rehearser.rehearse_ahead(self._tasks_ahead)
+        for name, drone in self._parts.drones.items():
+            drone.readiness = self._asked_readiness(self._topics[name])
+
+    def _asked_readiness(self, topics: DroneTopics) -> TakeOffReadiness:
         try:
-            view = from_json(PreflightView, self._bus.ask(PREFLIGHT_QUERY, "", 0.5))
+            view = from_json(PreflightView, self._bus.ask(topics.preflight, "", 0.5))
         except HouseflyError:
-            self.service.readiness = TakeOffReadiness()
-            return
+            return TakeOffReadiness()
         refused = None if view.ready else preflight_refusal(view.checks)
         words = UNSAID if view.ready else refused.reason if refused else Words("not looked at yet")
-        self.service.readiness = TakeOffReadiness(view.ready, words)
+        return TakeOffReadiness(view.ready, words)
 
     def _publish_board(self) -> None:
         board = self.service.board()
         before, self._published = self._published, board
         if before is None or replace(board, at=before.at) != before:
             self._bus.publish(TASK_NEWS_TOPIC, board)
+
+
+def _film(drone: TaskDrone, frame: VideoFrame) -> None:
+    step = drone.inbox.newest
+    drone.clips.add(frame, None if step is None else camera_pose_of(step))
 
 
 async def _every(period: float, work: Callable[[], None]) -> None:

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
+from housefly.config.drone import DRONE_NAME
 from housefly.errors import WireError
 from housefly.messages import (
     DepthImage,
@@ -75,22 +76,6 @@ class Topic(Generic[_Message]):
 
 
 FRAME_TOPIC: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
-# Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing, and can
-# replay bit for bit.
-STEP_TOPIC: Topic[PilotStep] = Topic(
-    "pilot/step", PilotStep, Delivery.LATEST, depth=1000, max_size=2**20
-)
-TRAJECTORY_TOPIC: Topic[PlannedTrajectory] = Topic(
-    "pilot/trajectory", PlannedTrajectory, Delivery.LATEST
-)
-"""Beside the steps, whose form old recordings hold."""
-LINK_TOPIC: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
-VIDEO_TOPIC: Topic[VideoFrame] = Topic(
-    "drone/video", VideoFrame, Delivery.LATEST, depth=15, max_size=4 * 2**20
-)
-ORDER_TOPIC: Topic[Order] = Topic(
-    "cmd/order", Order, Delivery.EVERY, max_size=2048, fault=order_fault
-)
 OBSTACLE_TOPIC: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
 DEPTH_TOPIC: Topic[DepthImage] = Topic(
     "room/depth", DepthImage, Delivery.LATEST, depth=2, max_size=16 * 2**20
@@ -99,34 +84,62 @@ ROOM_EVENT_TOPIC: Topic[RoomEvent] = Topic(
     "room/event", RoomEvent, Delivery.EVERY, max_size=16 * 1024
 )
 """What a process other than the hub says has happened; the hub keeps it."""
-RECORDING_TOPIC: Topic[RecordingNews] = Topic("tasks/recording", RecordingNews, Delivery.LATEST)
 SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 SIGHT_TOPIC: Topic[SightNews] = Topic("room/sight", SightNews, Delivery.LATEST)
 
-TOPICS = (
+
+class DroneTopics:
+    """The topics and queries of one drone of the room.
+
+    Args:
+        name: of the drone.
+
+    Attributes:
+        name: of the drone.
+        step: what its pilot heard and decided.
+        trajectory: what is planned in space; beside the steps, whose form old recordings hold.
+        link: health of the pilot's wires and loop.
+        video: its camera.
+        order: what people and tasks ask of it.
+        recording: whether its camera is recorded.
+        plan: query: JSON request of a plan -> JSON answer (see ``hub.api.pilot_queries``).
+        room: query: "" -> JSON view of the room and of this drone's map (likewise).
+        preflight: query: "" -> JSON list of the pre-flight checks (likewise).
+        stand_down: query: "" -> "", and its pilot takes no order to fly for a moment, or why not,
+            in words.
+    """
+
+    def __init__(self, name: str = DRONE_NAME) -> None:
+        self.name, key = name, f"drones/{name}"
+        # Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing,
+        # and can replay bit for bit.
+        self.step = Topic(f"{key}/step", PilotStep, Delivery.LATEST, depth=1000, max_size=2**20)
+        self.trajectory = Topic(f"{key}/trajectory", PlannedTrajectory, Delivery.LATEST)
+        self.link = Topic(f"{key}/link", LinkStatus, Delivery.LATEST)
+        self.video = Topic(
+            f"{key}/video", VideoFrame, Delivery.LATEST, depth=15, max_size=4 * 2**20
+        )
+        self.order = Topic(f"{key}/order", Order, Delivery.EVERY, max_size=2048, fault=order_fault)
+        self.recording = Topic(f"{key}/recording", RecordingNews, Delivery.LATEST)
+        self.plan, self.room = f"{key}/plan", f"{key}/room"
+        self.preflight, self.stand_down = f"{key}/preflight", f"{key}/stand_down"
+
+    @property
+    def all(self) -> tuple[Topic[Any], ...]:
+        """Every topic of the drone."""
+        return self.step, self.trajectory, self.link, self.video, self.order, self.recording
+
+
+ROOM_TOPICS: tuple[Topic[Any], ...] = (
     FRAME_TOPIC,
-    STEP_TOPIC,
-    TRAJECTORY_TOPIC,
-    LINK_TOPIC,
-    VIDEO_TOPIC,
-    ORDER_TOPIC,
     OBSTACLE_TOPIC,
     DEPTH_TOPIC,
     SENSOR_TOPIC,
     SIGHT_TOPIC,
     ROOM_EVENT_TOPIC,
-    RECORDING_TOPIC,
 )
-"""All topics of ``housefly.messages``; hub and tasks have one each of their own answers."""
+"""Those of ``housefly.messages`` that are no drone's; hub and tasks have one each of their own."""
 
-PLAN_QUERY = "pilot/plan"
-"""Query: JSON request of a plan -> JSON answer (see ``hub.api.pilot_queries``)."""
-ROOM_QUERY = "pilot/room"
-"""Query: "" -> JSON view of the room and its map (see ``hub.api.pilot_queries``)."""
-PREFLIGHT_QUERY = "pilot/preflight"
-"""Query: "" -> JSON list of the pre-flight checks (see ``hub.api.pilot_queries``)."""
-STAND_DOWN_QUERY = "pilot/stand_down"
-"""Query: "" -> "", and the pilot takes no order to fly for a moment, or why not, in words."""
 USE_EDITS_QUERY = "run/use_edits"
 """Query to the launcher: number of saved edits -> "", and they come into use, or why not."""
 HUB_QUERY = "hub/ask"

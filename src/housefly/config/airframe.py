@@ -7,13 +7,15 @@ its numbers, or each number as ``{ value = ..., source = "..." }``; a number wit
 from __future__ import annotations
 
 import tomllib
+from enum import Enum
 from functools import lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Self
 
 from pydantic import Field, ValidationError, model_validator
 
-from housefly.config.capabilities import Capabilities
+from housefly.config.capabilities import Capabilities, OwnMeasurement
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
 from housefly.geometry import stopping_distance
@@ -144,6 +146,15 @@ class BatteryConstants(Section):
     endurance: float = quantity(..., 30.0, 7200.0, "s", "flight time of a full battery, as rated")
 
 
+class FlowConstants(Section):
+    """Its own measurement of its velocity over the ground."""
+
+    delay: float = quantity(..., 0.0, 0.5, "s", "velocity and height of a report are this old")
+    noise: float = quantity(..., 0.0, 1.0, "m/s", "white noise of a velocity, one sigma")
+    bias: float = quantity(..., 0.0, 0.5, "m/s", "slowly wandering bias, one sigma")
+    bias_time: float = quantity(..., 0.1, 1000.0, "s", "correlation time of that bias")
+
+
 class SonarConstants(Section):
     """Its own measurement of the height above what is below."""
 
@@ -175,13 +186,25 @@ class LinkConstants(Section):
     )
 
 
+class Ability(Enum):
+    """What the pilot makes use of where a drone has it, and does without where it has not."""
+
+    HOVER = "a hover of its own"
+    HEIGHT = "its own height"
+    VELOCITY = "its own velocity"
+    ATTITUDE = "its own attitude"
+    TILT = "steering by tilt"
+    CAMERA = "a camera"
+
+
 class Airframe(Section):
     """One model of drone.
 
     Attributes:
         name: as its maker calls it.
         capabilities: what it can do.
-        body, response, braking, brake, take_off, landing, battery, sonar, link: its constants.
+        body, response, braking, brake, take_off, landing, battery, link: its constants.
+        sonar, flow: its own measurements of height and velocity; None where it has none.
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
@@ -193,8 +216,33 @@ class Airframe(Section):
     take_off: TakeOffConstants
     landing: LandingConstants
     battery: BatteryConstants
-    sonar: SonarConstants
+    sonar: SonarConstants | None = None
+    flow: FlowConstants | None = None
     link: LinkConstants
+
+    @property
+    def lacks(self) -> frozenset[Ability]:
+        """What others of its kind have, and it has not."""
+        able = self.capabilities
+        has = {
+            Ability.HOVER: able.hovers,
+            Ability.HEIGHT: self.sonar is not None,
+            Ability.VELOCITY: self.flow is not None,
+            Ability.ATTITUDE: OwnMeasurement.ATTITUDE in able.measures,
+            Ability.TILT: able.form is SetpointForm.TILT_AND_CLIMB,
+            Ability.CAMERA: able.camera is not None,
+        }
+        return frozenset(ability for ability, is_had in has.items() if not is_had)
+
+    @model_validator(mode="after")
+    def _knows_what_it_measures(self) -> Self:
+        for part, own in (("sonar", OwnMeasurement.HEIGHT), ("flow", OwnMeasurement.VELOCITY)):
+            if (getattr(self, part) is not None) is not (own in self.capabilities.measures):
+                raise ValueError(
+                    f"{part} and {own.value!r} in capabilities.measures: one without the other;"
+                    " allowed: both, or neither"
+                )
+        return self
 
     @model_validator(mode="after")
     def _says_what_its_form_needs(self) -> Self:
@@ -215,16 +263,47 @@ _NEEDED: dict[SetpointForm, tuple[str, ...]] = {
 """Constants of the response that the pilot needs for a form of setpoints."""
 
 
+@lru_cache
+def installed_models() -> dict[str, str]:
+    """Return the packages of drones that others have installed, by the names of their models.
+
+    Each says so by one line, an entry point of the group ``housefly.drones``, and holds
+    ``airframe.toml``, ``driver.py`` with a ``Driver``, and ``twin.py`` with a ``Server``.
+    """
+    # not loaded where all drones are ours: the driver's process is kept small
+    from importlib.metadata import entry_points
+
+    return {entry.name: entry.value for entry in entry_points(group="housefly.drones")}
+
+
 def airframe_names() -> tuple[str, ...]:
-    """Return the models that are known, by the names of their files."""
-    return tuple(sorted(path.stem for folder in folders for path in folder.glob("*.toml")))
+    """Return the models that are known: ours by the names of their files, and installed ones."""
+    ours = {path.stem for folder in folders for path in folder.glob("*.toml")}
+    return tuple(sorted(ours | installed_models().keys()))
+
+
+def is_model(name: str) -> bool:
+    """Return whether there is a model of this name."""
+    is_plain = name.isidentifier()
+    return is_plain and (_own_file(name) is not None or name in installed_models())
 
 
 @lru_cache
 def airframe_named(model: str) -> Airframe:
     """Return the airframe of a model; raises ConfigError as ``airframe_in`` does."""
+    return airframe_in(_own_file(model) or _installed_file(model))
+
+
+def _own_file(model: str) -> Path | None:
     files = (folder / f"{model}.toml" for folder in folders)
-    return airframe_in(next(filter(Path.is_file, files), FOLDER / f"{model}.toml"))
+    return next(filter(Path.is_file, files), None)
+
+
+def _installed_file(model: str) -> Path:
+    found = find_spec(installed_models().get(model, "")) if model in installed_models() else None
+    if found is None or found.origin is None:
+        raise ConfigError("drone.kind", f"is {model!r}; there is no airframe of that name")
+    return Path(found.origin).parent / "airframe.toml"
 
 
 def airframe_in(path: Path) -> Airframe:

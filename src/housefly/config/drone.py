@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, field_validator
 
-from housefly.config.airframe import Airframe, airframe_named, airframe_names
+from housefly.config.airframe import Airframe, airframe_named, airframe_names, is_model
 from housefly.config.section import Section
 
 TWIN_ODOMETRY_ERROR = 0.001
@@ -94,6 +94,11 @@ class DroneConfig(Section):
     )
 
     @property
+    def has_camera(self) -> bool:
+        """Whether it is flown and has a camera."""
+        return self.enabled and self.airframe.capabilities.camera is not None
+
+    @property
     def reach(self) -> float:
         """From its middle to the corners of its hull [m]."""
         return 0.5 * hypot(self.hull_length, self.hull_width)
@@ -106,6 +111,6 @@ class DroneConfig(Section):
     @field_validator("kind")
     @classmethod
     def _known(cls, kind: str) -> str:
-        if kind not in (known := airframe_names()):
-            raise ValueError(f"is {kind!r}; allowed: {', '.join(known)}")
+        if not is_model(kind):
+            raise ValueError(f"is {kind!r}; allowed: {', '.join(airframe_names())}")
         return kind

@@ -67,6 +67,20 @@ def drone_of(
     return DroneConfig(**(_given(all_have) | kind | model | named))
 
 
+def drone_in_tree(site: Mapping[str, Any], name: str) -> DroneConfig:
+    """Return a drone of a checked site that was written as JSON, without reading all of it.
+
+    Raises:
+        KeyError: there is none of this name.
+    """
+    all_have = DroneConfig(**site["drone"])
+    if not site["drones"]:
+        return all_have
+    models = {key: DroneModelConfig(**model) for key, model in site["models"].items()}
+    own = {table["name"]: NamedDroneConfig(**table) for table in site["drones"]}
+    return drone_of(own[name], models, all_have)
+
+
 def resolved(
     own: NamedDroneConfig, models: Mapping[str, DroneModelConfig], all_have: DroneConfig
 ) -> NamedDroneConfig:

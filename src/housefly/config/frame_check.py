@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from housefly.config.drone import DRONE_NAME
 from housefly.config.durable import sync_file, sync_folder
 from housefly.config.site import Site
 from housefly.config.state import database_file
@@ -51,9 +52,10 @@ def tracking_digest(tracking: TrackingConfig) -> str:
 
 
 def frame_check_file(site: Site) -> Path:
-    """Return where the outcome is kept: beside the memory of the site, apart from other sites'."""
-    file = database_file(site)
-    return file.with_name("frames.toml" if file.name == _DATABASE else f"{file.stem}-frames.toml")
+    """Return where the outcome is kept: beside the memory of the site, one for each drone."""
+    file, drone = database_file(site), site.drone.name
+    name = "frames" if drone == DRONE_NAME else f"frames-{drone}"
+    return file.with_name(f"{name}.toml" if file.name == _DATABASE else f"{file.stem}-{name}.toml")
 
 
 def write_frame_check(site: Site, record: FrameCheckRecord) -> Path:

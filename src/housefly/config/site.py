@@ -131,6 +131,13 @@ class Site(Section):
             return (self.drone,)
         return tuple(drone_of(own, self.models, self.drone) for own in self.drones)
 
+    @property
+    def drone_bodies(self) -> tuple[str, ...]:
+        """The names of the drones among the tracked bodies, flown or not."""
+        if not self.drones:
+            return (self.tracking.body,)
+        return tuple(own.tracked_body for own in self.drones)
+
     def for_drone(self, name: str) -> Site:
         """Return the site as the chain of one drone sees it: its drone, its body, its pad.
 
@@ -165,9 +172,15 @@ class Site(Section):
 
     @property
     def has_picture(self) -> bool:
-        """Whether the drone shows what it sees."""
+        """Whether the drone shows what it sees; of several that have not one in focus, any."""
+        ours = [drone for drone in self.all_drones if drone.name == self.drone.name]
         shown = self.twin.video or not self.twin.enabled
-        return self.drone.enabled and self.drone.has_video and shown
+        return shown and any(one.has_video and one.has_camera for one in ours or self.all_drones)
+
+    @property
+    def has_camera(self) -> bool:
+        """Whether a drone that is flown has a camera."""
+        return any(drone.has_camera for drone in self.all_drones)
 
     @property
     def flies_in_space(self) -> bool:
@@ -195,7 +208,7 @@ class Site(Section):
         self._check_volumes()
         check_lasers(self.lasers)
         check_depth_cameras(self.depth_cameras)
-        check_furniture(self.furniture, (self.tracking.body, self.tracking.visitor))
+        check_furniture(self.furniture, (*self.drone_bodies, self.tracking.visitor))
         self._check_drones()
         if self.twin.enabled and not self.served_wires:
             raise ValueError(

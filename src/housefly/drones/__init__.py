@@ -1,4 +1,4 @@
-"""Drone drivers, by model: a new one is one row here, a folder and an airframe file.
+"""Drone drivers, by model: one of ours is one row here, one of others an installed package.
 
 Only the driver that is asked for is loaded: its process is the last that may die, and small.
 """
@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from importlib import import_module
 from typing import TYPE_CHECKING
+
+from housefly.config.airframe import installed_models
 
 if TYPE_CHECKING:
     from housefly.clock import Clock
@@ -22,6 +24,10 @@ DRIVERS = {
 
 def driver_of(config: DroneConfig, limits: LimitsConfig, clock: Clock) -> DroneDriver:
     """Return the driver of a site's drone, not yet connected."""
-    module, name = DRIVERS[config.kind]
+    module, name = DRIVERS.get(config.kind) or _installed(config.kind)
     driver: DroneDriver = getattr(import_module(module), name)(config, limits, clock)
     return driver
+
+
+def _installed(kind: str) -> tuple[str, str]:
+    return f"{installed_models()[kind]}.driver", "Driver"

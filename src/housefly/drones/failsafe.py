@@ -73,6 +73,7 @@ class Failsafe:
         self._braking_since: float | None = None
         self._sinking_since: float | None = None
         self._speed = AttitudeSpeed(airframe)
+        self._has_sonar = airframe.sonar is not None
         self._forms = frozenset(airframe.capabilities.setpoints)
         self._standstill = standstill_of(airframe.capabilities.form, self._speed)
 
@@ -167,7 +168,7 @@ class Failsafe:
         """Brake and sink level: the drone's own hover would fly by a speed that is wrong."""
         if self._sinking_since is None:
             self._sinking_since = now
-        is_low = report is not None and report.height < ON_FLOOR
+        is_low = self._has_sonar and report is not None and report.height < ON_FLOOR
         is_long = now - self._sinking_since > SINK_TIME_MAX
         if is_long or (is_low and now - self._sinking_since > 1.0):
             return Command(Action.LAND)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+from collections.abc import Callable
 from pathlib import Path
 
 from housefly.bus.bus import Bus
@@ -13,7 +14,7 @@ from housefly.bus.topics import (
     OBSTACLE_TOPIC,
     ROOM_EVENT_TOPIC,
     SENSOR_TOPIC,
-    STEP_TOPIC,
+    DroneTopics,
 )
 from housefly.clock import RealClock
 from housefly.config.site import Site
@@ -72,20 +73,31 @@ class Hub:
             (MqttSensors(site.mqtt, wall=self.clock.now),) if site.mqtt.broker else ()
         )
         tracking = site.tracking.kind if site.tracking.enabled else ""
-        self._pilot = PilotHealth(tracking, RealClock(), has_drone=site.drone.enabled)
-        self._facts = FlightFacts(
-            site.tracking.body,
-            site.tracking.kind,
-            {piece.body: furniture_id(piece) for piece in site.furniture},
-        )
+        first, *others = site.drone_names or ("",)
+        self._tracking = PilotHealth(tracking, RealClock(), first)
+        pilots = {first: self._tracking} | {
+            name: PilotHealth("", RealClock(), name) for name in others
+        }
+        things = {piece.body: furniture_id(piece) for piece in site.furniture}
+        self._facts = FlightFacts(site.tracking.body, site.tracking.kind, things)
         self._sensor_status = SensorStatus(site, RealClock())
-        for watched in (self._pilot, *self._sensors, self._sensor_status, self.clock):
+        for watched in (*pilots.values(), *self._sensors, self._sensor_status, self.clock):
             self.status.add_health_source(watched.health)
         self._change_feed = ChangeFeed(self.memory, self.status, self.clock.now)
         self._bus = bus
         self._subscriptions = (
             bus.subscribe(FRAME_TOPIC, self._frame),
-            bus.subscribe(STEP_TOPIC, self._step),
+            *(
+                bus.subscribe(
+                    DroneTopics(name).step,
+                    self._steps_of(
+                        pilot,
+                        FlightFacts(site.for_drone(name).tracking.body, site.tracking.kind, things),
+                    ),
+                )
+                for name, pilot in pilots.items()
+                if name
+            ),
             bus.subscribe(OBSTACLE_TOPIC, self._obstacles.update),
             bus.subscribe(SENSOR_TOPIC, self._sensor_status.update),
             bus.subscribe(ROOM_EVENT_TOPIC, self._told),
@@ -114,13 +126,18 @@ class Hub:
             if (news := self._change_feed.changes()) is not None:
                 self._bus.publish(ROOM_NEWS_TOPIC, news)
 
-    def _step(self, step: PilotStep) -> None:
-        self._pilot.update(step)
-        for item in self._facts.items_of(step, self.clock.offset()):
-            self.memory.add(item)
+    def _steps_of(self, pilot: PilotHealth, facts: FlightFacts) -> Callable[[PilotStep], None]:
+        """Return what keeps the steps of one drone."""
+
+        def on_step(step: PilotStep) -> None:
+            pilot.update(step)
+            for item in facts.items_of(step, self.clock.offset()):
+                self.memory.add(item)
+
+        return on_step
 
     def _frame(self, frame: TrackedFrame) -> None:
-        self._pilot.update_frame(frame.sightings)
+        self._tracking.update_frame(frame.sightings)
         now = max((one.received_at for one in frame.sightings), default=0.0)
         for obstacle in self._furniture.step(frame.sightings, now):
             self._obstacles.update(obstacle)

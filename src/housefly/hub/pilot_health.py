@@ -6,6 +6,7 @@ import threading
 from math import inf
 
 from housefly.clock import Clock
+from housefly.config.drone import DRONE_NAME
 from housefly.messages import PilotStep, Sighting
 from housefly.messages.words import UNSAID, Words
 from housefly.sensors.contracts import SensorHealth
@@ -22,11 +23,11 @@ class PilotHealth:
     Args:
         tracking: id of the tracking system; "" where there is none.
         clock: the monotonic clock of the pilot's stamps.
-        has_drone: whether there is a pilot with its drone, or none.
+        drone: id of the drone; "" where there is no pilot with its drone.
     """
 
-    def __init__(self, tracking: str, clock: Clock, *, has_drone: bool = True) -> None:
-        self._tracking, self._clock, self._has_drone = tracking, clock, has_drone
+    def __init__(self, tracking: str, clock: Clock, drone: str = DRONE_NAME) -> None:
+        self._tracking, self._clock, self._drone = tracking, clock, drone
         self._lock = threading.Lock()
         self._steps, self._frames, self._reports = MessageRate(), MessageRate(), MessageRate()
         self._telemetry_at = -inf
@@ -59,7 +60,7 @@ class PilotHealth:
                     Words("no body is seen; is the tracking system live?"),
                 ),
                 (
-                    "drone",
+                    self._drone,
                     "drone",
                     "the drone's own report",
                     self._reports,
@@ -73,10 +74,10 @@ class PilotHealth:
                     title,
                     rate,
                     now,
-                    words if pilot < _SILENT_AFTER or not self._has_drone else _NO_PILOT,
+                    words if pilot < _SILENT_AFTER or not self._drone else _NO_PILOT,
                 )
                 for name, kind, title, rate, words in rows
-                if (kind == "drone" and self._has_drone) or (kind == "mocap" and name)
+                if name
             )
 
 

@@ -82,6 +82,6 @@ def _layout_of(site: Site, room: Room, furniture: Iterable[Thing]) -> Layout:
         ),
         containers={thing.id: thing.position for thing in furniture if thing.position is not None},
         people=frozenset({site.tracking.visitor}),
-        robots=frozenset({site.tracking.body}),
+        robots=frozenset(site.drone_bodies),
         devices=device_traits_of(site),
     )

@@ -56,9 +56,11 @@ def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
     for row in site.mqtt.sensors:
         name = row.thing or row.id
         found.setdefault(name, Thing(name, f"the {name.replace('-', ' ')}"))
-    if site.drone.enabled:
-        body, pad = site.tracking.body, (*room.home, 0.0)
-        found.setdefault(body, Thing(body, "the drone", ThingKind.ROBOT, ("drone",), pad))
+    for name in site.drone_names:
+        own, several = site.for_drone(name), len(site.drone_names) > 1
+        body, pad = own.tracking.body, (*(own.drone.pad or room.home)[:2], 0.0)
+        title, alias = (f"the drone {name}", name) if several else ("the drone", "drone")
+        found.setdefault(body, Thing(body, title, ThingKind.ROBOT, (alias,), pad))
     if room.visitor is not None:
         found.setdefault(
             site.tracking.visitor,

@@ -105,6 +105,8 @@ class EventCode(StrEnum):
     CORNERED_LANDING = "cornered_landing"
     WAY_BLOCKED = "way_blocked"
     DETOUR = "detour"
+    DRONE_LOST = "drone_lost"
+    DRONE_SEEN = "drone_seen"
     GOING_ON = "going_on"
     NO_WAY = "no_way"
     OFF_COURSE = "off_course"

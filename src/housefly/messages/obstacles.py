@@ -14,6 +14,7 @@ class ObstacleKind(Enum):
     UNKNOWN = "unknown"
     PERSON = "person"
     THING = "thing"
+    DRONE = "drone"
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +35,8 @@ class Obstacle:
         confidence: 0 to 1.
         seen_at: when it was seen [s, our monotonic clock].
         source: which sensor or process says so.
-        kind: a person, a thing, or unknown; who may be a person is treated as one.
+        kind: a person, a thing, another drone, or unknown; who may be a person is treated as one,
+            and so is a drone that flies.
     """
 
     id: str

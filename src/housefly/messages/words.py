@@ -22,7 +22,7 @@ _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _TEMPLATE, _NUMBER, _NAME = "%", "#", "="
 _DEPTH_MAX = 20
 """Words in words in words: nothing that is said is deeper."""
-JOINED = {", ": "{why}, {more}", "; ": "{why}; {more}"}
+JOINED = {", ": "{why}, {more}", "; ": "{why}; {more}", ": ": "{why}: {more}"}
 _TEMPLATES_KEPT = 2000
 _TEXT_SCHEMA = {"type": "string"}
 
@@ -102,7 +102,7 @@ def said(member: Enum) -> Words:
 
 
 def joined(sign: str, parts: Iterable[str]) -> Words:
-    """Return words one after another, with ", " or "; " between them; UNSAID for none."""
+    """Return words one after another, with ", ", "; " or ": " between them; UNSAID for none."""
     several = tuple(parts)
     half = len(several) // 2
     if not half:

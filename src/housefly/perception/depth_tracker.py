@@ -87,23 +87,23 @@ class DepthTracker:
         self._tracks = {camera.name: TrackSet() for camera in cameras}
 
     def update(
-        self, image: DepthImage, now: float, own: OwnFootprint | None = None
+        self, image: DepthImage, now: float, own: tuple[OwnFootprint, ...] = ()
     ) -> TrackingResult:
         """Process one image.
 
         Args:
             image: of any of the cameras.
             now: time [s].
-            own: where the drone is, None if it is on the ground or unknown.
+            own: where the drones are that are off the ground, as far as it is known.
         """
         problem = self._checks.fault(image, now)
         if problem:
             return TrackingResult(problem=f"{image.source[:40]}: {problem}")
         view = depth_view(image)
         points = points_of(view.depth, view.camera, view.pose)
-        if own is not None:
+        for footprint in own:
             known = known_discs(self._tracks[image.source], image.captured_at)
-            points = points[own.others(points, known)]
+            points = points[footprint.others(points, known)]
         clusters = unexplained(points, self._known, self._band, view.pose.position[:2])
         middle = (self._band[0] + self._band[1]) / 2
         last = self._tracks[image.source]

@@ -48,7 +48,7 @@ _BackgroundKey = tuple[str, float, float, int, tuple[float, float, float]]
 
 @dataclass(frozen=True, slots=True)
 class OwnFootprint:
-    """The drone itself, which is no obstacle.
+    """A drone of ours, which is no obstacle for these sensors: tracking shows it.
 
     Attributes:
         place: its middle [m].
@@ -105,18 +105,18 @@ class LaserTracker:
         self._tracks = TrackSet()
         self._wall_check = WallCheck(room)
 
-    def update(self, scan: Scan, now: float, own: OwnFootprint | None = None) -> TrackingResult:
+    def update(self, scan: Scan, now: float, own: tuple[OwnFootprint, ...] = ()) -> TrackingResult:
         """Process one scan.
 
         Args:
             scan: of any of the scanners.
             now: time [s].
-            own: where the drone is, None if it is on the ground or unknown.
+            own: where the drones are that are off the ground, as far as it is known.
         """
         return self.update_beams(beam_scan_of(scan), now, own)
 
     def update_beams(
-        self, scan: BeamScan, now: float, own: OwnFootprint | None = None
+        self, scan: BeamScan, now: float, own: tuple[OwnFootprint, ...] = ()
     ) -> TrackingResult:
         """Process one scan whose distances are in an array, as ``update``."""
         problem = self._fault(scan, now)
@@ -130,8 +130,8 @@ class LaserTracker:
                 return TrackingResult(problem=doubt)
             laser, scan = error.laser, replace(scan, ranges=scan.ranges - error.longer)
         ends, beams = _foreground(scan, self._background(scan, laser), laser)
-        if own is not None:
-            other = own.others(ends, known_discs(self._tracks, at))
+        for footprint in own:
+            other = footprint.others(ends, known_discs(self._tracks, at))
             if not other.all():
                 ends, beams = ends[other], beams[other]
         clusters = clusters_of(ends, beams, (laser.x, laser.y))

@@ -29,6 +29,7 @@ from housefly.pilot.planning.obstacles import (
     obstacle_fault,
     obstacle_rows,
 )
+from housefly.pilot.planning.other_drones import OtherDrones
 from housefly.pilot.planning.people import is_walking, may_be_person
 from housefly.pilot.planning.people_map import PeopleMap
 from housefly.pilot.planning.planner import plan
@@ -95,6 +96,7 @@ class RoomNavigator:
         self._watched = site.people.min_distance - WATCH_SLACK
         self._furniture = TrackedFurniture(site, room)
         self._bodies = TrackedBodies(site)
+        self._drones = OtherDrones(site)
         self._memory = ObstacleMemory()
         self._is_crowded = False
         self._standing: tuple[Obstacle, ...] = ()
@@ -113,6 +115,11 @@ class RoomNavigator:
         return self._space is not None
 
     @property
+    def lost_drones(self) -> tuple[str, ...]:
+        """Other drones that were lost sight of in the air; their last places are kept clear."""
+        return self._drones.lost
+
+    @property
     def hull_radius(self) -> float:
         """How far the hull reaches from the drone's middle, in the plane [m]; 0 on a grid."""
         return self._space.hull.radius if self._space else 0.0
@@ -121,7 +128,11 @@ class RoomNavigator:
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
     ) -> list[Words]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
-        tracked = (*self._furniture.step(sightings, now), *self._bodies.step(sightings, now))
+        tracked = (
+            *self._furniture.step(sightings, now),
+            *self._bodies.step(sightings, now),
+            *self._drones.step(sightings, now),
+        )
         known = (*obstacles, *tracked)
         faults = [(obstacle, obstacle_fault(obstacle, now, self._extent)) for obstacle in known]
         accepted = [obstacle for obstacle, fault in faults if not fault]

@@ -127,6 +127,7 @@ class Pilot:
         self._reckoned_height: ReckonedHeight | None = None
         self._motion: KnownMotion | None = None
         self._seen: Sighting | None = None
+        self._has_sonar = settings.airframe.sonar is not None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -231,7 +232,7 @@ class Pilot:
             self._params.estimator,
             settings.body,
             now,
-            settings.airframe.sonar,
+            settings.airframe,
             drag=settings.drag,
             odometry_error=settings.odometry_error,
             trusting=not settings.guarded,
@@ -305,7 +306,7 @@ class Pilot:
             self._climb,
             gains.climb_lag,
             gains.sink_gain,
-            told.height + self._gate.standing_height if told else nan,
+            told.height + self._gate.standing_height if told and self._has_sonar else nan,
         )
         return replace(reckoned, position=(x, y, height.height))
 

@@ -11,7 +11,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.errors import ConfigError
 from housefly.messages.steering import SetpointForm
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES, Tolerances
-from housefly.pilot.control.forms import TILTS, FormCode, FormModel
+from housefly.pilot.control.forms import FormCode, FormModel
 from housefly.pilot.control.steering import Gains
 from housefly.pilot.estimation.climb_axis import ClimbModel
 from housefly.pilot.estimation.estimator import axis_model
@@ -62,16 +62,15 @@ def pilot_parameters(
 
 def form_model(drone: DroneConfig, limits: LimitsConfig) -> FormModel:
     """Return how a drone answers the form of setpoints that is made for it."""
-    response, form = drone.airframe.response, drone.airframe.capabilities.form
-    if form is SetpointForm.TILT_AND_CLIMB:
-        return TILTS
+    response, form = drone.airframe.response, FORM_CODES[drone.airframe.capabilities.form]
+    speed_max = inf if form is FormCode.TILT_AND_CLIMB else response.speed_max or inf
     return FormModel(
-        form=int(FORM_CODES[form]),
+        form=int(form),
         gain=drone.attitude_gain,
-        pull=_pull(drone),
+        pull=pull_of(drone),
         stiffness=response.stiffness or 1.0,
         climb_pull=drone.climb_lag,
-        speed_max=min(speed_bound(limits), response.speed_max or inf),
+        speed_max=min(speed_bound(limits), speed_max),
     )
 
 
@@ -82,15 +81,17 @@ FORM_CODES = {
 }
 
 
-def _pull(drone: DroneConfig) -> float:
-    """Return what brings a drone to rest to which nothing is asked [1/s]: ``control.forms``."""
+def pull_of(drone: DroneConfig) -> float:
+    """Return what brings a drone to rest to which nothing is asked [1/s] (``control.forms``).
+
+    0 for one that is steered by tilt: that is drag alone.
+    """
     response = drone.airframe.response
     pulls = {
         SetpointForm.VELOCITY: response.velocity_lag,
         SetpointForm.POSITION: response.damping,
     }
-    pull = pulls.get(drone.airframe.capabilities.form)
-    return drone.drag if pull is None else pull
+    return pulls.get(drone.airframe.capabilities.form) or 0.0
 
 
 def estimator_parameters(
@@ -107,9 +108,10 @@ def estimator_parameters(
         model=axis_model(
             drone.attitude_lag,
             drone.attitude_gain,
-            _pull(drone),
+            drone.drag,
             noise,
             estimation.disturbance_wander,
+            pull_of(drone),
         )._replace(hover_drag=drone.drag + drone.airframe.response.hover_brake),
         delay=_delay(drone, estimation),
         acceleration_noise=noise,
@@ -141,7 +143,7 @@ def gains_of(
         climb_max=limits.vertical_speed_max,
         turn_max=limits.yaw_rate_max,
         gain=drone.attitude_gain,
-        drag=_pull(drone),
+        drag=pull_of(drone) or drone.drag,
         delay=_delay(drone, estimation),
         wraps=True,
         lag=drone.attitude_lag,

@@ -51,8 +51,8 @@ from housefly.pilot.control.forms import (
     FormCode,
     FormedCommand,
     FormModel,
-    position_command,
-    velocity_command,
+    place_asked,
+    velocity_asked,
 )
 from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
@@ -312,8 +312,8 @@ def _formed(
     ax, ay = (asked.ax, asked.ay) if is_asked else (0.0, 0.0)
     if is_place:
         ahead = control_state(estimator, history, params.estimator, here, now)
-        return position_command(ax, ay, command.vz, ahead, params.form)
-    return velocity_command(ax, ay, heading, params.form)
+        return place_asked(ax, ay, command.vz, ahead, params.form)
+    return velocity_asked(ax, ay, heading, params.form)
 
 
 @compiled_with_arrays

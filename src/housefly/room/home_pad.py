@@ -55,6 +55,11 @@ def with_pads(room: Room, site: Site) -> Room:
         room,
         home=home,
         home_yaw=yaw,
+        other_pads=tuple(
+            (drone.name, pads[drone.name][:2])
+            for drone in site.all_drones
+            if drone.enabled and drone.name != site.drone.name
+        ),
         places=tuple(
             Place(place.name, home, (*ahead, place.look_at[2]), place.title)
             if moved and place.name == "home"

@@ -108,6 +108,7 @@ class Room:
         home_yaw: heading of the drone on the pad [rad].
         visitor: where a visitor stands (feet), or None.
         visitor_yaw: where the visitor faces [rad].
+        other_pads: where other drones start and land, by their names [m].
     """
 
     name: str
@@ -120,6 +121,7 @@ class Room:
     home_yaw: float = 0.0
     visitor: Vec2 | None = None
     visitor_yaw: float = 0.0
+    other_pads: tuple[tuple[str, Vec2], ...] = ()
 
     def place(self, name: str) -> Place:
         """Return the place with this name; raises KeyError with the known names."""

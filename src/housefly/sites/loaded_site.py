@@ -29,6 +29,11 @@ class LoadedSite:
     room: Room
     grid: OccupancyGrid
 
+    def for_drone(self, name: str) -> LoadedSite:
+        """Return site, room and map as one drone has them; raises ConfigError as the site."""
+        site = self.site.for_drone(name)
+        return self if site is self.site else open_site(site)
+
     def plan(self, goal: str | Vec2, start: str | Vec2 = "home") -> PlanAnswer:
         """Return the way from a start to a goal, or the reason why there is none.
 

@@ -1,4 +1,4 @@
-"""How far the drone's hull really is from everything, and from the next person."""
+"""How far a drone's hull really is from everything, from the next person, and the next drone."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from housefly.numeric import FloatArray
 from housefly.twin.contracts import AWAY_Z
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.mujoco_engine import mujoco
-from housefly.twin.physics import Physics
 from housefly.twin.solids import SolidKind, SolidOwner
 
 _FAR = 1000.0
 """Nothing of a room is farther than this [m]."""
+_MOVING = frozenset({SolidKind.PERSON, SolidKind.DRONE})
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +28,12 @@ class Clearance:
     Attributes:
         solid: to the nearest wall, ceiling, furniture or movable; the floor does not count.
         person: to the nearest person.
+        drone: to the nearest hull of another drone.
     """
 
     solid: float
     person: float
+    drone: float = inf
 
 
 UNBOUNDED = Clearance(inf, inf)
@@ -44,21 +47,24 @@ class ClearanceMeter:
     farther on.
     """
 
-    def __init__(self, physics: Physics, owners: tuple[SolidOwner | None, ...]) -> None:
-        self._physics = physics
-        model = physics.model
+    def __init__(self, drone: DroneBody, owners: tuple[SolidOwner | None, ...]) -> None:
+        self._drone = drone
+        model = drone.model
         self._hull = np.flatnonzero(
-            (model.geom_bodyid == physics.drone_id) & (model.geom_contype != 0)
+            (model.geom_bodyid == drone.number) & (model.geom_contype != 0)
         ).tolist()
         reaches = np.linalg.norm(model.geom_pos[self._hull], axis=1) + model.geom_rbound[self._hull]
         self._hull_radius = float(reaches.max())
-        self._solids = _boxes(model, owners, lambda kind: kind is not SolidKind.PERSON)
+        self._solids = _boxes(model, owners, lambda kind: kind not in _MOVING)
         self._people = _boxes(model, owners, lambda kind: kind is SolidKind.PERSON)
+        self._drones = _boxes(model, owners, lambda kind: kind is SolidKind.DRONE)
 
     def measure(self, within: Clearance = UNBOUNDED) -> Clearance:
         """Return the distances now; where nothing is nearer than ``within``, that."""
         return Clearance(
-            self._nearest(self._solids, within.solid), self._nearest(self._people, within.person)
+            self._nearest(self._solids, within.solid),
+            self._nearest(self._people, within.person),
+            self._nearest(self._drones, within.drone),
         )
 
     def _nearest(self, boxes: _Boxes, within: float) -> float:
@@ -76,9 +82,9 @@ class ClearanceMeter:
 
     def _lower_bounds(self, boxes: _Boxes) -> FloatArray:
         """Return what no distance to some geoms falls below [m]; infinite for those put away."""
-        data, geoms = self._physics.data, boxes.geoms
+        data, geoms = self._drone.data, boxes.geoms
         places = data.geom_xpos[geoms]
-        offsets = data.xpos[self._physics.drone_id] - places
+        offsets = data.xpos[self._drone.number] - places
         axes = data.geom_xmat[geoms].reshape(-1, 3, 3)
         local = np.einsum("gk,gka->ga", offsets, axes)
         outside = np.maximum(np.abs(local - boxes.centres) - boxes.halves, 0.0)
@@ -90,7 +96,7 @@ class ClearanceMeter:
 
     def _gap(self, geom: int, bound: float) -> float:
         """Return the distance from the hull to a geom [m], or a bound that it exceeds."""
-        model, data = self._physics.model, self._physics.data
+        model, data = self._drone.model, self._drone.data
         measure = mujoco.mj_geomDistance
         gap: float = min([measure(model, data, part, geom, bound, None) for part in self._hull])
         return gap

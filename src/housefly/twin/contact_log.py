@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from housefly.geometry import Vec3, distance
 from housefly.numeric import running_sum
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.people.motion import PersonMotion
 from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 from housefly.twin.solids import SolidKind, SolidOwner
@@ -24,7 +25,7 @@ class Contact:
 
     Attributes:
         kind, name: what or who was touched; "wall", "ceiling", a thing of the room, a movable, a
-            person.
+            person, another drone.
         began_at, ended_at: world time of its first and last moment [s]; the last one is now while
             the touch lasts.
         speed: of the drone relative to what it touches, just before the first moment [m/s].
@@ -48,10 +49,15 @@ class Contact:
 
 
 class ContactLog:
-    """Merges the touches of control periods into contacts."""
+    """Merges the touches of control periods into contacts.
 
-    def __init__(self, motion: PersonMotion) -> None:
-        self._motion = motion
+    Args:
+        motion: of the people.
+        drones: the others, by name.
+    """
+
+    def __init__(self, motion: PersonMotion, drones: Mapping[str, DroneBody]) -> None:
+        self._motion, self._drones = motion, drones
         self._open: dict[SolidOwner, int] = {}
         self._contacts: list[Contact] = []
 
@@ -110,7 +116,9 @@ class ContactLog:
         return max(0.0, _into(point, before.velocity) - _into(point, other))
 
     def _velocity(self, owner: SolidOwner, at: float) -> Vec3:
-        """Return the velocity of what is touched [m/s]; things stand still."""
+        """Return the velocity of what is touched, just before [m/s]; things stand still."""
+        if owner.kind is SolidKind.DRONE:
+            return self._drones[owner.name].before.velocity
         if owner.kind is not SolidKind.PERSON:
             return 0.0, 0.0, 0.0
         return self._motion.velocity(owner.name, at - CONTROL_PERIOD)

@@ -1,8 +1,8 @@
 """What the twin's servers may ask of the simulated world.
 
-``twin.world`` implements ``TwinWorld``; the servers and lock step use it. World frame and
-body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone``
-and the server.
+``twin.world`` implements ``TwinWorld``, ``twin.simulated_drone`` ``TwinDrone``; the servers and
+lock step use them. World frame and body frame (forward, left, up) as everywhere; native AR.Drone
+signs live only in ``wires.ardrone`` and the server.
 """
 
 from __future__ import annotations
@@ -152,16 +152,12 @@ class MocapFrame:
     bodies: tuple[tuple[str, Pose | None], ...]
 
 
-class TwinWorld(Protocol):
-    """The simulated room with one drone in it; time passes only in ``advance``."""
+class TwinDrone(Protocol):
+    """One drone of the simulated room; time passes only in ``TwinWorld.advance``."""
 
     @property
     def now(self) -> float:
         """World time [s]."""
-        ...
-
-    def advance(self, seconds: float) -> None:
-        """Run physics, firmware, tracking and batteries for this long."""
         ...
 
     def set_stick(self, stick: Stick) -> None:
@@ -210,6 +206,14 @@ class TwinWorld(Protocol):
 
     def truth(self) -> GroundTruth:
         """Return the true state now."""
+        ...
+
+
+class TwinWorld(TwinDrone, Protocol):
+    """The simulated room; by itself it speaks of its only, or first, drone."""
+
+    def advance(self, seconds: float) -> None:
+        """Run physics, firmware, tracking and batteries for this long."""
         ...
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:

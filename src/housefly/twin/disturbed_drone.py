@@ -7,8 +7,8 @@ from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, Battery
 from housefly.twin.ardrone.motors import achieved_wrench
 from housefly.twin.ardrone.sensor_faults import FaultySensors
 from housefly.twin.disturbance import NEUTRAL, Disturbances
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.external_forces import ExternalForces
-from housefly.twin.physics import Physics
 from housefly.twin.simulated_body import MOTORS_OFF, BodyState, SensorReading, Wrench
 
 _STRONG = (1.0, 1.0, 1.0, 1.0)
@@ -19,12 +19,12 @@ class DisturbedDrone:
 
     Args:
         site: seed, and the drag of the drone.
-        physics: what is pushed and loaded.
+        body: what is pushed and loaded.
         battery: what a new charge is given to.
     """
 
-    def __init__(self, site: Site, physics: Physics, battery: Battery) -> None:
-        self._physics, self._battery = physics, battery
+    def __init__(self, site: Site, body: DroneBody, battery: Battery) -> None:
+        self._body, self._battery = body, battery
         self._sensors = FaultySensors(site.twin.seed)
         self._forces = ExternalForces(
             site.twin.seed, site.drone.drag, site.drone.airframe.body.mass
@@ -39,7 +39,7 @@ class DisturbedDrone:
     @by.setter
     def by(self, disturbances: Disturbances) -> None:
         if disturbances.payload != self._by.payload:
-            self._physics.load(disturbances.payload)
+            self._body.load(disturbances.payload)
         if disturbances.charge is not None and disturbances.charge != self._by.charge:
             self._battery.charge = disturbances.charge
         self._by = NEUTRAL if disturbances == NEUTRAL else disturbances
@@ -50,13 +50,13 @@ class DisturbedDrone:
             return reading
         return self._sensors.read(reading, self._by, motors_turn)
 
-    def advance(self, wrench: Wrench, body: BodyState) -> None:
-        """Move the drone by one control period under what the firmware asks of its motors."""
+    def push(self, wrench: Wrench, state: BodyState) -> None:
+        """Push the drone for the next control period by what the firmware asks of its motors."""
         by = self._by
         if by is NEUTRAL:
-            self._physics.advance(wrench, body)
+            self._body.push(wrench, state)
             return
-        self._physics.advance(self._achieved(wrench), body, self._forces.step(by, body))
+        self._body.push(self._achieved(wrench), state, self._forces.step(by, state))
 
     def _achieved(self, wrench: Wrench) -> Wrench:
         """Return what the motors make of a wrench."""

@@ -21,6 +21,7 @@ class CarryOrder:
         position: of its body, in the world [m]; each within a kilometre.
         yaw: its heading there, -2 pi to 2 pi [rad].
         duration: how long that takes, 0.1 to 60 s.
+        drone: which drone, "" for the first.
 
     Raises:
         WireError: a value out of its range.
@@ -29,6 +30,7 @@ class CarryOrder:
     position: Vec3
     yaw: float
     duration: float = 2.0
+    drone: str = ""
 
     def __post_init__(self) -> None:
         if len(self.position) != 3 or not all(
@@ -87,6 +89,7 @@ def decode_carry(datagram: bytes) -> CarryOrder:
     try:
         tree = json.loads(datagram)
         x, y, z = (float(value) for value in tree["position"])
-        return CarryOrder((x, y, z), float(tree["yaw"]), float(tree["duration"]))
+        drone = str(tree.get("drone", ""))
+        return CarryOrder((x, y, z), float(tree["yaw"]), float(tree["duration"]), drone)
     except (ValueError, TypeError, KeyError, OverflowError, RecursionError) as error:
         raise WireError(f"no order to carry: {type(error).__name__}: {error}") from error

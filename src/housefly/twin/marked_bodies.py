@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from housefly.config.site import Site
@@ -9,22 +11,23 @@ from housefly.geometry import Vec3, rotate
 from housefly.messages import Pose
 from housefly.numeric import FloatArray
 from housefly.twin.ardrone.body import DRONE_MARKERS
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.mocap.cameras import MocapCameras
 from housefly.twin.movable import Movable, marker_positions
 from housefly.twin.people.scene_player import ScenePlayer
 from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
-from housefly.twin.simulated_body import BodyState
 
 _HEAD: tuple[Vec3, ...] = ((0.1, 0.02, 0.0), (0.0, 0.1, 0.01), (-0.1, 0.0, 0.0), (0.0, -0.09, 0.0))
 """Markers of a person, relative to the top of the head [m]."""
 
 
 class MarkedBodies:
-    """The drone, the visitor, furniture with markers, and the people whom the site names.
+    """The drones, the visitor, furniture with markers, and the people whom the site names.
 
     Args:
         site: names of the bodies.
+        drones: their bodies in the model, by their names in tracking.
         physics, cameras: who sees what.
         visitor: the person at the door.
         movables: whatever can be moved; only what the site's furniture names carries markers.
@@ -34,6 +37,7 @@ class MarkedBodies:
     def __init__(
         self,
         site: Site,
+        drones: Mapping[str, DroneBody],
         physics: Physics,
         cameras: MocapCameras,
         visitor: Visitor,
@@ -41,26 +45,25 @@ class MarkedBodies:
         stage: ScenePlayer,
     ) -> None:
         marked = {piece.body for piece in site.furniture}
-        self._tracking, self._has_drone = site.tracking, site.drone.enabled
+        self._tracking, self._drones = site.tracking, drones
         self._physics, self._cameras, self._visitor = physics, cameras, visitor
         self._marked = tuple(movable for movable in movables if movable.name in marked)
         self._stage = stage
         self._people = tuple(name for name in site.people.bodies if stage.has(name))
 
-    def seen(self, body: BodyState) -> tuple[tuple[str, Pose | None], ...]:
-        """Return name and true pose of every body, given the drone's; None for whom nobody sees."""
+    def seen(self) -> tuple[tuple[str, Pose | None], ...]:
+        """Return name and true pose of every body; None for whom nobody sees."""
         return (
-            *self._drone(body),
+            *((name, self._drone(drone)) for name, drone in self._drones.items()),
             (self._tracking.visitor, self._visitor.seen),
             *((movable.name, self._movable(movable)) for movable in self._marked),
             *((name, self._person(name)) for name in self._people),
         )
 
-    def _drone(self, body: BodyState) -> tuple[tuple[str, Pose | None], ...]:
-        if not self._has_drone:
-            return ()
-        drone = Pose(body.position, body.orientation)
-        return ((self._tracking.body, self._seen(drone, _markers(drone), self._physics.drone_id)),)
+    def _drone(self, drone: DroneBody) -> Pose | None:
+        state = drone.state()
+        pose = Pose(state.position, state.orientation)
+        return self._seen(pose, _markers(pose), drone.number)
 
     def _movable(self, movable: Movable) -> Pose | None:
         body, pose = self._physics.movable(movable.name)

@@ -11,10 +11,10 @@ from math import radians, tan
 import numpy as np
 
 from housefly.numeric import FloatArray
-from housefly.twin.ardrone.body import PICTURE_SIZE
+from housefly.twin.ardrone.body import PICTURE_SIZE, camera_name
 from housefly.twin.contracts import DroneCamera
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.mujoco_engine import mujoco
-from housefly.twin.physics import Physics
 from housefly.twin.solids import SolidOwner
 
 _COLUMNS, _ROWS = 64, 36
@@ -30,19 +30,20 @@ class PictureSegments:
     """Casts the picture of the front camera.
 
     Args:
-        physics: the room and the drone in it.
+        drone: whose camera it is, in its room.
         owners: whom each geom belongs to.
     """
 
-    def __init__(self, physics: Physics, owners: tuple[SolidOwner | None, ...]) -> None:
-        self._physics, self._owners = physics, owners
-        self._camera = int(physics.model.camera(DroneCamera.FRONT.value).id)
-        self._rays = _rays(float(physics.model.cam_fovy[self._camera]))
-        self._clear = physics.model.geom_rgba[:, 3] < _CLEAR
+    def __init__(self, drone: DroneBody, owners: tuple[SolidOwner | None, ...]) -> None:
+        self._drone, self._owners = drone, owners
+        name = camera_name(DroneCamera.FRONT.value, drone.name)
+        self._camera = int(drone.model.camera(name).id)
+        self._rays = _rays(float(drone.model.cam_fovy[self._camera]))
+        self._clear = drone.model.geom_rgba[:, 3] < _CLEAR
 
     def shares(self) -> dict[str, float]:
         """Return the share of the picture that each thing and person takes, by name, 0 to 1."""
-        data = self._physics.data
+        data = self._drone.data
         eye = np.array(data.cam_xpos[self._camera])
         axes = data.cam_xmat[self._camera].reshape(3, 3)
         rays = np.einsum("nk,mk->nm", self._rays, axes)
@@ -57,7 +58,7 @@ class PictureSegments:
         self, eye: FloatArray, rays: FloatArray
     ) -> np.ndarray[tuple[int], np.dtype[np.int32]]:
         """Return the geom that each ray meets first behind all glass; -1 for none."""
-        model, data, drone = self._physics.model, self._physics.data, self._physics.drone_id
+        model, data, drone = self._drone.model, self._drone.data, self._drone.number
         count = len(rays)
         found, away = np.full(count, -1, np.int32), np.zeros(count)
         mujoco.mj_multiRay(

@@ -17,7 +17,6 @@ from functools import partial
 from pathlib import Path
 
 from housefly.bus.bus import Bus
-from housefly.bus.rate import Rate
 from housefly.bus.simulated_bell import BELL_QUERY, BellPress, press_to_json
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
@@ -27,13 +26,11 @@ from housefly.errors import HouseflyError
 from housefly.room.files import load_room
 from housefly.room.model import Room
 from housefly.twin.address import check_address
-from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.camera.process import CameraProcess
 from housefly.twin.doorbell import BellWire, Doorbell
+from housefly.twin.drone_stands import drone_stands
 from housefly.twin.faults.faulty_devices import FaultyDevices
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
-from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
 from housefly.twin.hands_link import HandsLink
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.people import Scene, load_scene
@@ -41,6 +38,7 @@ from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.sensors.depth_feed import DepthFeed
 from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.sensors.mqtt_publisher import MqttPublisher
+from housefly.twin.served_drone import ServedDrone
 from housefly.twin.truth_log import TruthLog
 from housefly.twin.world import SimulatedWorld
 
@@ -80,43 +78,47 @@ class Twin:
         if scene is not None and site.mqtt.broker:
             check_address("mqtt.broker", site.mqtt.broker, beyond_loopback)
         self._site = site
-        self._faults = FaultInjector(site, Injection.WIRES)
-        self._world = SimulatedWorld(site, room, scene, self._faults.movables, self._faults.people)
+        stands = drone_stands(site, room)
+        faults = [FaultInjector(stand.site, Injection.WIRES) for stand in stands]
+        self._faults = faults[0]
+        movables = next((one.movables for one in faults if one.movables), ())
+        intruders = next((one.people for one in faults if one.people), ())
+        self._world = SimulatedWorld(site, room, scene, movables, intruders)
         clock = RealClock()
-        self._truth = TruthLog(self._world, truth_file, clock.now) if truth_file else None
+        self._truth = (
+            [
+                TruthLog(drone, truth_of(truth_file, drone.name, self._world), clock.now)
+                for drone in self._world.drones.values()
+            ]
+            if truth_file
+            else []
+        )
         self._hands = HandsLink(self._world, hands) if hands else None
         self._time = RealTimeRunner(self._world, RealClock())
-        self._drone = ArDroneServer(
-            self._world,
-            site.drone.address,
-            beyond_loopback=beyond_loopback,
-            filters=faulty_links(self._faults, self._now),
-        )
+        people = (*(scene.script.people if scene else ()), *intruders)
+        self._drones = [
+            ServedDrone(stand, self._world, room, people, befalls, beyond_loopback)
+            for stand, befalls in zip(stands, faults, strict=True)
+        ]
+        self._stands = stands
         self._tracking = tracking_servers(site) if site.tracking.enabled else ()
         self._lasers = LaserFeed(
             site, self._world, beyond_loopback, self._faults, lambda: self._time.slipped
         )
         self._bus = bus
         self._depth = DepthFeed(site, self._world, bus, clock, self._faults) if bus else None
-        self._camera = (
-            CameraProcess(
-                site, room, (*(scene.script.people if scene else ()), *self._faults.people)
-            )
-            if site.twin.video and site.drone.enabled
-            else None
-        )
-        self._camera_state = (0, "")
         self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
         self._bell = Doorbell(self._world, self._bell_wire(scene))
 
     async def run(self) -> None:
         """Serve until cancelled; raises LinkError when a port cannot be had."""
         async with contextlib.AsyncExitStack() as open_parts:
-            if self._truth is not None:
-                open_parts.callback(self._truth.close)
-            if self._site.drone.enabled:
-                open_parts.push_async_callback(self._drone.stop)
-                await self._drone.start()
+            for truth in self._truth:
+                open_parts.callback(truth.close)
+            work = [self._time.run(self._after_step)]
+            for stand, drone in zip(self._stands, self._drones, strict=True):
+                if stand.config.enabled:
+                    work += await drone.start(open_parts)
             for server in self._tracking:
                 open_parts.push_async_callback(server.stop)
                 await server.start()
@@ -125,18 +127,10 @@ class Twin:
             if self._hands is not None:
                 open_parts.callback(self._hands.stop)
                 self._hands.start()
-            work = [self._time.run(self._after_step)]
             if self._bus is not None:
                 loop = asyncio.get_running_loop()
                 answering = self._bus.answer(BELL_QUERY, lambda _: self._rung(loop))
                 open_parts.callback(answering.close)
-            if self._camera is not None:
-                open_parts.callback(self._camera.close)
-                self._camera.on_picture(
-                    faulty_pictures(self._faults, self._now, self._drone.publish)
-                )
-                self._camera.start()
-                work.append(self._film(self._camera))
             if self._devices is not None:
                 work.append(self._devices.run())
             log_line(self._greeting())
@@ -150,17 +144,21 @@ class Twin:
 
     def summary(self) -> str:
         """Return one line about the whole run."""
-        counters = self._drone.counters
+        served = [drone.counters for drone in self._drones]
+        commands = sum(counters.commands for counters in served)
+        malformed = sum(counters.malformed for counters in served)
+        reports = sum(counters.navdata_sent for counters in served)
+        pictures = sum(counters.frames_sent for counters in served)
+        dropped = sum(counters.frames_dropped for counters in served)
         return (
-            f"twin ends after {self._world.now:.1f} s: {counters.commands} commands,"
-            f" {counters.malformed} malformed, {counters.navdata_sent} reports,"
-            f" {counters.frames_sent} pictures sent, {counters.frames_dropped} dropped,"
+            f"twin ends after {self._world.now:.1f} s: {commands} commands, {malformed} malformed,"
+            f" {reports} reports, {pictures} pictures sent, {dropped} dropped,"
             f" {self._time.slipped:.2f} s lost to stalls"
         )
 
     def _greeting(self) -> str:
-        drone, tracking = self._site.drone, self._site.tracking
-        video = "on" if self._camera is not None else "off"
+        tracking = self._site.tracking
+        video = "on" if any(drone.films for drone in self._drones) else "off"
         scanners = "".join(
             f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers
         )
@@ -170,9 +168,21 @@ class Twin:
         depth = "".join(
             f", {camera.name} on the bus" for camera in self._site.depth_cameras if self._depth
         )
-        faults = "".join(f"; made to fail: {fault}" for fault in self._faults.schedule.faults)
-        flies = f"drone at {drone.address}" if drone.enabled else "no drone"
+        faults = "".join(
+            f"; made to fail: {fault}"
+            for drone in self._drones
+            for fault in drone.faults.schedule.faults
+        )
+        flies = self._flying()
         return f"twin ready: {flies}, tracking at {places}, video {video}{scanners}{depth}{faults}"
+
+    def _flying(self) -> str:
+        """Return which drones answer where, in words."""
+        flown = [stand for stand in self._stands if stand.config.enabled]
+        if len(flown) > 1:
+            places = ", ".join(f"{stand.name} at {stand.config.address}" for stand in flown)
+            return f"drones {places}"
+        return f"drone at {flown[0].config.address}" if flown else "no drone"
 
     def _device_link(self, scene: Scene) -> MqttPublisher:
         return MqttPublisher(
@@ -202,43 +212,31 @@ class Twin:
         return self._world.now
 
     def _after_step(self) -> None:
-        self._faults.act_on(self._world)
+        for drone in self._drones:
+            drone.act()
         self._bell.advance(self._world.now)
-        if self._truth is not None:
-            self._truth.sample()
-        for frame in self._faults.frames(self._world.mocap_frames(), self._world.now):
+        for truth in self._truth:
+            truth.sample()
+        frames = self._world.mocap_frames()
+        for drone in self._drones:
+            frames = drone.faults.frames(frames, self._world.now)
+        for frame in frames:
             for server in self._tracking:
                 server.publish(frame)
         self._lasers.publish()
         if self._depth is not None:
             self._depth.publish()
 
-    async def _film(self, camera: CameraProcess) -> None:
-        rate = Rate(self._site.twin.video_rate_hz)
-        while True:
-            await rate.sleep()
-            truth = self._world.truth()
-            view = self._faults.view(truth.pose, truth.at)
-            if view is not None:
-                camera.request_picture(
-                    view,
-                    self._world.visitor_present,
-                    self._drone.camera,
-                    truth.at,
-                    self._world.people(),
-                )
-            self._report_changes(camera)
 
-    def _report_changes(self, camera: CameraProcess) -> None:
-        """Print what changed about the camera since the last call."""
-        state = camera.restarts, camera.problem
-        if state == self._camera_state:
-            return
-        if camera.restarts != self._camera_state[0]:
-            log_line(f"twin: the camera process ended and is started again ({camera.restarts})")
-        if camera.problem != self._camera_state[1]:
-            log_line(f"twin: the picture is a plain card: {camera.problem}")
-        self._camera_state = state
+def truth_of(path: Path, name: str, world: SimulatedWorld) -> Path:
+    """Return the file of a drone's true course: the one given, with its name where there are more.
+
+    Args:
+        path: as given.
+        name: of the drone.
+        world: its world.
+    """
+    return path if len(world.drones) == 1 else path.with_stem(f"{path.stem}-{name}")
 
 
 async def run_twin(

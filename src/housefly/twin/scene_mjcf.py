@@ -6,6 +6,7 @@ from housefly.config.site import Site
 from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Room
 from housefly.twin.ardrone.body import drone_body
+from housefly.twin.drone_stands import drone_stands
 from housefly.twin.movable import Movable, movable_body
 from housefly.twin.people.bodies import people_bodies
 from housefly.twin.people.script import PersonScript
@@ -19,15 +20,17 @@ def scene_mjcf(
     room: Room,
     people: tuple[PersonScript, ...] = (),
     movables: tuple[Movable, ...] = (),
+    first: str = "",
 ) -> str:
-    """Return the MJCF of the room with the drone on its pad; needs no MuJoCo.
+    """Return the MJCF of the room with its drones on their pads; needs no MuJoCo.
 
-    People and movables are included, out of the room.
+    People and movables are included, out of the room. The drone named first is ``BODY``; else that
+    is the first of the site.
     """
-    drone = drone_body(site.drone, room.home, room.home_yaw)
+    stands = drone_stands(site, room, first)
     return room_to_mjcf(
         room,
-        bodies=drone
+        bodies="".join(drone_body(one.config, one.pad, one.yaw, one.body) for one in stands)
         + _ceiling(room)
         + people_bodies(people)
         + "".join(movable_body(movable) for movable in movables),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -24,6 +24,7 @@ class SolidKind(Enum):
     FURNITURE = "furniture"
     MOVABLE = "movable"
     PERSON = "person"
+    DRONE = "drone"
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +33,7 @@ class SolidOwner:
 
     Attributes:
         kind: wall, furniture, person and so on.
-        name: of the thing, the movable, or the person.
+        name: of the thing, the movable, the person, or the drone.
     """
 
     kind: SolidKind
@@ -40,21 +41,26 @@ class SolidOwner:
 
 
 def owners_of_geoms(
-    model: Any, room: Room, tracked: Container[str], floors: Container[int]
+    model: Any,
+    room: Room,
+    tracked: Container[str],
+    floors: Container[int],
+    drones: Mapping[str, str],
 ) -> tuple[SolidOwner | None, ...]:
-    """Return whom each geom of a model belongs to.
+    """Return whom each geom of a model belongs to, as one of its drones meets them.
 
-    None for the floor, for the drone itself, and for what cannot be touched.
+    None for the floor, for that drone itself, and for what cannot be touched.
 
     Args:
         model: MuJoCo model of the scene.
         room: gives the things that the solids are parts of.
         tracked: names of movables that are furniture with markers.
         floors: geom ids of the floor.
+        drones: names of the other drones, by those of their bodies.
     """
     things = {solid.name: solid.thing for solid in room.solids}
     return tuple(
-        _owner(model, number, things, tracked)
+        _owner(model, number, things, tracked, drones)
         if number not in floors and model.geom_contype[number]
         else None
         for number in range(model.ngeom)
@@ -62,9 +68,15 @@ def owners_of_geoms(
 
 
 def _owner(
-    model: Any, number: int, things: dict[str, str], tracked: Container[str]
+    model: Any,
+    number: int,
+    things: dict[str, str],
+    tracked: Container[str],
+    drones: Mapping[str, str],
 ) -> SolidOwner | None:
     geom, body = model.geom(number).name, model.body(model.geom_bodyid[number]).name
+    if body in drones:
+        return SolidOwner(SolidKind.DRONE, drones[body])
     if body.startswith(PERSON_PREFIX):
         return SolidOwner(SolidKind.PERSON, body.removeprefix(PERSON_PREFIX))
     if body == _VISITOR:

@@ -1,4 +1,4 @@
-"""What the drone's sonar meets below it: the floor, furniture, movables, people."""
+"""What the drone's sonar meets below it: the floor, furniture, movables, people, other drones."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2, Vec3
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.mujoco_engine import mujoco
-from housefly.twin.physics import Physics
 
 _SPREAD = 0.2
 _RADIUS_MAX = 0.3
@@ -21,8 +21,8 @@ _FLAT = 0.02
 """What is lower than this [m] is floor: carpets, pads."""
 _CELL = 0.25
 """Edge of the cells that are known to be bare floor, where no ray is cast [m]."""
-_ECHO_GROUPS: NDArray[np.uint8] = np.array([1, 0, 1, 0, 0, 0], np.uint8)
-"""Geom groups that echo: all but painted shadows, lamps, markers and the hull."""
+_ECHO_GROUPS: NDArray[np.uint8] = np.array([1, 0, 0, 1, 0, 0], np.uint8)
+"""Geom groups that echo: all but painted shadows, lamps, markers and the looks of drones."""
 _DOWN = np.array((0.0, 0.0, -1.0))
 
 
@@ -32,12 +32,12 @@ class SonarBeam:
     Upright rays stand for the beam: upright walls beside the drone throw no echo back.
     """
 
-    def __init__(self, physics: Physics) -> None:
-        self._physics = physics
+    def __init__(self, drone: DroneBody) -> None:
+        self._drone = drone
         self._start, self._geom = np.zeros(3), np.zeros(1, np.int32)
-        self._echoes: list[bool] = (physics.model.geom_contype != 0).tolist()
-        self._built = _built_cells(physics, self._echoes)
-        self._bodies = _movable_bodies(physics)
+        self._echoes: list[bool] = (drone.model.geom_contype != 0).tolist()
+        self._built = _built_cells(drone, self._echoes)
+        self._bodies = _movable_bodies(drone)
 
     def height(self, position: Vec3) -> float:
         """Return the height of the surface below a position [m]; exactly 0 for the floor."""
@@ -54,23 +54,23 @@ class SonarBeam:
         x, y, _ = position
         if (floor(x / _CELL), floor(y / _CELL)) in self._built:
             return False
-        places = self._physics.data.xpos
+        places = self._drone.data.xpos
         return all(
             hypot(places[body, 0] - x, places[body, 1] - y) > reach for body, reach in self._bodies
         )
 
     def _top(self, x: float, y: float, z: float) -> float:
-        physics, start = self._physics, self._start
+        drone, start = self._drone, self._start
         start[0], start[1], start[2] = x, y, z
         reached: float = mujoco.mj_ray(
-            physics.model, physics.data, start, _DOWN, _ECHO_GROUPS, 1, physics.drone_id, self._geom
+            drone.model, drone.data, start, _DOWN, _ECHO_GROUPS, 1, drone.number, self._geom
         )
         return z - reached if reached >= 0.0 and self._echoes[self._geom.item()] else 0.0
 
 
-def _built_cells(physics: Physics, echoes: list[bool]) -> frozenset[tuple[int, int]]:
+def _built_cells(drone: DroneBody, echoes: list[bool]) -> frozenset[tuple[int, int]]:
     """Return the cells whose middle or rim rays could meet something that is built in."""
-    model, data = physics.model, physics.data
+    model, data = drone.model, drone.data
     cells: set[tuple[int, int]] = set()
     for geom in np.flatnonzero(model.geom_bodyid == 0).tolist():
         if not echoes[geom] or model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE:
@@ -86,13 +86,13 @@ def _built_cells(physics: Physics, echoes: list[bool]) -> frozenset[tuple[int, i
     return frozenset(cells)
 
 
-def _movable_bodies(physics: Physics) -> tuple[tuple[int, float], ...]:
+def _movable_bodies(drone: DroneBody) -> tuple[tuple[int, float], ...]:
     """Return the bodies that move, but for the drone, and how far the beam meets each [m]."""
-    model = physics.model
+    model = drone.model
     return tuple(
         (body, _RADIUS_MAX + max(_reaches(model, body), default=0.0))
         for body in range(1, model.nbody)
-        if body != physics.drone_id
+        if body != drone.number
     )
 
 

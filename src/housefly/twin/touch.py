@@ -1,11 +1,11 @@
-"""Where the drone's hull touches something."""
+"""Where a drone's hull touches something."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from housefly.geometry import Vec3
-from housefly.twin.physics import Physics
+from housefly.twin.drone_body import DroneBody
 from housefly.twin.solids import SolidOwner
 
 
@@ -24,20 +24,20 @@ class TouchPoint:
     outward: Vec3
 
 
-def touch_points(physics: Physics, owners: tuple[SolidOwner | None, ...]) -> list[TouchPoint]:
-    """Return where the drone touches something other than the floor.
+def touch_points(drone: DroneBody, owners: tuple[SolidOwner | None, ...]) -> list[TouchPoint]:
+    """Return where a drone touches something other than the floor.
 
     Args:
-        physics: after a control period.
-        owners: of the model's geoms.
+        drone: after a control period.
+        owners: of the model's geoms, as this drone meets them.
     """
-    count = physics.data.ncon
+    count = drone.data.ncon
     if not count:
         return []
-    contact, points = physics.data.contact, []
+    contact, bodies, points = drone.data.contact, drone.model.geom_bodyid, []
     for number, (first, second) in enumerate(contact.geom[:count].tolist()):
         owner = owners[first] or owners[second]
-        if owner is None:
+        if owner is None or drone.number not in (bodies[first], bodies[second]):
             continue
         # MuJoCo's normal points from the first geom to the second.
         sign = 1.0 if owners[first] is not None else -1.0

@@ -12,22 +12,49 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from math import isfinite
 from pathlib import Path
-from typing import TextIO
+from typing import Protocol, TextIO
 
 from housefly.config.process_log import log_line
+from housefly.twin.clearance import Clearance
 from housefly.twin.contact_log import Contact
-from housefly.twin.world import SimulatedWorld
+from housefly.twin.contracts import GroundTruth, OnboardState
 
 TRUTH_RATE_HZ = 50.0
 _FLUSH_EVERY = 25
 """Samples between two flushes: a killed process loses at most half a second."""
 
 
+class ScoredDrone(Protocol):
+    """What is known for certain of a drone of the simulated room."""
+
+    @property
+    def now(self) -> float:
+        """World time [s]."""
+        ...
+
+    @property
+    def contact_log(self) -> tuple[Contact, ...]:
+        """What it touched so far, in order of time."""
+        ...
+
+    def truth(self) -> GroundTruth:
+        """Return the true state now."""
+        ...
+
+    def onboard(self) -> OnboardState:
+        """Return what the firmware believes now."""
+        ...
+
+    def clearance(self) -> Clearance:
+        """Return how far the hull is from what it can touch."""
+        ...
+
+
 class TruthLog:
-    """Writes the truth of a world; ``close`` writes the end of it.
+    """Writes the true course of one drone; ``close`` writes the end of it.
 
     Args:
-        world: what is true.
+        drone: whose course.
         path: of the file; what an earlier process wrote is kept.
         clock: stamps the samples, as the pilot's steps are stamped [s].
         report: takes a line when the file can be written no longer.
@@ -35,12 +62,12 @@ class TruthLog:
 
     def __init__(
         self,
-        world: SimulatedWorld,
+        drone: ScoredDrone,
         path: Path,
         clock: Callable[[], float],
         report: Callable[[str], None] = log_line,
     ) -> None:
-        self._world, self._clock = world, clock
+        self._drone, self._clock = drone, clock
         self._path, self._report = path, report
         self._file: TextIO | None = None
         with self._ending():
@@ -51,23 +78,24 @@ class TruthLog:
 
     def sample(self) -> None:
         """Write a sample when it is due, and the contacts that are new."""
-        now = self._world.now
+        now = self._drone.now
         if now < self._due or self._file is None:
             return
         self._due = now + 1.0 / TRUTH_RATE_HZ - 1e-6
         at = self._clock()
-        truth, clearance = self._world.truth(), self._world.clearance()
+        truth, clearance = self._drone.truth(), self._drone.clearance()
         self._write(
             {
                 "at": round(at, 6),
                 "position": [round(value, 5) for value in truth.pose.position],
-                "airborne": self._world.onboard().flight.airborne,
+                "airborne": self._drone.onboard().flight.airborne,
                 "solid": _finite(clearance.solid),
                 "person": _finite(clearance.person),
+                "drone": _finite(clearance.drone),
                 "leds": truth.leds,
             }
         )
-        for contact in self._world.contact_log[self._told :]:
+        for contact in self._drone.contact_log[self._told :]:
             self._write(_line(contact, at - now))
             self._told += 1
         self._samples += 1
@@ -79,8 +107,8 @@ class TruthLog:
         """Write how long each contact lasted, and close the file."""
         if self._file is None:
             return
-        offset = self._clock() - self._world.now
-        for contact in self._world.contact_log:
+        offset = self._clock() - self._drone.now
+        for contact in self._drone.contact_log:
             self._write(_line(contact, offset))
         file, self._file = self._file, None
         with self._ending():

@@ -19,6 +19,7 @@ import ssl
 import sys
 from collections.abc import Sequence
 from concurrent.futures import Future
+from functools import partial
 from pathlib import Path
 from types import FrameType
 
@@ -29,7 +30,12 @@ from housefly.bus.bus import Bus
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import USE_EDITS_QUERY
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
+from housefly.config.environment import (
+    SECRET_VARIABLE,
+    STOP_PORTS_VARIABLE,
+    TOKEN_VARIABLE,
+    stop_ports_of_text,
+)
 from housefly.config.process_log import log_line
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.state import (
@@ -40,10 +46,10 @@ from housefly.config.state import (
     webhook_key_file,
 )
 from housefly.errors import ConfigError, HouseflyError, LinkError
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.exposure import checked_exposure, console_address, guest_address
 from housefly.web.access.session import EndedSessions
@@ -56,7 +62,7 @@ from housefly.web.api.simulated_bell import SimulatedBell
 from housefly.web.console_port import inherited_listener, listening
 from housefly.web.http.connections import ConnectionLimiter, limited_protocol
 from housefly.web.http.handshakes import HandshakeListener
-from housefly.web.server import create_app
+from housefly.web.server import ConsoleDrone, create_app
 from housefly.web.status.console_memory import ConsoleMemory
 
 _LOG = logging.getLogger(__name__)
@@ -114,17 +120,19 @@ async def run_web(
     exposure = checked_exposure(site)
     certificate = exposure.certificate
     token = os.environ.get(TOKEN_VARIABLE) or secrets.token_urlsafe(24)
-    stop = _stop_sender()
+    stop = _stop_senders()
     with _listener(site, descriptor) as listener, ZenohBus(connect=endpoint) as bus:
         site = changed(site, web__port=listener.getsockname()[1])
+        drones = _drones(site, folder, stop)
         app = create_app(
             bus,
             token,
-            lambda: _reported(stop.send()),
+            drones[0].stop,
             hosts=exposure.names,
             secret=os.environ.get(SECRET_VARIABLE, ""),
-            drone_body=site.tracking.body,
-            drone=site.drone,
+            drone_body=drones[0].body,
+            drone=drones[0].config,
+            beside=drones[1:],
             furniture=site.furniture,
             coverage=lambda: coverage_view(
                 load_room(site.room.model, folder), site.map.flight_height
@@ -135,10 +143,10 @@ async def run_web(
             ended=EndedSessions(folder / "ended-sessions"),
             clips=_clip_index(site),
             hook_key=_hook_key(site),
-            privacy=LiveBlanker(site.tasks),
+            privacy=drones[0].privacy,
             bell=SimulatedBell(bus) if site.twin.enabled else None,
-            memory=ConsoleMemory(folder),
-            flights=flights_folder(site),
+            memory=drones[0].memory,
+            flights=drones[0].flights,
             site_name=site.name,
             guest_address=guest_address(site),
             authority=authority_of(site.web),
@@ -201,6 +209,34 @@ def _listener(site: Site, descriptor: int | None) -> HandshakeListener:
     return inherited_listener(descriptor)
 
 
+def _drones(site: Site, folder: Path, stop: dict[str, StopSender]) -> tuple[ConsoleDrone, ...]:
+    """Return the drones of a site, the one that is seen first in front; the only one for none.
+
+    What the first keeps lies where that of the only one does, that of the others beside it.
+    """
+    names = site.drone_names or (site.drone.name,)
+    found = []
+    for number, name in enumerate(names):
+        own, beside = site.for_drone(name), (name,) if number else ()
+        if beside:
+            folder.joinpath(name).mkdir(mode=0o700, exist_ok=True)
+        found.append(
+            ConsoleDrone(
+                own.drone,
+                own.tracking.body,
+                partial(_sent, stop[name]),
+                ConsoleMemory(folder.joinpath(*beside)),
+                flights_folder(site).joinpath(*beside),
+                LiveBlanker(site.tasks),
+            )
+        )
+    return tuple(found)
+
+
+def _sent(sender: StopSender) -> Future[bool]:
+    return _reported(sender.send())
+
+
 def _reported(sent: Future[bool]) -> Future[bool]:
     sent.add_done_callback(_report_stop)
     return sent
@@ -247,11 +283,12 @@ def _hook_key(site: Site) -> str:
         return ""
 
 
-def _stop_sender() -> StopSender:
+def _stop_senders() -> dict[str, StopSender]:
+    """Return a sender for each drone that is flown, by its name."""
     try:
-        return StopSender(
-            "127.0.0.1", int(os.environ[STOP_PORT_VARIABLE]), os.environ[SECRET_VARIABLE]
-        )
+        ports = stop_ports_of_text(os.environ[STOP_PORTS_VARIABLE])
+        secret = os.environ[SECRET_VARIABLE]
+        return {name: StopSender("127.0.0.1", port, secret) for name, port in ports.items()}
     except (KeyError, ValueError) as error:
         raise ConfigError(
             "environment", f"{error}: the console is started by `housefly run` or `housefly demo`"

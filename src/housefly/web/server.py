@@ -6,7 +6,8 @@
 /static/...      the built client
 /service-worker.js  keeps the page's shell on a phone; ``/authority.crt``: whom a phone is to trust
 /socket          WebSocket: state to the browser, orders from it
-/stop            POST: STOP, for a browser whose socket is down
+/stop            POST: STOP, for a browser whose socket is down; ``/land`` lands
+/drones          the drones of the room; ``?drone=NAME`` picks one in all of these, STOP is for all
 /video           WebSocket: the drone's H.264; ``/video.mjpeg`` the same as JPEG
 /coverage        which parts of the room the tracking cameras see
 /flights         flights that can be looked at again; ``/flights/{id}`` one of them
@@ -21,19 +22,21 @@ import asyncio
 import logging
 import secrets
 import signal
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import AbstractAsyncContextManager, asynccontextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 
 from housefly.bus.bus import Bus
+from housefly.bus.topics import DroneTopics
 from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.tracking import DRONE_BODY
-from housefly.tasks.evidence.live_blanker import LiveBlanker
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.logins import Logins
 from housefly.web.access.page_routes import page_routes
@@ -57,7 +60,6 @@ from housefly.web.api.tasks_api import TasksApi
 from housefly.web.camera.video import VideoRelay
 from housefly.web.camera.video_routes import video_routes
 from housefly.web.control.pilot_link import PilotLink
-from housefly.web.control.restart_objection import restart_objection
 from housefly.web.flights.flight_book import FlightBook
 from housefly.web.flights.flight_log_writer import FlightLogWriter
 from housefly.web.flights.flight_routes import flight_routes
@@ -65,11 +67,33 @@ from housefly.web.messages.server_messages import EventView
 from housefly.web.sockets.broadcast import Broadcast
 from housefly.web.sockets.console import Console
 from housefly.web.sockets.console_routes import console_routes
+from housefly.web.sockets.consoles import Consoles
 from housefly.web.status.console_memory import ConsoleMemory
 from housefly.web.status.state_feed import StateFeed
 from housefly.web.status.task_feed import TaskFeed
 
 _LOG = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class ConsoleDrone:
+    """A drone as the console has it.
+
+    Attributes:
+        config: of the drone.
+        body: its name among the tracked bodies.
+        stop: sends STOP to it on its own path; as that of ``create_app``.
+        memory: keeps control, STOP and the event log over a restart; None forgets them.
+        flights: folder into which its flights are kept; None keeps none.
+        privacy: blanks the privacy zones in its video; None where there are none.
+    """
+
+    config: DroneConfig
+    body: str
+    stop: Callable[[], object]
+    memory: ConsoleMemory | None = None
+    flights: Path | None = None
+    privacy: LiveBlanker | None = None
 
 
 def create_app(
@@ -97,6 +121,7 @@ def create_app(
     site_name: str = "",
     guest_address: str = "",
     authority: bytes | None = None,
+    beside: Sequence[ConsoleDrone] = (),
 ) -> Starlette:
     """Build the application.
 
@@ -126,17 +151,33 @@ def create_app(
         site_name: of the site, for those.
         guest_address: where other machines open the console; "" where they cannot.
         authority: the certificate that they are to trust, in DER; None when there is none.
+        beside: further drones; the one above is what a browser sees first.
     """
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
     logins = Logins(users, clock, audit) if users else None
-    link = PilotLink(bus, stop, clock)
-    board = TaskFeed(bus, clock)
-    kept = FlightLogWriter(flights, site_name) if flights else None
-    keep_event = memory.keep_event if memory else _forget
-    feed = StateFeed(clock, drone_body, furniture, keep_event, kept, drone or DroneConfig())
-    console = Console(feed, link, auth, clock, audit, board, memory, guest_address)
-    video = VideoRelay(bus, privacy, board.mode)
+    first = ConsoleDrone(drone or DroneConfig(), drone_body, stop, memory, flights, privacy)
+    drones = {one.config.name: one for one in (first, *beside)}
+    board, closing = TaskFeed(bus, clock), list[Callable[[], None]]()
+
+    def console_of(one: ConsoleDrone) -> Console:
+        link = PilotLink(bus, DroneTopics(one.config.name), one.stop, clock)
+        kept = FlightLogWriter(one.flights, site_name) if one.flights else None
+        keep_event = one.memory.keep_event if one.memory else _forget
+        feed = StateFeed(clock, one.body, furniture, keep_event, kept, one.config)
+        name = one.config.name if beside else ""
+        console = Console(feed, link, auth, clock, audit, board, one.memory, guest_address, name)
+        closing.extend([link.close, lambda: console.refusals.write_counted(at_the_end=True)])
+        closing.extend(part.close for part in (one.memory, kept) if part is not None)
+        return console
+
+    consoles = Consoles({name: console_of(one) for name, one in drones.items()})
+    relays = {
+        name: VideoRelay(bus, one.privacy, board.mode, DroneTopics(name))
+        for name, one in drones.items()
+    }
+    books = {name: FlightBook(one.flights) for name, one in drones.items() if one.flights}
+    chosen = first.config.name
     layer = CoverageLayer(coverage) if coverage else None
     key = api_key(secret) if secret else ""
     room_api = RoomApi(bus, auth, key)
@@ -146,42 +187,36 @@ def create_app(
         clock,
         key=key,
         hook_key=hook_key,
-        name_of=console.viewers.name_of_owner,
+        name_of=consoles.name_of_owner,
         audit=audit,
     )
-    clip_routes = ClipFiles(clips, auth, key, console.viewers.name_of_owner, audit).routes()
-    edits_api = EditsApi(
-        edits, auth, console, lambda: restart_objection(console.verdict(), board.message())
-    )
+    clip_routes = ClipFiles(clips, auth, key, consoles.name_of_owner, audit).routes()
+    edits_api = EditsApi(edits, auth, consoles, lambda: consoles.restart_objection(board.message()))
     bell_routes = BellRoutes(bell, auth)
-    closing = [link.close, room_api.close, edits_api.close, tasks_api.close, board.close]
-    closing += [bell_routes.close]
+    closing += [room_api.close, edits_api.close, tasks_api.close, board.close, bell_routes.close]
     closing += [layer.close] if layer else []
-    closing += [memory.close] if memory else []
-    closing += [kept.close] if kept else []
-    closing += [lambda: console.refusals.write_counted(at_the_end=True)]
     closing += [audit.close] if audit else []
     closing += [clips.close] if clips else []
     closing += [logins.close] if logins else []
     return Starlette(
         routes=[
-            *page_routes(auth, logins, authority),
+            *page_routes(auth, logins, authority, several_drones=bool(beside)),
             *session_routes(auth, logins, audit),
-            *console_routes(console, auth),
-            *video_routes(video, auth),
+            *console_routes(consoles, auth),
+            *video_routes({"": relays[chosen], **relays}, auth),
             *coverage_routes(layer, auth),
-            *flight_routes(FlightBook(flights) if flights else None, auth),
+            *flight_routes({**({"": books[chosen]} if chosen in books else {}), **books}, auth),
             *room_api.routes([*tasks_api.routes(), *clip_routes]),
             *edits_api.routes(),
             *bell_routes.routes(),
         ],
         middleware=[
             Middleware(HostGuard, hosts=hosts),
-            Middleware(RefusedChanges, auth, console.viewers.name_of_owner, console.refusals),
+            Middleware(RefusedChanges, auth, consoles.name_of_owner, consoles.first.refusals),
             Middleware(ReadingPace, auth, clock),
             Middleware(RoleGuard, auth=auth),
         ],
-        lifespan=_lifespan(bus, console, board, video, closing),
+        lifespan=_lifespan(bus, consoles, board, relays, closing),
     )
 
 
@@ -191,24 +226,29 @@ def _forget(event: EventView) -> None:
 
 def _lifespan(
     bus: Bus,
-    console: Console,
+    consoles: Consoles,
     board: TaskFeed,
-    video: VideoRelay,
+    relays: Mapping[str, VideoRelay],
     closing: list[Callable[[], None]],
 ) -> Callable[[Starlette], AbstractAsyncContextManager[None]]:
     """Return what listens and broadcasts while the application runs, then calls ``closing``."""
 
     @asynccontextmanager
     async def running(app: Starlette) -> AsyncIterator[None]:
-        console.feed.listen(bus)
+        for console in consoles.values():
+            console.feed.listen(bus)
         board.listen()
-        video.listen(asyncio.get_running_loop())
-        task = asyncio.create_task(Broadcast(console).run())
-        task.add_done_callback(_exit_on_failure)
+        for video in relays.values():
+            video.listen(asyncio.get_running_loop())
+        tasks = [asyncio.create_task(Broadcast(console).run()) for console in consoles.values()]
+        for task in tasks:
+            task.add_done_callback(_exit_on_failure)
         yield
-        task.cancel()
-        with suppress(asyncio.CancelledError):
-            await task
+        for task in tasks:
+            task.cancel()
+        for task in tasks:
+            with suppress(asyncio.CancelledError):
+                await task
         for close in closing:
             close()
 

@@ -15,9 +15,9 @@ from PIL import Image
 
 from housefly.cli import main
 from housefly.config.state import clips_folder, edits_folder
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_writer import ClipWriter
 from housefly.sites.loaded_site import read_site
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_writer import ClipWriter
 
 Capture = pytest.CaptureFixture[str]
 

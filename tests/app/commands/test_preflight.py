@@ -18,7 +18,7 @@ from frame_check_run import FrameCheckRun
 
 from housefly.app.frame_check.run import run_frame_check
 from housefly.bus.endpoint import endpoint_in
-from housefly.bus.topics import PREFLIGHT_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.cli import main
 from housefly.config.frame_check import frames_known, read_frame_check
@@ -31,6 +31,8 @@ from housefly.messages.preflight import FrameCheckState, PreflightCheck
 from housefly.sites.loaded_site import load_site, read_site
 from housefly.twin.hands import CarryOrder
 from housefly.twin.hands_link import send_carry
+
+TOPICS = DroneTopics()
 
 SITE = """
 name = "frames"
@@ -264,6 +266,6 @@ def test_the_list_of_a_house_that_runs_is_printed_and_says_whether_it_may_take_o
         bus = endpoint_in(Path(folder))
         there = RoomAddress("frames", "http://127.0.0.1:1", "key", os.getpid(), bus=bus)
         with ZenohBus(listen=bus) as pilot, announced(there):
-            pilot.answer(PREFLIGHT_QUERY, lambda _: to_json(view))
+            pilot.answer(TOPICS.preflight, lambda _: to_json(view))
             assert main(["preflight", "--site", str(site)]) == code
     assert capsys.readouterr().out.splitlines() == lines

@@ -18,8 +18,8 @@ from housefly.app.commands import reproduce
 from housefly.app.console_camera import ConsoleCamera
 from housefly.app.reproduction_flights import demanded_accelerations, read_service
 from housefly.cli import main
-from housefly.lab.reproduction import counter_worlds
-from housefly.lab.reproduction.counter_worlds import COUNTER_WORLDS
+from housefly.lab.reproduction import counterexamples
+from housefly.lab.reproduction.counterexamples import COUNTEREXAMPLES
 from housefly.lab.reproduction.fig12_loops import feedback_signals, forward_signals
 from housefly.messages import Action, Phase
 from housefly.pilot.control.laws import saturated_jointly, tilt
@@ -42,7 +42,7 @@ FIGURES = (
 
 
 DEAR_WORLDS = {"Kalman filter", "estimation is required", "immediate answer", "low frame rate"}
-"""Fleets fly in these: ``lab/reproduction/test_counter_worlds.py`` judges each."""
+"""Fleets fly in these: ``lab/reproduction/test_counterexamples.py`` judges each."""
 
 
 def flown_in(out: Path) -> tuple[Path, ...]:
@@ -70,10 +70,10 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
         measure(*arguments, **options)
         raise KeyboardInterrupt
 
-    worlds = {key: world for key, world in COUNTER_WORLDS.items() if key not in DEAR_WORLDS}
+    worlds = {key: world for key, world in COUNTEREXAMPLES.items() if key not in DEAR_WORLDS}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(reproduce, "_QUICK_SEEDS", 2)
-        patch.setattr(counter_worlds, "COUNTER_WORLDS", worlds)
+        patch.setattr(counterexamples, "COUNTEREXAMPLES", worlds)
         patch.setattr("housefly.record.recorder.write_report", lambda *_: None)
         with pytest.MonkeyPatch.context() as inner:
             inner.setattr(reproduction_run, "measure", stopped)

@@ -21,7 +21,7 @@ from housefly.hub.query_server import QueryServer
 from housefly.messages import OrderKind
 from housefly.tasks.api.values import ReasonCode, RehearsalReport
 from housefly.tasks.client.tasks_client import TASKS_SOCKET
-from housefly.tasks.service.drone_state import TakeOffReadiness
+from housefly.tasks.engine.drone_state import TakeOffReadiness
 
 
 @pytest.fixture(autouse=True)
@@ -106,7 +106,7 @@ def test_a_wish_is_queued_and_left_shown_and_cancelled(
 def test_a_reason_whose_number_grows_is_printed_once(
     stage: TaskStage, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    stage.service.readiness = TakeOffReadiness(False, "the battery is too low: 10%")
+    stage.parts.drones.first.readiness = TakeOffReadiness(False, "the battery is too low: 10%")
     main(["ask", "--no-wait", "look at the sofa"])
     (task,), progress = stage.service.board().tasks, TaskProgress()
     for seconds in range(5):

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from housefly.sites.loaded_site import load_site
-from housefly.twin.lively import lively_changes
+from housefly.twin.demo_site import demo_changes
 from housefly.twin.people import Scene, load_scene
 from scores.memory_score import AnswerGrade, JudgedAnswer, ScoredRoom
 
@@ -24,7 +24,7 @@ _GOAL = 0.01
 def answers(tmp_path_factory: pytest.TempPathFactory) -> list[JudgedAnswer]:
     """All answers of three afternoons, some six minutes, once a second."""
     folder: Path = tmp_path_factory.mktemp("scored")
-    room = ScoredRoom(load_site("bsen", **lively_changes()), folder, float(round(time.time())))
+    room = ScoredRoom(load_site("bsen", **demo_changes()), folder, float(round(time.time())))
     script = load_scene("bsen").script
     scenes = [Scene(script.model_copy(update={"seed": seed})) for seed in range(1, _ROUNDS + 1)]
     told = [one for scene in scenes for one in room.play(scene)]

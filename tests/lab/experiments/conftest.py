@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from made_up_drones import POSITION, VELOCITY, known_made_up_drones
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, quaternion_from_euler
@@ -53,6 +54,8 @@ WAYS: dict[str, dict[str, Any]] = {
     "over a screen": {"volumes": (SCREEN,), "limits__speed": 1.0},
     "grid": {"map__planner": "grid"},
     "paper": {"mode": "paper"},
+    "by velocity": {"drone__kind": VELOCITY},
+    "to places": {"drone__kind": POSITION},
 }
 """What a pilot flies along, and the site that makes it."""
 
@@ -136,6 +139,12 @@ def fly_both(premises: LoadedSite, drone: Cases, goal: Vec2, duration: float) ->
         _write(row, outputs)
     first = int(seen["tick"][0])
     return Twins(batch[first:], live[first:])
+
+
+@pytest.fixture(autouse=True)
+def made_up() -> Iterator[None]:
+    with known_made_up_drones():
+        yield
 
 
 @cache

@@ -46,6 +46,17 @@ def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, way: str, st
     assert np.ptp(twins.batch["x"]) > 3.0
 
 
+@pytest.mark.parametrize("way", ["by velocity", "to places"])
+def test_a_drone_of_another_form_is_flown_in_the_batch_as_by_the_live_pilot(
+    fly_twice: Fly, way: str
+) -> None:
+    twins = fly_twice(way, seconds=18.0)
+    assert twins.apart((*ESTIMATES, *REFERENCES)) < SAME
+    assert np.array_equal(twins.batch["flying"], twins.live["flying"])
+    off = np.hypot(*(twins.batch[axis] - twins.batch[f"ref_{axis}"] for axis in "xy"))
+    assert np.ptp(twins.batch["x"]) > 3.0 and np.sqrt(np.mean(off**2)) < 0.05
+
+
 def test_a_way_over_a_screen_is_climbed_in_the_batch_as_in_the_live_pilot(fly_twice: Fly) -> None:
     twins = fly_twice("over a screen", **STREAMS["10 Hz, late and lossy"])
     assert twins.apart((*SIGNALS, *ESTIMATES, *REFERENCES)) < SAME

@@ -31,7 +31,7 @@ def flown(case: np.ndarray, theta: list[float]) -> list[DroneState]:
     air, stream, body = sampled_drone(case), stream_begun(BLIND), DroneState(z=1.0)
     bodies = [body]
     for tick, angle in enumerate(theta):
-        orders[tick & (ORDER_RING_SIZE - 1)] = (1, angle, 0.0, 0.0, 0.0)
+        orders[tick & (ORDER_RING_SIZE - 1)] = (1, angle, *[0.0] * (len(ORDER) - 2))
         now = tick / float(case["rate_hz"])
         body, stream = carried_on(
             body, stream, tick, now, air, (0.0, 0.0), orders, BLIND, frames, random

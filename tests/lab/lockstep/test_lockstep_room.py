@@ -7,10 +7,11 @@ from collections.abc import Callable
 import pytest
 
 from housefly.config.site import Site, changed
-from housefly.lab.lockstep.lockstep_room import FLIGHT_STATUS, LockstepRoom
+from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Action, Command, DroneFault, DroneStatus, Setpoint
 from housefly.room.model import Room
 from housefly.twin.contracts import FlightState
+from housefly.twin.plain_drone import FLIGHT_STATUS
 from housefly.twin.world import SimulatedWorld
 
 

@@ -9,19 +9,12 @@ from math import hypot, inf
 import pytest
 from task_flights import flown, premises, scene_of
 
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import distance
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
 from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ReasonCode, TaskStage
-from housefly.tasks.execution.values import (
-    AskPerson,
-    GiveOrder,
-    Report,
-    Say,
-    StartClip,
-    StopClip,
-    TakeSnapshot,
-)
+from housefly.tasks.execution.values import AskPerson, GiveOrder, Report, Say, StopClip
 
 
 def words(flight: TaskFlight, kind: type[Report] | type[Say]) -> list[str]:

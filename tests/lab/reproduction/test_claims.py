@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from housefly.config.site import Site
+from housefly.lab.reproduction.changed_evidence import service
 from housefly.lab.reproduction.claims import CLAIMS, findings
-from housefly.lab.reproduction.counter_changes import service
 from housefly.lab.reproduction.edges import ESTIMATORS
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict

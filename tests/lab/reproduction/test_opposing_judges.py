@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from housefly.lab.reproduction.changed_evidence import trials
 from housefly.lab.reproduction.claims import CLAIMS
-from housefly.lab.reproduction.counter_changes import trials
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
 from housefly.lab.reproduction.known_lag import KnownLag

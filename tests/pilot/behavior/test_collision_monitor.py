@@ -14,6 +14,7 @@ import pytest
 from housefly.config.airframe import airframe_named
 from housefly.messages import DroneStatus, Estimate, Event, OrderOutcome, Path, Phase
 from housefly.messages.flight import OrderKind
+from housefly.messages.words import Words
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor, braking_distance
 from housefly.pilot.behavior.mission import (
     Mission,
@@ -24,6 +25,7 @@ from housefly.pilot.behavior.mission import (
 )
 from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.proposal import Look, MissionChange, Proposal
 
 PATH = Path(((0.0, 0.0), (4.0, 0.0), (4.0, 3.0)), 7.0, 0.5)
 FOLLOWING = TrackingTask(profile=cast(Any, object()), path=PATH)
@@ -33,7 +35,7 @@ TICK = 1 / 64
 
 
 class ScriptedWays:
-    """A commander and its navigator whose way is blocked where, and free again when, it is told."""
+    """A mission and its navigator whose way is blocked where, and free again when, it is told."""
 
     def __init__(self) -> None:
         self.state, self.task = MissionState(phase=Phase.OUTBOUND), FOLLOWING
@@ -42,14 +44,12 @@ class ScriptedWays:
         self.asked: list[float] = []
         self.looked_from: list[int] = []
 
-    def go_around(self, vehicle: VehicleStatus) -> Refused | None:
+    def other_way(self, vehicle: VehicleStatus) -> TrackingTask | Refused:
         self.asked.append(vehicle.now)
-        if self.refusal is None:
-            self.task = replace(FOLLOWING)
-        return self.refusal
+        return replace(FOLLOWING) if self.refusal is None else self.refusal
 
-    def wait(self, why: str, vehicle: VehicleStatus, mission: Mission | None = None) -> None:
-        self.task = TrackingTask(waiting=why, since=vehicle.now)
+    def halted(self, vehicle: VehicleStatus) -> TrackingTask:
+        return TrackingTask()
 
     def block(self, place: object, path: Path, waypoint: int) -> PathBlock | None:
         self.looked_from.append(waypoint)
@@ -79,8 +79,28 @@ class Watch:
         said = []
         for _ in range(round(seconds / TICK)):
             self.now += TICK
-            said += self.monitor.step(self.vehicle(speed, climb), None)
+            said += self.look(self.vehicle(speed, climb))
         return said
+
+    def look(
+        self,
+        vehicle: VehicleStatus,
+        target: TrajectorySetpoint | None = None,
+        *,
+        silent: bool = False,
+    ) -> tuple[Event, ...]:
+        """Do what the monitor proposes, and return what is said."""
+        return self.done(self.monitor.propose(Look(vehicle, target, silent)))
+
+    def done(self, proposal: Proposal) -> tuple[Event, ...]:
+        self.ways.task = proposal.task or self.ways.task
+        self.ways.state = proposal.state or self.ways.state
+        return proposal.events
+
+    def waits_instead(self, vehicle: VehicleStatus) -> bool:
+        proposal = self.monitor.waiting_instead(Words("closed"), vehicle)
+        self.done(proposal)
+        return proposal.change is MissionChange.HOLD
 
 
 @pytest.fixture
@@ -183,26 +203,26 @@ def test_it_looks_from_the_waypoint_that_is_flown_to_and_not_while_it_makes_way(
 ) -> None:
     for waypoint in (1, 7):
         target = cast(TrajectorySetpoint, type("At", (), {"waypoint": waypoint}))
-        watch.monitor.step(watch.vehicle(), target)
-        watch.monitor.step(watch.vehicle(), target, paused=True)
+        watch.look(watch.vehicle(), target)
+        watch.look(watch.vehicle(), target, silent=True)
     watch.ways.task = replace(FOLLOWING, profile=cast(Any, object()))
-    watch.monitor.step(watch.vehicle(), target)
+    watch.look(watch.vehicle(), target)
     watch.ways.task = replace(watch.ways.task)
-    watch.monitor.step(watch.vehicle(), target)
+    watch.look(watch.vehicle(), target)
     assert watch.ways.looked_from == [1, 2, 0, 2]
     watch.ways.task = TrackingTask()
     assert watch.fly() == [] and len(watch.ways.looked_from) == 4
 
 
 def test_a_new_phase_waits_for_a_way_only_where_what_is_there_now_closes_it(watch: Watch) -> None:
-    assert not watch.monitor.waits_instead("closed", watch.vehicle())  # nowhere to go
+    assert not watch.waits_instead(watch.vehicle())  # nowhere to go
     watch.ways.state = replace(watch.ways.state, phase=Phase.RETURNING)
-    assert watch.monitor.waits_instead("closed", watch.vehicle())
+    assert watch.waits_instead(watch.vehicle())
     assert watch.ways.task.waiting == "closed"
     assert watch.fly(1.0) == []  # the reason was told with the phase
     assert watch.ways.asked[0] - 10.0 == pytest.approx(0.25)
     watch.ways.refusal = None  # a wall, not somebody
-    assert not watch.monitor.waits_instead("closed", watch.vehicle())
+    assert not watch.waits_instead(watch.vehicle())
     nowhere = replace(watch.vehicle(), estimate=None)
-    assert not watch.monitor.waits_instead("closed", nowhere)
-    assert watch.monitor.step(nowhere, None) == []
+    assert not watch.waits_instead(nowhere)
+    assert watch.look(nowhere) == ()

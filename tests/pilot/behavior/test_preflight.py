@@ -7,6 +7,7 @@ from math import inf, nan
 
 import pytest
 
+from housefly.config.airframe import Ability
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneFault, DroneStatus, Estimate, OrderOutcome, Telemetry
 from housefly.messages.preflight import FrameCheckState, FramesKnown
@@ -61,6 +62,7 @@ BROKEN = {
     "pad": replace(READY, off_pad=0.5),
     "origin": replace(READY, turned=0.5, origin_confirmed=False),
     "sees_people": known(silence=PeopleSilence(3.2)),
+    "abilities": replace(READY, lacks=frozenset({Ability.HOVER})),
     "frames_right": replace(READY, frames=FramesKnown(FrameCheckState.WRONG, "mirrored")),
     "frames_checked": replace(READY, frames=FramesKnown(FrameCheckState.STALE)),
 }
@@ -85,3 +87,11 @@ def test_what_is_wrong_fails_its_own_check_and_refuses_only_where_it_must(rule) 
     if refused:
         assert rule.fault in refused.reason and rule.mend in refused.reason
         assert (refused.outcome is OrderOutcome.BATTERY) == (rule.code == "charge")
+
+
+def test_what_the_drone_lacks_is_told_and_keeps_nothing_down() -> None:
+    lacking = replace(READY, lacks=frozenset({Ability.HOVER, Ability.VELOCITY, Ability.CAMERA}))
+    (told,) = (check for check in preflight(lacking) if check.code == "abilities")
+    assert not told.passed and not told.required
+    assert told.value == "a hover of its own, its own velocity"
+    assert "abilities" not in {check.code for check in preflight(READY)}

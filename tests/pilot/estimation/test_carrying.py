@@ -7,7 +7,7 @@ import pytest
 
 from housefly.geometry import GRAVITY, Vec3
 from housefly.messages import DroneStatus, Telemetry
-from housefly.pilot.estimation.carrying import MEMORY, SETTLING_TIME, CarryDetector
+from housefly.pilot.estimation.consistency import MEMORY, SETTLING_TIME, CarryDetector
 
 RESTING = Telemetry(0.0, DroneStatus.LANDED, 0.9, 0.003, -0.002, 1.2)
 

@@ -7,6 +7,7 @@ from math import atan, cos, inf, pi, sin
 
 import numpy as np
 import pytest
+from ardrone_flow import FLOW
 
 from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
@@ -63,7 +64,9 @@ def said(
     """
     rng, monitor = (
         np.random.default_rng(3),
-        TrackingMonitor(OdometryTolerance(0.003, 0.001), 0.58, airframe_named("ardrone").sonar),
+        TrackingMonitor(
+            OdometryTolerance(0.003, 0.001, FLOW), 0.58, airframe_named("ardrone").sonar
+        ),
     )
     told: list[tuple[float, TrackingConsistency]] = []
     way, next_seen, past = 0.0, 0.0, [speed(0.0)] * (DELAY_TICKS + 1)

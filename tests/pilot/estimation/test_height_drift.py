@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from ardrone_flow import FLOW
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -30,11 +31,14 @@ def first_drift(
     seconds: float = 20.0,
     ping: float = 0.04,
     is_heard: Callable[[float], bool] = lambda t: True,
+    is_seen: Callable[[float], bool] = lambda t: True,
     seed: int = 0,
 ) -> float:
     """Return the lie [m] at which the gate lands a drone at these heights; nan for never."""
     monitor, rng = (
-        TrackingMonitor(OdometryTolerance(0.002, 0.05), 0.58, airframe_named("ardrone").sonar),
+        TrackingMonitor(
+            OdometryTolerance(0.002, 0.05, FLOW), 0.58, airframe_named("ardrone").sonar
+        ),
         np.random.default_rng(seed),
     )
     since, reading, next_ping = np.inf, 0.0, 0.0
@@ -47,7 +51,8 @@ def first_drift(
             monitor.feel(report, DroneStatus.FLYING, 0.0)
         # Along x, so that the floor at the take-off is far behind.
         place = (0.5 * t, 0.0, height(t) + lie(t) + 0.001 * float(rng.standard_normal()))
-        monitor.accept(Sighting("drone", Pose(place, (1.0, 0.0, 0.0, 0.0)), t, t))
+        if is_seen(t):
+            monitor.accept(Sighting("drone", Pose(place, (1.0, 0.0, 0.0, 0.0)), t, t))
         drift = monitor.consistency(t).height_drift
         since = min(since, t) if drift > HEIGHT_DISAGREES else np.inf
         if t - since >= LASTS:
@@ -104,5 +109,20 @@ def test_a_height_that_rises_above_a_thing_is_found_too() -> None:
 def test_after_a_gap_of_the_reports_nothing_is_said_before_the_floor_is_seen() -> None:
     found = first_drift(
         steady, lambda t: 0.7 if 5.0 < t < 12.0 else 0.0, is_heard=lambda t: not 4.5 < t < 5.5
+    )
+    assert np.isnan(found)
+
+
+@given(st.floats(0.3, 0.9), st.floats(0.0, 0.3), st.integers(0, 99))
+@settings(max_examples=25)
+def test_the_last_sighting_before_a_gap_says_nothing_of_a_floor_that_has_just_stepped_away(
+    size: float, after: float, seed: int
+) -> None:
+    found = first_drift(
+        steady,
+        lambda t: size if 4.0 < t < 8.0 else 0.0,
+        is_seen=lambda t: not 8.0 + after < t < 9.0,
+        seconds=10.0,
+        seed=seed,
     )
     assert np.isnan(found)

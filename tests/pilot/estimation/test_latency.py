@@ -5,6 +5,7 @@ from math import cos, isfinite, isnan, nan, sin
 
 import numpy as np
 import pytest
+from ardrone_flow import FLOW
 
 from housefly.pilot.estimation.latency import (
     LAG_STEP,
@@ -13,12 +14,11 @@ from housefly.pilot.estimation.latency import (
     latency_advanced,
 )
 from housefly.pilot.estimation.onboard_odometry import (
-    FLOW_DELAY,
     MOTION_RING_SIZE,
-    NO_ODOMETRY,
     ONBOARD_MOTION,
     OnboardReport,
     odometry_advanced,
+    odometry_begun,
     odometry_headed,
 )
 
@@ -49,10 +49,10 @@ def found(place: Place, late: float, seconds: float) -> float:
         lag_bank(),
         np.random.default_rng(1),
     )
-    odometry, state = NO_ODOMETRY, NO_LATENCY
+    odometry, state = odometry_begun(FLOW), NO_LATENCY
     for tick in range(1, round(seconds / 0.01)):
         at = 0.01 * tick
-        _, v, z = place(at - FLOW_DELAY)
+        _, v, z = place(at - FLOW.delay)
         noise = random.normal(0.0, 1.0, 5).tolist()
         told = z + 0.01 * noise[2] if isfinite(z) else 0.8 * (at % 2.0 > 1.0)
         report = OnboardReport(

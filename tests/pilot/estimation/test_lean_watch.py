@@ -8,7 +8,7 @@ from math import isfinite, nan
 import pytest
 
 from housefly.geometry import quaternion_from_euler
-from housefly.pilot.estimation.lean_watch import SEEN_MAX, STUCK_AFTER, LeanWatch
+from housefly.pilot.estimation.consistency import SEEN_MAX, STUCK_AFTER, LeanWatch
 from housefly.pilot.estimation.onboard_odometry import OnboardReport
 
 PERIOD = 0.01

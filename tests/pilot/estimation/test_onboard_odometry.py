@@ -4,13 +4,13 @@ from math import cos, nan, pi, sin
 
 import numpy as np
 import pytest
+from ardrone_flow import FLOW
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from housefly.pilot.estimation.flow_model import flow_bias_variance
 from housefly.pilot.estimation.onboard_odometry import (
-    FLOW_DELAY,
     MOTION_RING_SIZE,
-    NO_ODOMETRY,
     ONBOARD_MOTION,
     REPORT_GAP_MAX,
     SPEED_LOST,
@@ -18,9 +18,9 @@ from housefly.pilot.estimation.onboard_odometry import (
     MotionRing,
     OdometryState,
     OnboardReport,
-    flow_bias_variance,
     odometry_advanced,
     odometry_at,
+    odometry_begun,
     odometry_headed,
 )
 
@@ -33,7 +33,7 @@ def ring() -> MotionRing:
 
 def begun(motion: MotionRing, yaw: float, psi: float = 0.0, at: float = 0.0) -> OdometryState:
     """Return the odometry of a drone that tracking saw once, at a heading [rad]."""
-    state = odometry_advanced(NO_ODOMETRY, motion, LEVEL._replace(at=at, psi=psi))
+    state = odometry_advanced(odometry_begun(FLOW), motion, LEVEL._replace(at=at, psi=psi))
     return odometry_headed(state, motion, at, yaw)
 
 
@@ -55,7 +55,7 @@ def test_a_circle_at_any_heading_tilt_and_climb_is_followed(
     x = y = 0.0
     for tick in range(1, 301):
         at = 0.01 * tick
-        then = at - FLOW_DELAY
+        then = at - FLOW.delay
         forward = speed * cos(theta) - vz * sin(theta)
         left = speed * sin(theta) * sin(phi) + vz * cos(theta) * sin(phi)
         report = OnboardReport(at, theta, phi, psi + rate * at, forward, left, 1.0, vz, True, nan)
@@ -63,7 +63,7 @@ def test_a_circle_at_any_heading_tilt_and_climb_is_followed(
         heading = yaw + rate * then
         x += 0.01 * speed * cos(heading)
         y += 0.01 * speed * sin(heading)
-    found = odometry_at(state, motion, 3.0 - FLOW_DELAY)
+    found = odometry_at(state, motion, 3.0 - FLOW.delay)
     assert (found.x, found.y) == pytest.approx((x, y), abs=0.06 * speed)
     assert found.way == pytest.approx(3.0 * speed, rel=0.05)
 
@@ -73,9 +73,9 @@ def test_after_the_newest_report_it_goes_on_for_a_while() -> None:
     state = begun(motion, 0.0)
     for tick in range(1, 101):
         state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick, forward=0.5))
-    newest = odometry_at(state, motion, 1.0 - FLOW_DELAY)
+    newest = odometry_at(state, motion, 1.0 - FLOW.delay)
     ahead = odometry_at(state, motion, 1.0)
-    assert ahead.x - newest.x == pytest.approx(0.5 * FLOW_DELAY)
+    assert ahead.x - newest.x == pytest.approx(0.5 * FLOW.delay)
     far = odometry_at(state, motion, 5.0)
     assert far.x - newest.x == pytest.approx(0.5 * REPORT_GAP_MAX)
 
@@ -119,7 +119,7 @@ def test_a_stall_of_the_link_does_not_lengthen_the_way_of_a_drone_that_tells_its
         told += 0.01
         report = LEVEL._replace(at=at, forward=0.5, drone_time=told)
         state = odometry_advanced(state, motion, report)
-    found = odometry_at(state, motion, at - FLOW_DELAY)
+    found = odometry_at(state, motion, at - FLOW.delay)
     assert found.x == pytest.approx(0.5 * told, abs=0.01)
 
 
@@ -135,7 +135,7 @@ def test_around_a_link_that_stood_still_the_place_is_a_guess() -> None:
             state, motion, LEVEL._replace(at=at, forward=0.5, drone_time=told)
         )
         assert odometry_at(state, motion, at).stalled == (tick in (50, 51))
-    assert odometry_at(state, motion, at - FLOW_DELAY).x == pytest.approx(0.5 * at, abs=0.03)
+    assert odometry_at(state, motion, at - FLOW.delay).x == pytest.approx(0.5 * at, abs=0.03)
 
 
 @pytest.mark.parametrize("told", [7.0, nan, -1.0], ids=["stands", "is not told", "goes back"])
@@ -147,7 +147,7 @@ def test_a_clock_of_the_drone_that_does_not_run_does_not_count(told: float) -> N
         clock = -at if told < 0.0 else told
         report = LEVEL._replace(at=at, forward=0.5, drone_time=clock)
         state = odometry_advanced(state, motion, report)
-    assert odometry_at(state, motion, 1.0 - FLOW_DELAY).x == pytest.approx(0.5, abs=0.01)
+    assert odometry_at(state, motion, 1.0 - FLOW.delay).x == pytest.approx(0.5, abs=0.01)
 
 
 def test_a_velocity_of_exactly_zero_in_flight_is_none() -> None:
@@ -204,4 +204,4 @@ def test_the_error_by_the_bias_is_that_of_its_random_process() -> None:
     for _ in range(100):
         way += dt * bias
         bias = keep * bias + 0.003 * np.sqrt(1.0 - keep * keep) * random.normal(size=4000)
-    assert flow_bias_variance(5.0) == pytest.approx(float(np.var(way)), rel=0.1)
+    assert flow_bias_variance(FLOW, 5.0) == pytest.approx(float(np.var(way)), rel=0.1)

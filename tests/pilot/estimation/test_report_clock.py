@@ -5,15 +5,15 @@ from __future__ import annotations
 from math import cos, inf, isnan, nan, pi, sin
 
 import pytest
+from ardrone_flow import FLOW
 from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, Sighting, Telemetry
+from housefly.pilot.estimation.consistency import OFFSET_WINDOW, ReportClock
 from housefly.pilot.estimation.displacement import OdometryTolerance
-from housefly.pilot.estimation.onboard_odometry import FLOW_DELAY
-from housefly.pilot.estimation.report_clock import OFFSET_WINDOW, ReportClock
 from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
 from housefly.pilot.safety.tracking_rules import DRIFT_WARN
 from housefly.tracking.capture_clock import CaptureClock
@@ -23,7 +23,7 @@ LINK = 0.004
 """From drone to pilot [s]."""
 DRAG = 0.58
 SONAR = airframe_named("ardrone").sonar
-TOLERANCE = OdometryTolerance(0.005, 0.04)
+TOLERANCE = OdometryTolerance(0.005, 0.04, FLOW)
 
 
 @given(st.lists(st.floats(0.0, 0.4), min_size=1, max_size=80))
@@ -93,7 +93,7 @@ def worst_drift(stall: float, *, tells_time: bool) -> float:
             DroneStatus.FLYING,
             0.9,
             theta=lean(world),
-            velocity=(speed(world - FLOW_DELAY), 0.0, 0.0),
+            velocity=(speed(world - FLOW.delay), 0.0, 0.0),
             height=1.0,
             drone_time=world if tells_time else None,
         )

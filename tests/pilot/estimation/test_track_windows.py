@@ -4,13 +4,18 @@ from math import cos, isnan, pi, radians, sin
 
 import numpy as np
 import pytest
+from ardrone_flow import FLOW
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from onboard_noise import flown
 
-from housefly.pilot.estimation.displacement import OdometryTolerance
+from housefly.pilot.estimation.displacement import (
+    ROW_PERIOD,
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+)
 from housefly.pilot.estimation.onboard_odometry import OdometryAt
-from housefly.pilot.estimation.track_row import ROW_PERIOD, TRACK_ROW, WINDOW_RING_SIZE
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     TrackWindows,
@@ -28,7 +33,14 @@ def turned(angle: float, speed: float = 0.5, seconds: float = 1.0) -> TrackWindo
         x, y = way * cos(angle), way * sin(angle)
         onboard = OdometryAt(0.0, 1.0, way, 0.0, speed, 0.0, way, 1e-6 * tick, False)
         windows = windows_advanced(
-            windows, rows, tick * ROW_PERIOD, x, y, 0.0, onboard, OdometryTolerance(0.002, 0.001)
+            windows,
+            rows,
+            tick * ROW_PERIOD,
+            x,
+            y,
+            0.0,
+            onboard,
+            OdometryTolerance(0.002, 0.001, FLOW),
         )
     return windows
 
@@ -58,7 +70,7 @@ def test_turns_the_other_way_round_are_a_mirror(factor: float, mirrored: bool) -
             0.0,
             yaw,
             onboard,
-            OdometryTolerance(0.002, 0.001),
+            OdometryTolerance(0.002, 0.001, FLOW),
         )
     assert windows.mirrored is mirrored
     assert (windows.frame_error > 0.4) is (factor != 1.0)
@@ -72,7 +84,7 @@ def test_a_way_that_comes_back_agrees_again() -> None:
         off = 0.2 if 100 <= tick < 160 else 0.0
         at = tick * ROW_PERIOD
         windows = windows_advanced(
-            windows, rows, at, off, 0.0, 0.0, still, OdometryTolerance(0.002, 0.001)
+            windows, rows, at, off, 0.0, 0.0, still, OdometryTolerance(0.002, 0.001, FLOW)
         )
         drifts.append(windows.drift)
     assert max(drifts[100:160]) == pytest.approx(0.2)
@@ -92,7 +104,7 @@ def test_what_was_seen_while_the_link_stood_still_is_held_against_nothing() -> N
             0.0,
             0.0,
             still._replace(stalled=stalled),
-            OdometryTolerance(0.002, 0.001),
+            OdometryTolerance(0.002, 0.001, FLOW),
         )
         assert not windows.drift > 0.0
 
@@ -150,7 +162,14 @@ def test_a_bias_that_was_learned_turns_with_the_drone(degrees: int) -> None:
         x, y = x + 0.011 * cos(psi) * ROW_PERIOD, y + 0.011 * sin(psi) * ROW_PERIOD
         onboard = OdometryAt(psi, 1.0, x, y, 0.0, 0.0, 0.0, 2e-7 * tick, False)
         windows = windows_advanced(
-            windows, ring, tick * ROW_PERIOD, 0.0, 0.0, psi, onboard, OdometryTolerance(0.001, 0.0)
+            windows,
+            ring,
+            tick * ROW_PERIOD,
+            0.0,
+            0.0,
+            psi,
+            onboard,
+            OdometryTolerance(0.001, 0.0, FLOW),
         )
         assert not windows.anchored
 
@@ -161,7 +180,14 @@ def test_a_bias_is_learned_anew_after_ways_have_come_together() -> None:
     for tick in range(900):
         off = 0.2 if 100 <= tick < 160 else 0.0
         windows = windows_advanced(
-            windows, rows, tick * ROW_PERIOD, off, 0.0, 0.0, still, OdometryTolerance(0.002, 0.001)
+            windows,
+            rows,
+            tick * ROW_PERIOD,
+            off,
+            0.0,
+            0.0,
+            still,
+            OdometryTolerance(0.002, 0.001, FLOW),
         )
     newest = rows[(windows.taken - 1) & (WINDOW_RING_SIZE - 1)]
     assert not windows.anchored and newest["b_variance"] < 1e-5

@@ -22,8 +22,9 @@ from mcp_types import ElicitResult, InputRequiredResult
 from PIL import Image
 
 from housefly.app.commands.mcp import MCP_KEY
+from housefly.config.house_mode import HouseMode
 from housefly.tasks.api.questions import CancelTask, ReplyToTask, RequestTask, Sentence
-from housefly.tasks.api.values import Confirm, HouseMode, RequestSurface, TaskStage
+from housefly.tasks.api.values import Confirm, RequestSurface, TaskStage
 from housefly.tasks.assistants import flight_approval
 from housefly.tasks.assistants.assistant_reply import MARKED
 from housefly.tasks.assistants.flight_approval import PATIENCE

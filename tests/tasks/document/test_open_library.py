@@ -106,3 +106,15 @@ def test_without_a_drone_nothing_that_flies_is_offered_or_given(tmp_path: Path) 
     with pytest.raises(TaskError, match="look flies, and this room has no drone") as refused:
         library.document("look")
     assert refused.value.code == "no_drone"
+
+
+def test_without_a_camera_nothing_that_looks_is_offered_or_given(tmp_path: Path) -> None:
+    write(tmp_path, "hop.yaml", "name: hop\ntitle: Mine\nsteps:\n  - take_off\n  - return_home\n")
+    write(tmp_path, "calls.yaml", "name: calls\ntitle: x\nsteps:\n  - call: {task: panorama}\n")
+    library = OpenLibrary(tmp_path, has_camera=False)
+    assert "hop" in {one.name for one in library.services()}
+    assert library.document("hop").flies and not library.document("hop").looks
+    assert not {"look", "calls"} & {one.name for one in library.services()}
+    with pytest.raises(TaskError, match="look looks, and the drone has no camera") as refused:
+        library.document("look")
+    assert refused.value.code == "no_view"

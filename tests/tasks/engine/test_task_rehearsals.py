@@ -37,7 +37,7 @@ class OneByOne:
         self.begun: list[tuple[str, Future[RehearsalReport]]] = []
         self.changed = threading.Event()
 
-    def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
+    def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
         found: Future[RehearsalReport] = Future()
         self.begun.append((str(task.parameters["subject"]), found))
         self.changed.set()
@@ -84,7 +84,7 @@ def test_what_nobody_waits_for_any_more_is_not_rehearsed() -> None:
 
 def test_a_rehearser_that_breaks_holds_up_no_other() -> None:
     class Broken:
-        def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
+        def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
             raise RuntimeError
 
     turns = RehearsalTurns(Broken())

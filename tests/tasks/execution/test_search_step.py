@@ -8,6 +8,7 @@ import pytest
 from scripted_pilot import UNIX_BEGIN, Flight, ScriptedPilot, ScriptedRoom, ScriptedSearch, view
 
 from housefly.errors import TaskError
+from housefly.evidence.clip_values import TakeSnapshot
 from housefly.geometry import Vec3
 from housefly.hub.api.answers import AlternativePlace, WhereAnswer
 from housefly.messages import OrderKind, OrderOutcome
@@ -17,7 +18,7 @@ from housefly.tasks.document.binding import bind
 from housefly.tasks.document.library import load_library
 from housefly.tasks.execution.search_step import LOOKS_MAX
 from housefly.tasks.execution.task_run import TaskRun
-from housefly.tasks.execution.values import AskPerson, PersonReply, Report, Say, TakeSnapshot
+from housefly.tasks.execution.values import AskPerson, PersonReply, Report, Say
 
 LIBRARY = load_library()
 CUP = WhereAnswer(

@@ -11,6 +11,7 @@ import pytest
 from scripted_pilot import UNIX_BEGIN, Flight, ScriptedPilot, ScriptedRoom, view
 
 from housefly.errors import LinkError
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import Vec2, distance, wrap_angle
 from housefly.hub.api.answers import (
     AlternativePlace,
@@ -40,14 +41,7 @@ from housefly.tasks.document.library import load_library
 from housefly.tasks.execution.flight_steps import REGO_DISTANCE, REGO_PERIOD
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.execution.task_run import TaskRun
-from housefly.tasks.execution.values import (
-    PersonReply,
-    PublishMqtt,
-    Report,
-    Say,
-    StartClip,
-    TakeSnapshot,
-)
+from housefly.tasks.execution.values import PersonReply, PublishMqtt, Report, Say
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
 LIBRARY = load_library()

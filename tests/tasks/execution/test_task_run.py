@@ -10,6 +10,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scripted_pilot import PERIOD, Flight, ScriptedPilot, ScriptedRoom, view
 
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import distance
 from housefly.messages import (
     DroneStatus,
@@ -32,15 +33,7 @@ from housefly.tasks.document.library import load_library
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.execution.order_tracker import OrderTracker
 from housefly.tasks.execution.task_run import CANCEL_TIME_MAX, HOLD_PERIOD, TaskRun
-from housefly.tasks.execution.values import (
-    AskPerson,
-    PersonReply,
-    Say,
-    StartClip,
-    StopClip,
-    TakeSnapshot,
-    TaskInputs,
-)
+from housefly.tasks.execution.values import AskPerson, PersonReply, Say, StopClip, TaskInputs
 
 LIBRARY = load_library()
 MOVING = (OrderKind.GO, OrderKind.TAKE_OFF, OrderKind.HOME)

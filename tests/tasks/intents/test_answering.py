@@ -8,13 +8,15 @@ from pathlib import Path
 import pytest
 from remembered_room import RememberedRoom, a_day_with_grandma, today_at
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import LinkError
+from housefly.evidence.clip_values import ClipInfo, ClipsAnswer, ClipsQuestion
 from housefly.hub.api.questions import Question
 from housefly.hub.client.room_queries import RoomQueries
 from housefly.messages import OrderKind
-from housefly.tasks.api.answers import ClipInfo, ClipsAnswer, TaskBoard
-from housefly.tasks.api.questions import BoardQuestion, ClipsQuestion, SetMode
-from housefly.tasks.api.values import HouseMode, TaskRequest
+from housefly.tasks.api.answers import TaskBoard
+from housefly.tasks.api.questions import BoardQuestion, SetMode
+from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.library import load_library
 from housefly.tasks.intents.answer_tasks import words_of_answer

@@ -8,12 +8,13 @@ from pathlib import Path
 import pytest
 from rule_bench import KnownRoom, make_rule
 
+from housefly.config.house_mode import HouseMode
 from housefly.hub.memory import RoomMemory
 from housefly.hub.query_handler import QueryHandler
 from housefly.hub.room_status import RoomStatus
 from housefly.hub.store.open import open_store
 from housefly.messages import RoomEvent
-from housefly.tasks.api.values import HouseMode, ReasonCode
+from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.rules import dry_run as module
 from housefly.tasks.rules.dry_run import dry_run, stored_events
 from housefly.tasks.rules.mode_event import mode_event

@@ -6,14 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config.tasks import PrivacyZone
-from housefly.tasks.api.values import Confirm, HouseMode, Priority, ReasonCode, RequestSurface
-from housefly.tasks.rules.mode_table import (
-    MODE_TABLE,
-    launch_permit,
-    may_record,
-    private_zones,
-)
+from housefly.config.house_mode import HouseMode
+from housefly.tasks.api.values import Confirm, Priority, ReasonCode, RequestSurface
+from housefly.tasks.rules.mode_table import MODE_TABLE, launch_permit
 
 UNATTENDED = (
     RequestSurface.RULE,
@@ -93,18 +88,3 @@ def test_who_may_launch_may(mode: HouseMode, surface: RequestSurface) -> None:
 def test_what_does_not_fly_runs_in_every_mode() -> None:
     for mode, surface in product(HouseMode, RequestSurface):
         assert launch_permit(mode, surface, flies=False).is_given
-
-
-def test_nothing_records_in_privacy_and_in_maintenance() -> None:
-    assert {mode for mode in HouseMode if not may_record(mode)} == {
-        HouseMode.PRIVACY,
-        HouseMode.MAINTENANCE,
-    }
-
-
-def test_a_zone_is_private_always_or_in_the_modes_that_it_names() -> None:
-    corners = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0))
-    bath = PrivacyZone(name="bath", polygon=corners)
-    bed = PrivacyZone(name="bed", polygon=corners, modes=("home", "night"))
-    assert private_zones(HouseMode.NIGHT, (bath, bed)) == (bath, bed)
-    assert private_zones(HouseMode.AWAY, (bath, bed)) == (bath,)

@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rule_bench import NOON, KnownRoom, bell, make_rule
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import WireError
 from housefly.messages import RoomEvent
-from housefly.tasks.api.values import Confirm, HouseMode, Priority, ReasonCode, RequestSurface
+from housefly.tasks.api.values import Confirm, Priority, ReasonCode, RequestSurface
 from housefly.tasks.rules.rule import Rule
 from housefly.tasks.rules.rule_engine import SLOT_GRACE, RuleDecision, RuleEngine
 from housefly.tasks.rules.rule_memory import RuleMemory, memory_from_json, memory_to_json

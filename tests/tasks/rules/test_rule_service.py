@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 from rule_bench import NOON, KnownRoom, bell, make_rule
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import StoreError
-from housefly.tasks.api.values import HouseMode, ReasonCode
+from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.rules.mode_event import mode_after, mode_before
 from housefly.tasks.rules.rule_engine import RuleEngine
 from housefly.tasks.rules.rule_service import RuleService

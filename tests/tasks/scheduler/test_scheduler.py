@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -415,3 +416,62 @@ def test_an_askers_own_requests_stay_in_order_whatever_is_cancelled(
     for by in "ab":
         own = [task.id for task in flown if task.asker == by]
         assert all(one < other for one, other in pairwise(own))
+
+
+RED = DroneAvailability(True, name="red", place=(0.0, 0.0))
+BLUE = DroneAvailability(True, name="blue", place=(9.0, 0.0))
+
+
+def drones_of(scheduler: Scheduler) -> dict[str, str]:
+    """Return which drone flies what."""
+    return {task.drone: task.request.service for task in scheduler.tasks if task.drone}
+
+
+def test_two_drones_fly_two_tasks_at_once_and_the_third_waits_for_whichever_is_free() -> None:
+    scheduler = take(Scheduler(), request("look"), request("patrol"), request("visit"))
+    scheduler, decisions = scheduler.ticked(1.0, (), RED, BLUE)
+    assert decisions == (StartTask(1), StartTask(2))
+    assert drones_of(scheduler) == {"red": "look", "blue": "patrol"}
+    words = waiting_words(scheduler, RED, BLUE)
+    assert words == {3: "'Look' has red; 'Patrol' has blue"}
+    scheduler, decisions = scheduler.ticked(2.0, (RunReport(2, TaskStage.DONE),), RED, BLUE)
+    assert StartTask(3) in decisions and drones_of(scheduler) == {"red": "look", "blue": "visit"}
+
+
+@pytest.mark.parametrize(("goal", "nearest"), [((1.0, 0.0), "red"), ((8.0, 0.0), "blue")])
+def test_the_nearest_free_drone_flies_what_any_may_fly(
+    goal: tuple[float, float], nearest: str
+) -> None:
+    report = RehearsalReport(True, ReasonCode.OK, "", way=((4.0, 3.0), goal, (4.0, 3.0)))
+    scheduler, _ = take(Scheduler(), request("look")).rehearsed(1, report, 0.5)
+    scheduler, _ = scheduler.ticked(1.0, (), RED, BLUE)
+    assert drones_of(scheduler) == {nearest: "look"}
+
+
+def test_what_one_drone_is_asked_for_waits_for_it_and_holds_up_no_other() -> None:
+    wanted = replace(request("look"), drone="red")
+    away = DroneAvailability(False, "it charges", "red")
+    scheduler = take(Scheduler(), wanted, request("patrol"))
+    scheduler, decisions = scheduler.ticked(1.0, (), away, BLUE)
+    assert decisions == (StartTask(2),) and drones_of(scheduler) == {"blue": "patrol"}
+    assert waiting_words(scheduler, away, BLUE)[1] == "red: it charges"
+    scheduler, decisions = scheduler.ticked(2.0, (), RED, BLUE)
+    assert decisions == (StartTask(1),) and drones_of(scheduler)["red"] == "look"
+
+
+def test_what_was_set_aside_goes_on_with_its_own_drone() -> None:
+    scheduler = take(Scheduler(), request("look", priority=Priority.BACKGROUND))
+    scheduler, _ = scheduler.ticked(1.0, (), RED)
+    alarm = replace(request("alarm", priority=Priority.ALARM), drone="red")
+    scheduler = take(scheduler, alarm, now=2.0)
+    scheduler, decisions = scheduler.ticked(3.0, (RunReport(1, is_safe_point=True),), RED, BLUE)
+    assert decisions == (PreemptTask(1, is_kept=True), StartTask(2))
+    assert scheduler.ticked(4.0, (), RED, BLUE)[1] == (), "blue has nothing to do with it"
+    _, decisions = scheduler.ticked(5.0, (RunReport(2, TaskStage.DONE),), RED, BLUE)
+    assert ResumeTask(1) in decisions
+
+
+def test_who_flies_one_drone_by_hand_leaves_what_waits_for_the_other_alone() -> None:
+    scheduler = take(Scheduler(), *(replace(request(name), drone=name) for name in ("red", "blue")))
+    scheduler, _ = scheduler.taken_over(1.0, "red")
+    assert [task.question is not None for task in scheduler.tasks] == [True, False]

@@ -11,10 +11,11 @@ import pytest
 from task_stage import TaskStage
 
 from housefly.bus.topics import HUB_QUERY
+from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
 from housefly.messages import DroneStatus, OrderKind, OrderSource
 from housefly.tasks.api.questions import BoardQuestion, RequestTask, Sentence, SetMode
-from housefly.tasks.api.values import HouseMode, ReasonCode, RequestSurface
+from housefly.tasks.api.values import ReasonCode, RequestSurface
 from housefly.tasks.api.values import TaskStage as Stage
 from housefly.tasks.intents.intent import LANGUAGES, Language
 from housefly.tasks.intents.phrases import phrases

@@ -13,17 +13,18 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from task_stage import GOOD, TaskStage
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
+from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_store import new_clip_row
+from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase, RoomEvent
 from housefly.tasks.api.answers import TASK_ANSWER_TYPES
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -37,23 +38,14 @@ from housefly.tasks.api.questions import (
     TaskQuestion,
     Webhook,
 )
-from housefly.tasks.api.values import (
-    ENDED,
-    HouseMode,
-    Priority,
-    ReasonCode,
-    RehearsalReport,
-    RequestSurface,
-)
+from housefly.tasks.api.values import ENDED, Priority, ReasonCode, RehearsalReport, RequestSurface
 from housefly.tasks.api.values import (
     TaskStage as Stage,
 )
-from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
-from housefly.tasks.evidence.clip_store import new_clip_row
+from housefly.tasks.engine.drone_state import TakeOffReadiness
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import TaskInputs
 from housefly.tasks.rules.trigger import EventTrigger
-from housefly.tasks.service.drone_state import TakeOffReadiness
 
 LOOK = RequestTask("look", {"subject": "refrigerator"}, by="kim")
 
@@ -208,24 +200,24 @@ def test_nothing_flies_while_its_rehearsal_goes_on(stage: TaskStage) -> None:
 
 
 def test_an_old_rehearsal_is_done_again_before_the_flight(stage: TaskStage) -> None:
-    stage.service.readiness = TakeOffReadiness(False, "the battery is empty")
+    stage.parts.drones.first.readiness = TakeOffReadiness(False, "the battery is empty")
     stage.stand()
     stage.ask(LOOK)
     stage.stand(30.0)
     assert stage.orders == [] and len(stage.rehearsals.asked) == 1
     assert "battery" in stage.ask(BoardQuestion()).tasks[0].words
-    stage.service.readiness = TakeOffReadiness(True, "")
+    stage.parts.drones.first.readiness = TakeOffReadiness(True, "")
     stage.stand()
     assert len(stage.rehearsals.asked) == 2 and len(stage.orders) == 1
 
 
 def test_what_can_no_longer_be_flown_when_its_turn_comes_does_not_fly(stage: TaskStage) -> None:
-    stage.service.readiness = TakeOffReadiness(False, "the battery is empty")
+    stage.parts.drones.first.readiness = TakeOffReadiness(False, "the battery is empty")
     stage.stand()
     stage.ask(LOOK)
     stage.stand(30.0)
     stage.rehearsals.report = RehearsalReport(False, ReasonCode.NO_WAY, "there is no way there")
-    stage.service.readiness = TakeOffReadiness(True, "")
+    stage.parts.drones.first.readiness = TakeOffReadiness(True, "")
     stage.stand()
     assert (stage.task().state, stage.task().code) == (Stage.REFUSED, ReasonCode.NO_WAY)
     assert stage.orders == []
@@ -255,7 +247,7 @@ def test_a_flying_task_is_sent_home_when_the_process_is_told_to_end(stage: TaskS
     stage.new_orders()
     with stage.service.desk.lock:
         now, unix = stage.clock.now(), stage.wall()
-        stage.parts.engine.close("the process ends", True, now, unix)
+        stage.parts.engine.close("the process ends", now, unix)
     assert [order.kind for order in stage.new_orders()] == [OrderKind.HOME]
     assert stage.task().state is Stage.CANCELLED
 
@@ -384,7 +376,7 @@ def test_a_webhook_that_no_rule_waits_for_does_nothing(stage: TaskStage) -> None
 def test_every_question_of_the_contract_is_answered_with_its_answer(stage: TaskStage) -> None:
     stage.rehearsals.is_slow = False
     stage.stand()
-    stage.service.readiness = TakeOffReadiness(False, "no")
+    stage.parts.drones.first.readiness = TakeOffReadiness(False, "no")
     questions: tuple[TaskQuestion, ...] = (
         LOOK,
         RehearseTask("look", {"subject": "sofa"}),
@@ -515,11 +507,11 @@ def test_after_a_person_landed_the_next_flight_asks_before_it_takes_off(stage: T
 def test_a_mode_in_which_no_task_flies_ends_what_waits_to_fly(
     stage: TaskStage, mode: HouseMode
 ) -> None:
-    stage.service.readiness = TakeOffReadiness(False, "the battery is empty")
+    stage.parts.drones.first.readiness = TakeOffReadiness(False, "the battery is empty")
     stage.stand()
     stage.ask(LOOK)
     stage.ask(SetMode(mode, "kim"))
-    stage.service.readiness = TakeOffReadiness(True, "")
+    stage.parts.drones.first.readiness = TakeOffReadiness(True, "")
     stage.stand(2.0)
     assert stage.task().state is Stage.CANCELLED and stage.orders == []
 
@@ -581,3 +573,63 @@ def test_the_bell_asks_for_a_visit_and_the_chain_of_causes_is_told(stage: TaskSt
 def _phase(stage: TaskStage) -> Phase:
     step = stage.parts.inbox.newest
     return step.outputs.phase if step else Phase.IDLE
+
+
+TWO_DRONES = ({"name": "red"}, {"name": "blue", "address": "127.0.0.2", "pad": (4.0, 4.0, 0.0)})
+
+
+def test_two_drones_fly_two_tasks_and_each_gets_the_orders_of_its_own(
+    new_stage: Callable[..., TaskStage],
+) -> None:
+    stage = new_stage(drones=TWO_DRONES)
+    stage.stand()
+    for subject in ("refrigerator", "entrance"):
+        stage.ask(RequestTask("look", {"subject": subject}, by="kim"))
+        stage.stand()
+    assert [stage.task(number).drone for number in (1, 2)] == ["red", "blue"]
+    assert {order.sender for order in stage.orders_of["red"]} == {"task 1: look"}
+    assert {order.sender for order in stage.orders_of["blue"]} == {"task 2: look"}
+    assert stage.ask(BoardQuestion()).drone.startswith("red: ")
+    for name in ("red", "blue"):
+        stage.orders_of[name].clear()
+    stage.stand(1.0, DroneStatus.FLYING)
+    stage.ask(Sentence("stop", by="kim"))
+    assert all(OrderKind.STOP in [o.kind for o in one] for one in stage.orders_of.values())
+
+
+def test_a_task_is_flown_by_the_drone_that_is_asked_for_after_a_rehearsal_with_it(
+    new_stage: Callable[..., TaskStage],
+) -> None:
+    stage = new_stage(drones=TWO_DRONES)
+    stage.stand()
+    stage.ask(RequestTask("look", {"subject": "refrigerator"}, drone="blue"))
+    stage.stand(2.0)
+    assert stage.orders_of["blue"] and not stage.orders_of["red"]
+    assert set(stage.rehearsals.drones) == {"blue"}
+    code, words = refused(stage, RequestTask("look", {"subject": "refrigerator"}, drone="green"))
+    assert code == ReasonCode.BAD_PARAMETER.value and "allowed: red, blue" in words
+
+
+def test_a_sentence_names_the_drone_that_is_meant(new_stage: Callable[..., TaskStage]) -> None:
+    stage = new_stage(drones=TWO_DRONES)
+    stage.stand()
+    answer = stage.ask(Sentence("look at the refrigerator with blue", by="kim"))
+    assert answer.task is not None and answer.task.drone == "blue"
+    stage.stand(1.0, DroneStatus.FLYING)
+    for orders in stage.orders_of.values():
+        orders.clear()
+    stage.ask(Sentence("Red, land!", by="kim"))
+    assert [order.kind for order in stage.orders_of["red"]] == [OrderKind.LAND]
+    assert OrderKind.LAND not in [order.kind for order in stage.orders_of["blue"]]
+
+
+def test_what_another_drone_than_the_rehearsed_one_flies_is_rehearsed_anew(
+    new_stage: Callable[..., TaskStage],
+) -> None:
+    stage = new_stage(drones=TWO_DRONES)
+    stage.parts.drones["red"].readiness = TakeOffReadiness(False, "it charges")
+    stage.stand()
+    stage.ask(RequestTask("look", {"subject": "refrigerator"}))
+    stage.stand(2.0)
+    assert stage.rehearsals.drones == ["red", "blue"] and stage.task().drone == "blue"
+    assert stage.orders_of["blue"] and not stage.orders_of["red"]

@@ -20,10 +20,10 @@ from housefly.pilot.assembly import make_pilot
 from housefly.pilot.planning.column import StaticColumns
 from housefly.room.coverage import seen_by
 from housefly.room.distance import half_diagonal
+from housefly.room.level_camera import FRONT_CAMERA
 from housefly.room.sight import hiding_rows, in_sight
 from housefly.room.tracked import solids_of
 from housefly.sites.loaded_site import LoadedSite, load_site
-from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.subject import (
     Subject,
     furniture_subject,

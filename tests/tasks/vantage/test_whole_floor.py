@@ -10,8 +10,8 @@ from hypothesis import Phase, given, settings
 from small_rooms import box, small_viewing_rooms, viewing_room
 
 from housefly.geometry import Vec2, heading_to
+from housefly.room.level_camera import FRONT_CAMERA
 from housefly.room.model import Solid
-from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.camera_views import HEADINGS, VIEW_RANGE, camera_views
 from housefly.tasks.vantage.patrol import (
     WHOLE_MOST,

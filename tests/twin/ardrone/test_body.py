@@ -27,8 +27,10 @@ def physics(make_room: Callable[..., Room]) -> Physics:
 
 
 def test_mass_and_inertia_are_the_measured_ones(physics: Physics) -> None:
-    assert physics.model.body_mass[physics.drone_id] == pytest.approx(DRONE_MASS)
-    assert sorted(physics.model.body_inertia[physics.drone_id]) == pytest.approx(sorted(INERTIA))
+    assert physics.model.body_mass[physics.drones[0].number] == pytest.approx(DRONE_MASS)
+    assert sorted(physics.model.body_inertia[physics.drones[0].number]) == pytest.approx(
+        sorted(INERTIA)
+    )
 
 
 @pytest.mark.parametrize(
@@ -44,10 +46,10 @@ def test_the_collision_hull_is_as_long_and_wide_as_configured(
     hull = [
         n
         for n in range(model.ngeom)
-        if model.geom_bodyid[n] == physics.drone_id and model.geom_group[n] == HULL_GROUP
+        if model.geom_bodyid[n] == physics.drones[0].number and model.geom_group[n] == HULL_GROUP
     ]
     extents = np.array([_half_extents(physics, n) for n in hull])
-    centres = data.geom_xpos[hull] - data.xpos[physics.drone_id]
+    centres = data.geom_xpos[hull] - data.xpos[physics.drones[0].number]
     low, high = (centres - extents).min(axis=0), (centres + extents).max(axis=0)
     assert (high - low)[:2] == pytest.approx((length, width), abs=1e-6)
 
@@ -66,7 +68,7 @@ def test_no_two_distances_between_markers_are_alike() -> None:
 
 def test_the_drone_stands_still_on_its_belly(physics: Physics) -> None:
     mujoco.mj_step(physics.model, physics.data, 800)
-    state = physics.state()
+    state = physics.drones[0].state()
     assert state.position == pytest.approx((2.0, 2.5, STANDING_HEIGHT), abs=0.002)
     assert max(map(abs, state.velocity)) < 1e-3
 

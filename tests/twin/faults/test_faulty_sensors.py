@@ -118,7 +118,7 @@ def test_what_a_late_sensor_sees_in_lock_step_is_told_late(sensor: str) -> None:
         for _ in range(160):
             if world.now > 1.0 and world.now < 1.0 + 1.5 * TURN:
                 world.put("chair", (7.3, 3.0))
-            if any(one.confidence > 0.0 for one in perception.update(world.now, None)):
+            if any(one.confidence > 0.0 for one in perception.update(world.now, ())):
                 return world.now - 1.0
             world.advance(TURN)
         return float("inf")

@@ -48,7 +48,7 @@ def test_it_measures_walls_and_what_moves_as_one_room(
     physics = Physics(EXACT, make_room((wall,)), movables=(Movable("stool", 0.18, 0.45),))
     scanner = Scanner(LASER, EXACT.twin, 0, physics)
     physics.put("stool", (x, y), 0.3)
-    physics.place((drone_x, drone_y, 0.3), (1.0, 0.0, 0.0, 0.0))
+    physics.drones[0].place((drone_x, drone_y, 0.3), (1.0, 0.0, 0.0, 0.0))
     mujoco.mj_forward(physics.model, physics.data)
     seen, there = np.array(scanner.scan()), cast_at_all(physics)
     known = MODELS[LASER.model]

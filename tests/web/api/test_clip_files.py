@@ -14,9 +14,9 @@ import pytest
 from starlette.applications import Starlette
 
 from housefly.config.tasks import TasksConfig
-from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_store import new_clip_row
+from housefly.evidence.clip_index import ClipIndex
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_store import new_clip_row
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.roles import Role, role_for_path
 from housefly.web.access.session_auth import SessionAuth

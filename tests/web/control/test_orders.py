@@ -8,12 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import RealClock
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.web.control.orders import ORDER_WORDS, order_in_words, order_objection, to_order
 from housefly.web.control.pilot_link import PilotLink
 from housefly.web.messages.client_messages import OrderRequest
+
+TOPICS = DroneTopics()
 
 ROOM = example_room()
 
@@ -74,8 +76,8 @@ def test_no_name_makes_a_persons_order_one_of_a_task(name: str) -> None:
 
 def test_no_name_makes_a_persons_stop_one_of_a_task() -> None:
     bus, heard = LocalBus(), Queue[Order]()
-    bus.join().subscribe(ORDER_TOPIC, heard.put)
-    link = PilotLink(bus.join(), lambda: None, RealClock())
+    bus.join().subscribe(TOPICS.order, heard.put)
+    link = PilotLink(bus.join(), TOPICS, lambda: None, RealClock())
     link.stop("task 12: look")
     assert heard.get(timeout=20.0).source is OrderSource.PERSON
     link.close()

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import SteppedClock
 from housefly.errors import RecordingError
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, SafetyMode, Severity
@@ -31,6 +31,8 @@ from housefly.web.flights.flight_log import (
 )
 from housefly.web.flights.flight_log_writer import FlightLogWriter
 from housefly.web.status.state_feed import StateFeed
+
+TOPICS = DroneTopics()
 
 START = 1_800_000_000.25
 NAME = "20270115T080000250Z"
@@ -108,10 +110,10 @@ def flown(folder: Path, seconds: float = 12.0, after: float = 6.0) -> FlightBook
             pilot.advance(0.02)
 
     fly(0.5)
-    bus.publish(ORDER_TOPIC, Order(OrderKind.GO, place="entrance", sender="me"))
+    bus.publish(TOPICS.order, Order(OrderKind.GO, place="entrance", sender="me"))
     fly(seconds)
     pilot.add_event(Severity.WARNING, "going_on", "something to worry about")
-    bus.publish(ORDER_TOPIC, Order(OrderKind.LAND, sender="me"))
+    bus.publish(TOPICS.order, Order(OrderKind.LAND, sender="me"))
     fly(after)
     assert after < 6.0 or pilot.status is DroneStatus.LANDED
     writer.close()

@@ -13,8 +13,10 @@ import pytest
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
 
-from housefly.bus.topics import STEP_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.messages import DroneStatus, OrderKind, Phase, PilotStep, Severity
+
+TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 
@@ -337,7 +339,7 @@ async def test_a_new_pilot_that_does_not_hear_the_drone_yet_does_not_put_it_on_t
     console: Any,
 ) -> None:
     steps: list[PilotStep] = []
-    console.bus.subscribe(STEP_TOPIC, steps.append)
+    console.bus.subscribe(TOPICS.step, steps.append)
     cookie = await console.session()
     async with (
         console.talk(cookie, "tab-of-anna", "Anna") as anna,
@@ -349,7 +351,7 @@ async def test_a_new_pilot_that_does_not_hear_the_drone_yet_does_not_put_it_on_t
         console.pilot.publishing = False
         unheard = replace(steps[-1].inputs, telemetry=None)
         idle = replace(steps[-1].outputs, phase=Phase.IDLE, goal_name="")
-        console.bus.publish(STEP_TOPIC, PilotStep(1, steps[-1].now, unheard, idle))
+        console.bus.publish(TOPICS.step, PilotStep(1, steps[-1].now, unheard, idle))
         told = await ben.hear("verdict", airborne=None, may_be_airborne=True)
         assert told["headline"] == "No contact with the drone"
         assert told["detail"].endswith("it was flying to its goal")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from fake_room import example_room
 
+from housefly.config.house_mode import HouseMode
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.values import (
-    HouseMode,
     ParameterValue,
     Priority,
     ReasonCode,

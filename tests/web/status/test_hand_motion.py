@@ -6,10 +6,12 @@ from fake_pilot import FakePilot
 from fake_room import example_room
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import DroneTopics
 from housefly.clock import SteppedClock
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
 from housefly.web.status.state_feed import StateFeed
+
+TOPICS = DroneTopics()
 
 STEP = 0.1
 MOVED = "Anna"
@@ -28,7 +30,7 @@ class Moved:
     def nudge(self) -> None:
         now, east = self.clock.now(), (0.4, 0.0, 0.0)
         self.bus.publish(
-            ORDER_TOPIC, Order(OrderKind.NUDGE, issued_at=now, sender="Anna", velocity=east)
+            TOPICS.order, Order(OrderKind.NUDGE, issued_at=now, sender="Anna", velocity=east)
         )
         self.wait(STEP)
 

@@ -7,7 +7,7 @@ from fake_pilot import FakePilot
 from fake_room import example_room
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, DroneTopics
 from housefly.clock import SteppedClock
 from housefly.config.furniture import FurnitureConfig
 from housefly.messages import (
@@ -26,6 +26,8 @@ from housefly.messages import (
     TrajectoryPoint,
 )
 from housefly.web.status.state_feed import StateFeed
+
+TOPICS = DroneTopics()
 
 
 @pytest.fixture
@@ -105,7 +107,7 @@ def test_each_flight_has_a_trail_of_its_own(listening: Listening) -> None:
     pilot.advance(0.01)
     pilot.position = (2.0, 1.0)
     pilot.advance(0.01)
-    bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF))
+    bus.publish(TOPICS.order, Order(OrderKind.TAKE_OFF))
     pilot.advance(0.01)
     assert feed.trail() == ((2.0, 1.0),)
 
@@ -171,7 +173,7 @@ def test_furniture_is_shown_as_it_lies_for_as_long_as_the_pilot_remembers_it(
 
 def test_link_and_notes_of_our_own_are_kept(listening: Listening) -> None:
     feed, _, _, bus = listening
-    bus.publish(LINK_TOPIC, LinkStatus(1.0, tracking_rate_hz=99.0))
+    bus.publish(TOPICS.link, LinkStatus(1.0, tracking_rate_hz=99.0))
     link = feed.link()
     assert link is not None and link.link.tracking_rate_hz == 99.0
     feed.log_event(Severity.WARNING, "order", "Anna: STOP")
@@ -190,7 +192,8 @@ def test_a_step_without_telemetry_and_estimate_can_be_shown(listening: Listening
         events=(Event(1.0, Severity.INFO, EventCode.GOING_ON, "y"),),
     )
     bus.publish(
-        STEP_TOPIC, PilotStep(step.sequence + 1, 1.0, replace(step.inputs, telemetry=None), outputs)
+        TOPICS.step,
+        PilotStep(step.sequence + 1, 1.0, replace(step.inputs, telemetry=None), outputs),
     )
     state = feed.state(0.0)
     assert state is not None and state.position is None and state.battery is None
@@ -229,17 +232,17 @@ def test_a_path_in_space_is_shown_with_heights_times_and_speeds_whichever_comes_
         pilot.advance(0.0)
         shown = feed.path()
         assert (shown.waypoints, shown.speeds) == (WAY, ())
-    bus.publish(TRAJECTORY_TOPIC, IN_SPACE)
+    bus.publish(TOPICS.trajectory, IN_SPACE)
     pilot.advance(0.0)
     shown = feed.path()
     assert shown.heights == (1.0, 1.1, 1.2)
     assert (shown.times, shown.speeds) == ((0.0, 0.5, 1.0), (0.0, 0.2, 0.4))
     state = feed.state(0.0)
     assert state is not None and state.path == shown.number
-    bus.publish(TRAJECTORY_TOPIC, replace(IN_SPACE, at=101.0))
+    bus.publish(TOPICS.trajectory, replace(IN_SPACE, at=101.0))
     assert feed.path().number == shown.number, "the same again is nothing new"
     later = tuple(replace(point, time=2.0 * point.time) for point in IN_SPACE.points)
-    bus.publish(TRAJECTORY_TOPIC, replace(IN_SPACE, points=later))
+    bus.publish(TOPICS.trajectory, replace(IN_SPACE, points=later))
     assert feed.path().times == (0.0, 1.0, 2.0) and feed.path().number > shown.number
 
 
@@ -247,7 +250,7 @@ def test_speeds_of_another_path_are_never_shown_on_this_one(listening: Listening
     feed, pilot, _, bus = listening
     pilot.path = Path(WAY, 2.1, 0.4)
     pilot.advance(0.0)
-    bus.publish(TRAJECTORY_TOPIC, IN_SPACE)
+    bus.publish(TOPICS.trajectory, IN_SPACE)
     pilot.path = Path(tuple(reversed(WAY)), 2.1, 0.4)
     pilot.advance(0.0)
     assert feed.path().speeds == feed.path().heights == feed.path().times == ()
@@ -260,7 +263,7 @@ def test_the_stopping_distance_is_that_of_the_collision_monitor(listening: Liste
     assert step is not None and step.outputs.estimate is not None
     for speed in (0.0, 0.5, 1.5):
         flown = replace(step.outputs.estimate, velocity=(0.6 * speed, 0.8 * speed, 0.0))
-        bus.publish(STEP_TOPIC, replace(step, outputs=replace(step.outputs, estimate=flown)))
+        bus.publish(TOPICS.step, replace(step, outputs=replace(step.outputs, estimate=flown)))
         state = feed.state(0.0)
         assert state is not None
         assert state.stopping_distance == pytest.approx(speed**2 / 2.0 + 0.3 * speed)

@@ -59,7 +59,7 @@ def asked_site(options: Namespace) -> Site:
     """Return the site that the options name, with what the demo adds to the shipped one."""
     from housefly.app.instance import site_of_instance
     from housefly.sites.loaded_site import read_site
-    from housefly.twin.lively import remembered_site
+    from housefly.twin.demo_site import remembered_site
 
     site = remembered_site(read_site(options.site or DEFAULT_SITE))
     return site_of_instance(site, options.instance or 1)

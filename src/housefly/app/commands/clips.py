@@ -17,8 +17,8 @@ from housefly.app.terminal import plain_console
 
 if TYPE_CHECKING:
     from housefly.config.site import Site
-    from housefly.tasks.api.answers import ClipInfo
-    from housefly.tasks.evidence.clip_index import ClipIndex
+    from housefly.evidence.clip_index import ClipIndex
+    from housefly.evidence.clip_values import ClipInfo
 
 
 def _add_site(parser: ArgumentParser) -> None:
@@ -41,8 +41,8 @@ def _add_list_arguments(parser: ArgumentParser) -> None:
 
 def _list(options: Namespace) -> int:
     """Print the clips and snapshots, the newest first."""
+    from housefly.evidence.clip_values import ClipsQuestion
     from housefly.tasks.api.json import task_question_from_json, task_question_to_json
-    from housefly.tasks.api.questions import ClipsQuestion
 
     now = time.time()
     asked = ClipsQuestion(
@@ -84,8 +84,8 @@ def _export(options: Namespace) -> int:
     """Copy clips out of the house, each with a picture and all that is known of it."""
     from housefly.config.state import edits_folder
     from housefly.errors import RecordingError
-    from housefly.tasks.evidence.clip_export import write_folder
-    from housefly.tasks.evidence.clip_picture import clip_picture
+    from housefly.evidence.clip_export import write_folder
+    from housefly.evidence.clip_picture import clip_picture
     from housefly.web.access.audit_log import AuditLog
 
     site, who = _site(options), f"{getpass.getuser()} at the terminal"
@@ -138,7 +138,7 @@ def _site(options: Namespace) -> Site:
 def _index(site: Site) -> Iterator[ClipIndex]:
     """Yield the index of a site's clips, also while the site runs."""
     from housefly.config.state import clips_folder
-    from housefly.tasks.evidence.clip_index import ClipIndex
+    from housefly.evidence.clip_index import ClipIndex
 
     with closing(ClipIndex(clips_folder(site), site.tasks)) as index:
         yield index

@@ -7,12 +7,12 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from housefly.app.commands.shared import (
+    add_drone_argument,
     add_fault_argument,
     add_instance_argument,
     add_simulation_arguments,
     add_site_arguments,
-    load,
-    require_drone,
+    load_drone,
 )
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
@@ -22,6 +22,7 @@ from housefly.errors import ConfigError
 def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("place", help="a named place (housefly room show lists them)")
     add_site_arguments(parser)
+    add_drone_argument(parser)
     parser.add_argument("--headless", action="store_true", help="without the console")
     parser.add_argument(
         "--lockstep",
@@ -45,8 +46,7 @@ def _run(options: Namespace) -> int:
     from housefly.twin.installed import require_simulator
     from housefly.web.access.exposure import checked_exposure
 
-    loaded = load(options, with_edits=not options.lockstep)
-    require_drone(loaded.site)
+    loaded = load_drone(options, with_edits=not options.lockstep)
     out = Path(options.out or time.strftime("flights/%Y-%m-%d_%H-%M-%S"))
     try:
         loaded.room.place(options.place)

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from housefly.app.commands.shared import given, require_drone
+from housefly.app.commands.shared import add_drone_argument, chosen_drone, given
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
@@ -44,6 +44,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
         metavar="SITE",
         help="site file, folder, or shipped site (default: bsen)",
     )
+    add_drone_argument(parser)
     parser.add_argument(
         "--out", metavar="DIR", help="where to write (default: identification/<time>)"
     )
@@ -94,8 +95,7 @@ def _run(options: Namespace) -> int:
     site = read_site(options.site, **given(changes))
     if not options.lockstep:
         site, _ = with_newest_edits(site)  # a no-fly zone holds for this flight too
-    require_drone(site)
-    loaded = open_site(site)
+    loaded = open_site(site.for_drone(chosen_drone(site, options)))
     out = Path(options.out or time.strftime("identification/%Y-%m-%d_%H-%M-%S"))
     steps, flown, outcome = _fly(loaded, options, out)
     if outcome != "completed":

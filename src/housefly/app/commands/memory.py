@@ -124,9 +124,9 @@ def _agrees(question: str) -> bool:
 def _forget_tasks(site: Site, names: tuple[str, ...]) -> tuple[int, int]:
     """Delete tasks and clips that mention somebody; return how many of each."""
     from housefly.config.state import clips_folder, tasks_folder
+    from housefly.evidence.clip_index import ClipIndex
+    from housefly.evidence.clip_values import ClipsQuestion
     from housefly.hub.store.forget import mention_of
-    from housefly.tasks.api.questions import ClipsQuestion
-    from housefly.tasks.evidence.clip_index import ClipIndex
     from housefly.tasks.scheduler.task_store import TASK_FILE, TaskStore
 
     tasks, clips = 0, set[str]()

@@ -43,7 +43,7 @@ def shipped_services(options: Namespace) -> tuple[ServiceInfo, ...]:
 
     site = asked_site(options)
     own = Path(site.tasks.documents) if site.tasks.documents else None
-    return OpenLibrary(own, has_drone=site.drone.enabled).services()
+    return OpenLibrary(own, has_drone=bool(site.drone_names), has_camera=site.has_camera).services()
 
 
 def kept_tasks(options: Namespace, since: float) -> tuple[TaskStatus, ...]:

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from housefly.app.commands.shared import add_site_arguments, load
+from housefly.app.commands.shared import add_drone_argument, add_site_arguments, chosen_drone, load
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
@@ -22,6 +22,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--to", dest="goal", required=True, metavar="X,Y|PLACE", help="goal")
     add_site_arguments(parser)
+    add_drone_argument(parser)
     parser.add_argument("--png", metavar="FILE", help="draw the room with the path")
 
 
@@ -32,6 +33,8 @@ def _run(options: Namespace) -> int:
     from housefly.room.draw import draw_room, text_map
 
     loaded = load(options)
+    if loaded.site.drone_names:
+        loaded = loaded.for_drone(chosen_drone(loaded.site, options))
     goal, start = _point(options.goal, loaded, "--to"), _point(options.start, loaded, "--from")
     compile_once(CompiledPart.CHAIN, console.print)
     answer = make_pilot(loaded.site, loaded.room, loaded.grid).plan(goal, start)

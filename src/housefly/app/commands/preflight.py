@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 from rich.markup import escape
 
 from housefly.app.commands.shared import (
+    add_drone_argument,
     add_fault_argument,
     add_instance_argument,
     add_site_arguments,
+    chosen_drone,
     load,
-    require_drone,
+    load_drone,
 )
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
@@ -61,8 +63,8 @@ def _run(options: Namespace) -> int:
     if options.frames:
         return _check_frames(options)
     site = load(options).site
-    require_drone(site)
-    view = _of_running_house(site) or _of_fresh_house(site)
+    drone = chosen_drone(site, options)
+    view = _of_running_house(site, drone) or _of_fresh_house(site, drone)
     if not view.checks:
         raise LinkError(f"{site.name} has looked at nothing yet, or runs without a drone")
     for check in view.checks:
@@ -80,8 +82,7 @@ def _run(options: Namespace) -> int:
 def _check_frames(options: Namespace) -> int:
     from housefly.app.frame_check.run import run_frame_check
 
-    loaded = load(options, with_edits=True)
-    require_drone(loaded.site)
+    loaded = load_drone(options, with_edits=True)
     try:
         return 0 if run_frame_check(loaded).passed else 1
     except KeyboardInterrupt:
@@ -92,18 +93,18 @@ def _check_frames(options: Namespace) -> int:
 _MARKS = {True: "[red]no  [/red]", False: "[yellow]look[/yellow]"}
 
 
-def _of_running_house(site: Site) -> PreflightView | None:
+def _of_running_house(site: Site, drone: str) -> PreflightView | None:
     from housefly.bus.zenoh_bus import ZenohBus
     from housefly.hub.client.discovery import running
 
     for house in running():
         if house.site == site.name and house.bus:
             with ZenohBus(connect=house.bus) as bus:
-                return _asked(bus)
+                return _asked(bus, drone)
     return None
 
 
-def _of_fresh_house(site: Site) -> PreflightView:
+def _of_fresh_house(site: Site, drone: str) -> PreflightView:
     from housefly.app.end_signals import EndSignals
     from housefly.app.launcher import Launcher, processes_of
     from housefly.app.new_runtime import new_runtime
@@ -129,19 +130,20 @@ def _of_fresh_house(site: Site) -> PreflightView:
                 console.print(f"after {_START_TIMEOUT:.0f} s: {missing}", markup=False)
             status.update("looking")
             time.sleep(_SETTLING_TIME)
-            return _asked(bus)
+            return _asked(bus, drone)
 
 
-def _asked(bus: Bus) -> PreflightView:
-    from housefly.bus.topics import PREFLIGHT_QUERY
+def _asked(bus: Bus, drone: str) -> PreflightView:
+    from housefly.bus.topics import DroneTopics
     from housefly.hub.api.pilot_queries import PreflightView
     from housefly.hub.api.pilot_queries_json import from_json
 
-    return from_json(PreflightView, bus.ask(PREFLIGHT_QUERY, ""))
+    return from_json(PreflightView, bus.ask(DroneTopics(drone).preflight, ""))
 
 
 def _add_arguments(parser: ArgumentParser) -> None:
     add_site_arguments(parser)
+    add_drone_argument(parser)
     add_instance_argument(parser)
     parser.add_argument(
         "--frames",

@@ -130,7 +130,7 @@ def _written(
 ) -> tuple[tuple[ClaimFinding, ...], Path]:
     from housefly.app.reproduction_exhibits import draw_exhibits
     from housefly.lab.reproduction.claims import findings
-    from housefly.lab.reproduction.counter_worlds import judged_elsewhere
+    from housefly.lab.reproduction.counterexamples import judged_elsewhere
     from housefly.lab.reproduction.page import write_page
     from housefly.lab.reproduction.tables import tables
 

@@ -74,8 +74,9 @@ def _check(options: Namespace) -> int:
 
 def _dry_run(options: Namespace) -> int:
     """Print what the rules would have done with what the room remembers."""
+    from housefly.config.house_mode import HouseMode
     from housefly.config.state import tasks_folder
-    from housefly.tasks.api.values import HouseMode, ReasonCode
+    from housefly.tasks.api.values import ReasonCode
     from housefly.tasks.rules.dry_run import dry_run, stored_events
     from housefly.tasks.rules.room_facts import AskedRoomFacts
     from housefly.tasks.rules.rule_engine import RuleEngine

@@ -59,10 +59,10 @@ def _demo(options: Namespace) -> int:
 def _free_instance(options: Namespace) -> int:
     from housefly.app.instance import free_instance
     from housefly.sites.loaded_site import read_site
-    from housefly.twin.lively import lively_site
+    from housefly.twin.demo_site import demo_site
 
     site = (
-        lively_site(read_site(options.site), has_broker=False)[0]
+        demo_site(read_site(options.site), has_broker=False)[0]
         if options.lively
         else (read_site(options.site))
     )
@@ -88,11 +88,11 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     checked_exposure(loaded.site)
     if loaded.site.twin.enabled:
         require_simulator()
-    if loaded.site.drone.enabled:
+    if loaded.site.drone_names:
         compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with temporary_run_folder("logs") as folder:
-        asks = opens_tasks and loaded.site.tasks.enabled and loaded.site.drone.enabled
+        asks = opens_tasks and loaded.site.tasks.enabled and bool(loaded.site.drone_names)
         first = Screen.TASKS if asks else Screen.FLY
         return run_interactively(loaded, folder, record, first)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from housefly.app.mosquitto import find_mosquitto
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
-from housefly.twin.lively import lively_site
+from housefly.twin.demo_site import demo_site
 
 if TYPE_CHECKING:
     from housefly.config.site import Site
@@ -66,9 +66,38 @@ def add_fault_argument(parser: ArgumentParser) -> None:
     )
 
 
+def add_drone_argument(parser: ArgumentParser) -> None:
+    """Add ``--drone``."""
+    parser.add_argument(
+        "--drone", metavar="NAME", help="which drone of the site (default: the only one)"
+    )
+
+
+def load_drone(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
+    """Load the site as the drone has it that the options name; see ``load``."""
+    loaded = load(options, with_edits=with_edits)
+    return loaded.for_drone(chosen_drone(loaded.site, options))
+
+
+def chosen_drone(site: Site, options: Namespace) -> str:
+    """Return the drone that the options name, or the only one.
+
+    Raises:
+        ConfigError: the site has none that is flown, or several and none is named.
+    """
+    require_drone(site)
+    names: tuple[str, ...] = site.drone_names
+    if options.drone is None and len(names) == 1:
+        return names[0]
+    if options.drone not in names:
+        is_not = "is needed" if options.drone is None else f"is {options.drone!r}"
+        raise ConfigError("--drone", f"{is_not}; allowed: {', '.join(names)}")
+    return str(options.drone)
+
+
 def require_drone(site: Site) -> None:
     """Raise ConfigError for a site without a drone: this command flies, or looks at one."""
-    if not site.drone.enabled:
+    if not site.drone_names:
         words = "is false: this room has no drone; set it to true to fly one"
         raise ConfigError("drone.enabled", words)
 
@@ -108,7 +137,7 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
         if words:
             console.print(f"tls:      {words}", markup=False, soft_wrap=True)
     if getattr(options, "lively", False):
-        site, words = lively_site(site, find_mosquitto() is not None)
+        site, words = demo_site(site, find_mosquitto() is not None)
         console.print(f"lively:   {words}", markup=False, soft_wrap=True)
     if (instance := getattr(options, "instance", None)) is not None:
         from housefly.app.instance import site_of_instance

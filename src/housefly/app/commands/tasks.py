@@ -44,6 +44,12 @@ def _add_ask_arguments(parser: ArgumentParser) -> None:
         "--no-wait", action="store_true", help="say the number of the task and leave"
     )
     parser.add_argument("--no-fly", action="store_true", help="answer only; start nothing")
+    parser.add_argument(
+        "--drone",
+        default="",
+        metavar="NAME",
+        help="which drone flies, or is ordered (default: any)",
+    )
 
 
 def _ask(options: Namespace) -> int:
@@ -57,6 +63,7 @@ def _ask(options: Namespace) -> int:
         options.language or _language(os.environ.get("LANG", "")),
         surface=RequestSurface.COMMAND_LINE,
         fly=not options.no_fly,
+        drone=options.drone,
     )
     try:
         found = running_tasks(options)
@@ -69,7 +76,9 @@ def _ask(options: Namespace) -> int:
         _print_answer(answer)
         task = answer.task
         if answer.offer is not None and _says_yes():
-            task = tasks.request(answer.offer.service, **answer.offer.parameters)
+            task = tasks.request(
+                answer.offer.service, answer.offer.drone, **answer.offer.parameters
+            )
         if task is None:
             return 0 if answer.understood else 1
         if options.no_wait:

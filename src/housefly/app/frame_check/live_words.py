@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import degrees
 
 from housefly.app.frame_check.frame_log import FrameLog
-from housefly.lab.frames.doubts import direction_words
 from housefly.lab.frames.guide import CarryGuide
+from housefly.lab.frames.plausibility import direction_words
 from housefly.lab.frames.samples import SEEN_AGE_MAX
 from housefly.numeric import wrapped
 

@@ -11,7 +11,7 @@ from housefly.app.end_signals import EndSignals
 from housefly.app.frame_check.carrying_hands import CarryingHands
 from housefly.app.frame_check.person import PersonAtTerminal
 from housefly.app.frame_check.session import FrameCheckSession
-from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
+from housefly.app.launcher import Launcher, ProcessSpec, driver_process
 from housefly.app.new_runtime import new_runtime
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.run_folder import temporary_run_folder
@@ -49,10 +49,10 @@ def run_frame_check(loaded: LoadedSite) -> FrameVerdict:
     quiet = changed(site, twin__video=False, drone__has_video=False)
     with temporary_run_folder("frames") as folder, EndSignals():
         runtime = new_runtime(quiet, folder)
-        hands = runtime.driver_socket.with_name("hands") if site.twin.enabled else None
+        hands = runtime.sockets / "hands" if site.twin.enabled else None
         twin = ("--site", str(runtime.site_file), "--hands", str(hands))
         processes = (
-            DRIVER_PROCESS,
+            driver_process(site, site.drone.name),
             *([ProcessSpec("twin", "housefly.twin.process", twin)] if hands else []),
         )
         console.print(_GREETING, soft_wrap=True)
@@ -60,7 +60,9 @@ def run_frame_check(loaded: LoadedSite) -> FrameVerdict:
             console.print(_SIMULATED, soft_wrap=True)
         with Launcher(runtime, folder, processes) as launcher:
             try:
-                verdict = asyncio.run(_carried(quiet, plan, runtime.driver_socket, hands))
+                verdict = asyncio.run(
+                    _carried(quiet, plan, runtime.driver_socket(site.drone.name), hands)
+                )
             except LinkError as error:
                 if launcher.given_up:
                     raise LinkError(str(launcher.given_up[0])) from error

@@ -155,5 +155,12 @@ def _fly_over_wires(
     logs.mkdir(exist_ok=True)
     runtime = new_runtime(loaded.site, logs)
     return fly_over_wires(
-        runtime, logs, loaded.room.home, order, recorder, on_step, lambda words: None
+        runtime,
+        logs,
+        loaded.room.home,
+        order,
+        recorder,
+        on_step,
+        lambda words: None,
+        drone=loaded.site.drone.name,
     )

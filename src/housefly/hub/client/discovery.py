@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from housefly.config.drone import DRONE_NAME
 from housefly.errors import LinkError
 
 
@@ -23,6 +24,7 @@ class RoomAddress:
         pid: of the launcher.
         socket: path of the hub's query server; "" for none.
         bus: endpoint of the run's bus; "" when it is not told.
+        drones: their names; where there is none, the name under which the room answers.
     """
 
     site: str
@@ -31,6 +33,7 @@ class RoomAddress:
     pid: int
     socket: str = ""
     bus: str = ""
+    drones: tuple[str, ...] = (DRONE_NAME,)
 
 
 @contextmanager
@@ -102,6 +105,7 @@ def _read(file: Path) -> RoomAddress | None:
             int(tree["pid"]),
             str(tree.get("socket", "")),
             str(tree.get("bus", "")),
+            tuple(str(name) for name in tree.get("drones", ())) or (DRONE_NAME,),
         )
     except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
         return None

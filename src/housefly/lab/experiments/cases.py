@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
+from housefly.pilot.control.forms import FormCode
 from housefly.pilot.estimation.estimator import DISTURBANCE_WANDER
 from housefly.pilot.estimation.estimator_state import EstimatorKind
+from housefly.pilot.site_parameters import FORM_CODES, form_model, pull_of
 from housefly.twin.command_delay import simulated_command_delay
 
 DEFAULT, PAPER = 0, 1
@@ -68,6 +70,10 @@ def _climb_command_max(site: Site) -> float:
     return site.limits.full_climb if is_counted else site.limits.vertical_speed_max
 
 
+def _stiffness(site: Site) -> float:
+    return site.drone.airframe.response.stiffness or 1.0
+
+
 # fmt: off
 _P = Parameter
 PARAMETERS: tuple[Parameter, ...] = (
@@ -77,6 +83,9 @@ PARAMETERS: tuple[Parameter, ...] = (
        lambda s: EstimatorKind.ON_ARRIVAL if _is_paper(s) else EstimatorKind.DELAY_COMPENSATED,
        "0 delay-compensated, 1 Kalman on arrival (paper), 2 Kalman fed the held sample,"
        " 3 held sample and finite difference"),
+    _P("form", "1", FormCode.TILT_AND_CLIMB, FormCode.POSITION,
+       lambda s: FORM_CODES[s.drone.airframe.capabilities.form],
+       "what the drone is steered by: 0 tilt and climb, 1 velocity, 2 position"),
     _P("rate_hz", "Hz", 20.0, 200.0, lambda s: s.control.rate_hz, "rate of the pilot's loop"),
     _P("alpha", "1/s", -20.0, 60.0, lambda s: s.control.alpha,
        "damping gain; negative is the paper's literal sign"),
@@ -145,6 +154,14 @@ PARAMETERS: tuple[Parameter, ...] = (
     _P("climb_lag", "1/s", 0.2, 50.0, lambda s: s.drone.climb_lag,
        "pole of the drone's climb rate"),
     _P("yaw_lag", "1/s", 0.2, 50.0, lambda s: s.drone.yaw_lag, "pole of the drone's yaw rate"),
+    _P("model_pull", "1/s", 0.0, 50.0, lambda s: pull_of(s.drone),
+       "pole of the velocity response, or damping of that to places, that the pilot believes"),
+    _P("pull", "1/s", 0.0, 50.0, lambda s: pull_of(s.drone), "the same of the drone"),
+    _P("model_stiffness", "1/s^2", 0.1, 400.0, _stiffness,
+       "how hard the drone flies to a place, as the pilot believes"),
+    _P("stiffness", "1/s^2", 0.1, 400.0, _stiffness, "the same of the drone"),
+    _P("form_speed_max", "m/s", 0.1, 20.0, lambda s: form_model(s.drone, s.limits).speed_max,
+       "fastest velocity asked for"),
     _P("wind_x", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along x"),
     _P("wind_y", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along y"),
     _P("lift", "m/s^2", -2.0, 2.0, lambda s: 0.0,
@@ -162,7 +179,7 @@ PARAMETERS: tuple[Parameter, ...] = (
     _P("mocap_dropout", "1", 0.0, 1.0, lambda s: s.twin.mocap_dropout, "share of frames lost"),
 )
 # fmt: on
-WHOLE = ("mode", "estimator")
+WHOLE = ("mode", "estimator", "form")
 """Columns that hold whole numbers."""
 CASE = np.dtype(
     [(p.name, np.int64 if p.name in WHOLE else np.float64) for p in PARAMETERS]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from math import isnan, nan
+from math import inf, isnan, nan
 from typing import Any, NamedTuple
 
 from housefly.lab.experiments.route import PATH, STEP, Route
 from housefly.numeric import compiled
 from housefly.pilot.behavior.acceptor import Tolerances
 from housefly.pilot.behavior.path_progress import PathProgress
+from housefly.pilot.control.forms import FormModel
 from housefly.pilot.control.steering import Gains
 from housefly.pilot.estimation.climb_axis import ClimbModel
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
@@ -38,13 +39,19 @@ class TaskState(NamedTuple):
 @compiled
 def parameters_of_case(case: Any) -> PilotParameters:
     """Return the parameters of the pilot of one case."""
+    pull = case.model_pull if case.model_pull > 0.0 else case.model_drag
     noise, limits = case.acceleration_noise, (case.tilt_max, case.vertical_speed_max)
     return PilotParameters(
         is_paper=case.mode > 0,
         estimator=EstimatorParameters(
             kind=case.estimator,
             model=axis_model(
-                case.model_lag, case.model_gain, case.model_drag, noise, case.disturbance_wander
+                case.model_lag,
+                case.model_gain,
+                case.model_drag,
+                noise,
+                case.disturbance_wander,
+                case.model_pull,
             ),
             delay=case.model_delay,
             acceleration_noise=noise,
@@ -73,7 +80,7 @@ def parameters_of_case(case: Any) -> PilotParameters:
             climb_max=limits[1],
             turn_max=case.yaw_rate_max,
             gain=case.model_gain,
-            drag=case.model_drag,
+            drag=pull,
             delay=case.model_delay,
             wraps=case.wrap_yaw > 0.5,
             lag=case.model_lag,
@@ -89,6 +96,19 @@ def parameters_of_case(case: Any) -> PilotParameters:
             yaw_rate_max=case.yaw_rate_max,
         ),
         speed=case.speed,
+        form=FormModel(
+            form=case.form,
+            gain=case.model_gain,
+            pull=case.model_pull,
+            stiffness=case.model_stiffness,
+            climb_pull=case.model_climb_lag,
+            speed_max=case.form_speed_max,
+            x_min=-inf,
+            y_min=-inf,
+            x_max=inf,
+            y_max=inf,
+            z_max=inf,
+        ),
     )
 
 

@@ -41,6 +41,7 @@ from housefly.lab.experiments.tracking_noise import (
     stream_begun,
 )
 from housefly.numeric import compiled
+from housefly.pilot.control.forms import FormedCommand
 from housefly.pilot.control.model import DroneState
 from housefly.pilot.estimation.delay_estimate import DELAY_CHANGE_MAX
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, TIME_TOLERANCE, CommandHistory
@@ -164,7 +165,7 @@ def _fly_case(
             dt,
         )
         order = flight_buffers.orders[tick & (flight_buffers.orders.size - 1)]
-        _send(order, output.command)
+        _send(order, output.command, output.formed)
         if tick < record.ticks.size:
             _write(record.ticks[tick], now, body, here, age, state, output, order)
         if now >= route.settle - TIME_TOLERANCE:
@@ -238,10 +239,12 @@ def _estimated(
 
 
 @compiled
-def _send(order: Any, command: GatedCommand) -> None:
+def _send(order: Any, command: GatedCommand, formed: FormedCommand) -> None:
     order.flying = 1 if command.flown else 0
     order.theta, order.phi = command.theta, command.phi
     order.vz, order.yaw_rate = command.vz, command.yaw_rate
+    order.forward, order.left = formed.forward, formed.left
+    order.x, order.y, order.z = formed.x, formed.y, formed.z
 
 
 @compiled

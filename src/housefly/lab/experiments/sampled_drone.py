@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, exp, floor, sqrt
+from math import ceil, cos, exp, floor, sin, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,15 +11,25 @@ from numpy.typing import NDArray
 from housefly.lab.experiments.random import RandomState, normal
 from housefly.lab.experiments.tracking_noise import Camera, Frames, Stream, exposed
 from housefly.numeric import compiled
-from housefly.pilot.control.model import Beat, Constants, DroneState, beat_of, hover_tilt, moved
+from housefly.pilot.control.forms import FormCode
+from housefly.pilot.control.laws import acceleration, saturated_jointly, tilt
+from housefly.pilot.control.model import (
+    Constants,
+    DroneState,
+    TimeStep,
+    hover_tilt,
+    moved,
+    time_step,
+)
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
 
 LONGEST_STEP = 0.0125
 """Longest step of the dynamics [s]."""
 GUST_TIME = 1.0
 """Correlation time of gusts [s]."""
-ORDER = np.dtype([("flying", "i8")] + [(name, "f8") for name in ("theta", "phi", "vz", "yaw_rate")])
-"""What left the pilot's gate; not flying is the drone's own hover."""
+_ASKED = ("theta", "phi", "vz", "yaw_rate", "forward", "left", "x", "y", "z")
+ORDER = np.dtype([("flying", "i8")] + [(name, "f8") for name in _ASKED])
+"""What left the pilot's gate, by tilt or in another form; not flying is the drone's own hover."""
 ORDER_RING_SIZE = 128
 """Orders kept: more than half a second at 200 Hz."""
 Orders = NDArray[Any]
@@ -44,12 +54,15 @@ class SampledDrone(NamedTuple):
         sink_gain: what it makes of a commanded sinking, over what was commanded.
         gust: one sigma of the push that changes [m/s^2].
         gust_kept: share of it that is left after a tick.
+        form: a ``FormCode``.
+        pull: pole of its velocity response, or damping of that to places [1/s].
+        stiffness: of the response to places [1/s^2].
     """
 
     constants: Constants
     lag_ticks: int
-    early: Beat
-    late: Beat
+    early: TimeStep
+    late: TimeStep
     early_steps: int
     late_steps: int
     tilt_max: float
@@ -59,6 +72,9 @@ class SampledDrone(NamedTuple):
     sink_gain: float
     gust: float
     gust_kept: float
+    form: int
+    pull: float
+    stiffness: float
 
 
 @compiled
@@ -74,8 +90,8 @@ def sampled_drone(case: Any) -> SampledDrone:
     return SampledDrone(
         constants,
         lag_ticks,
-        beat_of(constants, early / max(early_steps, 1)),
-        beat_of(constants, late / late_steps),
+        time_step(constants, early / max(early_steps, 1)),
+        time_step(constants, late / late_steps),
         early_steps,
         late_steps,
         case.tilt_max,
@@ -85,6 +101,9 @@ def sampled_drone(case: Any) -> SampledDrone:
         case.sink_gain,
         case.gust,
         exp(-tick / GUST_TIME),
+        case.form,
+        case.pull,
+        case.stiffness,
     )
 
 
@@ -116,14 +135,14 @@ def carried_on(
 ) -> tuple[DroneState, Stream]:
     """Return drone and tracking stream one tick of the pilot later."""
     wind = (air.wind_x + gust[0], air.wind_y + gust[1])
-    for step in range(air.early_steps + air.late_steps):
-        is_early = step < air.early_steps
-        beat = air.early if is_early else air.late
+    for n in range(air.early_steps + air.late_steps):
+        is_early = n < air.early_steps
+        step = air.early if is_early else air.late
         sent = tick - air.lag_ticks - (1 if is_early else 0)
         before = body
-        body = _pushed(body, sent, orders, wind, air, beat)
-        stream = exposed(stream, camera, frames, random, before, body, now, beat.dt)
-        now += beat.dt
+        body = _pushed(body, sent, orders, wind, air, step)
+        stream = exposed(stream, camera, frames, random, before, body, now, step.dt)
+        now += step.dt
     return body, stream
 
 
@@ -134,12 +153,39 @@ def _pushed(
     orders: Orders,
     wind: tuple[float, float],
     air: SampledDrone,
-    beat: Beat,
+    step: TimeStep,
 ) -> DroneState:
     order = orders[sent & (orders.size - 1)]
     if sent >= 0 and order.flying > 0:
         vz = order.vz if order.vz >= 0.0 else air.sink_gain * order.vz
         vz += air.climb_beside
-        return moved(body, order.theta, order.phi, vz, order.yaw_rate, wind, air.constants, beat)
+        theta, phi = order.theta, order.phi
+        if air.form != FormCode.TILT_AND_CLIMB.value:
+            theta, phi = _leaning(body, order, air)
+        if air.form == FormCode.POSITION.value:
+            vz = air.stiffness / air.constants.climb_lag * (order.z - body.z) + air.climb_beside
+        return moved(body, theta, phi, vz, order.yaw_rate, wind, air.constants, step)
     theta, phi = hover_tilt(body, wind, air.tilt_max)
-    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, beat)
+    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, step)
+
+
+@compiled
+def _leaning(body: DroneState, order: Any, air: SampledDrone) -> tuple[float, float]:
+    """Return pitch and roll [rad] of a drone that flies velocities, or to places, by itself.
+
+    As ``twin.setpoint_firmware``: behind its lag it accelerates by push - pull v.
+    """
+    c, s = cos(body.psi), sin(body.psi)
+    push_x = air.pull * (c * order.forward - s * order.left)
+    push_y = air.pull * (s * order.forward + c * order.left)
+    if air.form == FormCode.POSITION.value:
+        push_x, push_y = air.stiffness * (order.x - body.x), air.stiffness * (order.y - body.y)
+    has_x, has_y = acceleration(body.theta, body.phi, body.psi)
+    held, lead = air.pull - air.constants.drag, air.pull / air.constants.lag
+    theta, phi = tilt(
+        push_x - held * body.vx - lead * has_x,
+        push_y - held * body.vy - lead * has_y,
+        body.psi,
+        1.0,
+    )
+    return saturated_jointly(theta, phi, air.tilt_max)

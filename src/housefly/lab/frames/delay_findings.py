@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from housefly.config.tracking import TrackingConfig
+from housefly.lab.frames.corrections import late_mend
 from housefly.lab.frames.findings import FrameFault, FrameFinding
-from housefly.lab.frames.mends import late_mend
 
 LAG_ALLOWED = 0.1
 """Longest delay of tracking that is right [s]."""

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from math import dist
 
 from housefly.config.tracking import TrackingConfig
-from housefly.lab.frames.doubts import Doubt, DoubtKind, doubts
 from housefly.lab.frames.findings import FrameVerdict
 from housefly.lab.frames.latency import tracking_lag
 from housefly.lab.frames.plan import STEPS, CarryPlan, CarryStep
+from housefly.lab.frames.plausibility import CheckKind, FailedCheck, failed_checks
 from housefly.lab.frames.samples import (
     CarryTrack,
     FrameSample,
@@ -26,7 +26,7 @@ from housefly.numeric import wrapped
 
 _SAME_PLACE, _SAME_ANGLE = 0.08, 0.15
 """A drone that stayed within this was not moved since the last sample [m], [rad]."""
-_PASSING = frozenset({DoubtKind.LOST, DoubtKind.FAST, DoubtKind.NOSE, DoubtKind.TURN})
+_PASSING = frozenset({CheckKind.LOST, CheckKind.FAST, CheckKind.NOSE, CheckKind.TURN})
 """What depends on how one step was done, and is asked about again in the next."""
 _STAND_BY = "If it is as asked, leave it and press Enter again; else put it right, then Enter."
 
@@ -61,8 +61,8 @@ class CarryGuide:
     tracking: TrackingConfig
     samples: tuple[FrameSample, ...] = ()
     lag: float | None = None
-    _doubted: tuple[FrameSample, tuple[Doubt, ...]] | None = None
-    _trusted: set[DoubtKind] = field(default_factory=set)
+    _doubted: tuple[FrameSample, tuple[FailedCheck, ...]] | None = None
+    _trusted: set[CheckKind] = field(default_factory=set)
     _unseen: int = 0
 
     @property
@@ -125,7 +125,7 @@ class CarryGuide:
             return self._accepted(sample, "taken as you say")
         found = tuple(
             doubt
-            for doubt in doubts(self.plan, self.samples, sample, track, self.tracking.body)
+            for doubt in failed_checks(self.plan, self.samples, sample, track, self.tracking.body)
             if doubt.kind not in self._trusted
         )
         if found:

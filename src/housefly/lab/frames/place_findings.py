@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import dist, hypot, radians
 
 from housefly.config.tracking import TrackingConfig
-from housefly.lab.frames.doubts import turned_words
+from housefly.lab.frames.corrections import lines_words
 from housefly.lab.frames.findings import FrameFault, FrameFinding, FrameMeasures
-from housefly.lab.frames.mends import lines_words
 from housefly.lab.frames.plan import CarryStep
+from housefly.lab.frames.plausibility import turned_words
 from housefly.lab.frames.samples import FrameSample
 from housefly.numeric import wrapped
 

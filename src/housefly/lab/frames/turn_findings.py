@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from math import radians
 
-from housefly.lab.frames.doubts import onboard_turn, turned_words
 from housefly.lab.frames.findings import FrameFault, FrameFinding
 from housefly.lab.frames.plan import QUARTER_TURN, CarryStep
+from housefly.lab.frames.plausibility import onboard_turn, turned_words
 from housefly.lab.frames.samples import FrameSample
 from housefly.numeric import wrapped
 

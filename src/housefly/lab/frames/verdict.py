@@ -10,14 +10,14 @@ from math import acos, hypot, radians
 
 from housefly.config.tracking import TrackingConfig
 from housefly.lab.frames.body_findings import body_findings
-from housefly.lab.frames.delay_findings import lag_findings
-from housefly.lab.frames.findings import FrameFault, FrameFinding, FrameMeasures, FrameVerdict
-from housefly.lab.frames.mends import (
-    mended_keys,
+from housefly.lab.frames.corrections import (
+    corrected_keys,
     mirrored_words,
     snapped,
     up_axis_finding,
 )
+from housefly.lab.frames.delay_findings import lag_findings
+from housefly.lab.frames.findings import FrameFault, FrameFinding, FrameMeasures, FrameVerdict
 from housefly.lab.frames.place_findings import (
     ANGLE_MAX,
     FLOOR_HEIGHT_MAX,
@@ -124,4 +124,4 @@ def _mended(
     nose = snapped(body_yaw) if abs(body_yaw) > ANGLE_MAX else 0.0
     is_moved = turn != 0.0 or hypot(*measures.origin) > ORIGIN_MAX
     rise = height if abs(height) > FLOOR_HEIGHT_MAX else 0.0
-    return mended_keys(tracking, pad.position, plan.home if is_moved else None, turn, nose, rise)
+    return corrected_keys(tracking, pad.position, plan.home if is_moved else None, turn, nose, rise)

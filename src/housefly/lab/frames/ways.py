@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from math import atan2, degrees, hypot, pi, radians
 
 from housefly.geometry import Vec3
+from housefly.lab.frames.corrections import scale_mend
 from housefly.lab.frames.findings import FrameFault, FrameFinding
-from housefly.lab.frames.mends import scale_mend
 from housefly.lab.frames.plan import CarryPlan, CarryStep
 from housefly.lab.frames.samples import FrameSample
 from housefly.numeric import wrapped

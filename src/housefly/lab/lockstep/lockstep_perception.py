@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable
 from functools import partial
 
 from housefly.config.laser import LaserConfig
@@ -11,7 +12,7 @@ from housefly.messages import Estimate, Obstacle
 from housefly.perception.beams import BeamScan
 from housefly.perception.depth_tracker import DepthTracker
 from housefly.perception.laser_tracker import OWN_MARGIN, LaserTracker, OwnFootprint
-from housefly.perception.sight import Sight
+from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.distance import half_diagonal
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import metres_of
@@ -39,15 +40,16 @@ class LockstepPerception:
         self._due = {laser.name: 0.0 for laser in site.lasers}
         self._image_due = {camera.name: 0.0 for camera in site.depth_cameras}
         self._under_way: deque[tuple[float, BeamScan]] = deque()
-        self._scans, self._images = Sight(self._due), Sight(self._image_due)
+        self._scans, self._images = SensorFreshness(self._due), SensorFreshness(self._image_due)
 
     @property
     def people_seen_at(self) -> float:
         """Until when every sensor was believed [s], as ``Inputs.people_seen_at``."""
         return min(self._scans.seen_at, self._images.seen_at)
 
-    def update(self, now: float, estimate: Estimate | None) -> tuple[Obstacle, ...]:
-        """Return the news of obstacles at a time [s], given the pilot's estimate."""
+    def update(self, now: float, estimates: Iterable[Estimate | None]) -> tuple[Obstacle, ...]:
+        """Return the news of obstacles at a time [s], given the pilots' estimates."""
+        own = own_footprints(self._site, estimates)
         for laser in self._site.lasers:
             if now >= self._due[laser.name]:
                 self._due[laser.name] = now + MODELS[laser.model].period - 1e-6
@@ -57,7 +59,7 @@ class LockstepPerception:
         obstacles: list[Obstacle] = []
         while self._under_way and self._under_way[0][0] <= now:
             _, scan = self._under_way.popleft()
-            seen = self._tracker.update_beams(scan, now, own_footprint(self._site, estimate))
+            seen = self._tracker.update_beams(scan, now, own)
             if not seen.problem:
                 self._scans.believed(scan.source, scan.captured_at)
             obstacles.extend(seen.obstacles)
@@ -66,7 +68,6 @@ class LockstepPerception:
                 self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
                 take = partial(self._world.depth_image, camera.name, now)
                 for image in self._faults.depth_images(camera.name, take, now):
-                    own = own_footprint(self._site, estimate)
                     found = self._depth.update(image, now, own)
                     if not found.problem:
                         self._images.believed(image.source, image.captured_at)
@@ -86,11 +87,11 @@ class LockstepPerception:
         self._under_way.append((arrival, scan))
 
 
-def own_footprint(site: Site, estimate: Estimate | None) -> OwnFootprint | None:
-    """Return the ground that the drone itself covers; None while its position is unknown."""
-    if estimate is None:
-        return None
-    return OwnFootprint(
-        estimate.position[:2],
-        half_diagonal(site.drone.hull_length, site.drone.hull_width) + OWN_MARGIN,
+def own_footprints(site: Site, estimates: Iterable[Estimate | None]) -> tuple[OwnFootprint, ...]:
+    """Return the ground that drones cover themselves, without those whose place is unknown."""
+    reach = max(half_diagonal(drone.hull_length, drone.hull_width) for drone in site.all_drones)
+    return tuple(
+        OwnFootprint(estimate.position[:2], reach + OWN_MARGIN)
+        for estimate in estimates
+        if estimate is not None
     )

@@ -7,8 +7,8 @@ the drone hears and when. Faults befall the same streams as on the wires.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
-from math import inf, isfinite, nan
+from collections.abc import Sequence
+from math import inf, nan
 from typing import Any
 
 from housefly.config.site import Site
@@ -16,19 +16,17 @@ from housefly.drones.failsafe import Failsafe
 from housefly.drones.pose_rate import PoseRate
 from housefly.errors import ConfigError
 from housefly.lab.lockstep.lockstep_wires import lockstep_wire, onboard_limits
+from housefly.lab.lockstep.shared_tracking import SharedTracking
 from housefly.messages import (
     Command,
-    DroneFault,
-    DroneStatus,
     KnownMotion,
     Sighting,
     Telemetry,
 )
 from housefly.messages.steering import commanded
 from housefly.twin.contracts import (
-    FlightState,
-    MocapFrame,
     OnboardState,
+    TwinDrone,
     TwinWorld,
 )
 from housefly.twin.faults.fault import Fault
@@ -36,27 +34,11 @@ from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.onboard_stream import not_numbers
 from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
 from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.plain_drone import as_measured, telemetry_of
+from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
 
-FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
-    FlightState.LANDED: DroneStatus.LANDED,
-    FlightState.TAKING_OFF: DroneStatus.TAKING_OFF,
-    FlightState.FLYING: DroneStatus.FLYING,
-    FlightState.HOVERING: DroneStatus.FLYING,
-    FlightState.LANDING: DroneStatus.LANDING,
-    FlightState.EMERGENCY: DroneStatus.EMERGENCY,
-}
-
 _ROUNDING = 1e-9
-_FAULTS: tuple[tuple[DroneFault, Callable[[OnboardState], bool]], ...] = (
-    (DroneFault.MOTORS_PROBLEM, lambda onboard: onboard.motors_problem),
-    (DroneFault.BATTERY_LOW, lambda onboard: onboard.low_battery),
-    (DroneFault.TILTED_TOO_FAR, lambda onboard: onboard.angles_out_of_range),
-    (DroneFault.COMMANDS_LOST, lambda onboard: onboard.com_lost),
-    (DroneFault.ULTRASOUND_DEAF, lambda onboard: onboard.ultrasound_deaf),
-)
-
-
 _Datagram = tuple[int, tuple[Any, ...]]
 """Sequence number and commands of what would be one datagram."""
 _COMMANDS: PacketCodec[_Datagram] = PacketCodec(
@@ -80,15 +62,19 @@ _STEPS: PacketCodec[_Step] = PacketCodec(
 
 
 class LockstepRoom:
-    """World, driver and tracking client on one stepped clock.
+    """World, driver and tracking client of one drone on one stepped clock.
 
     Args:
         world: what flies.
-        site: limits, and the faults of its ``[[faults]]``.
+        site: limits, and the faults of its ``[[faults]]``; as the drone's own chain sees it.
         faults: those instead, when somebody else uses them too.
         guarded: False takes the driver's watchdog away; for negative controls only.
+        drone: which drone of the world it is; None for its first.
+        tracking: what hears the tracking system, and as which of its listeners; None for a client
+            of its own.
 
     Attributes:
+        world: as given.
         faults: what fails, and when.
 
     Raises:
@@ -102,14 +88,18 @@ class LockstepRoom:
         faults: FaultInjector | None = None,
         *,
         guarded: bool = True,
+        drone: TwinDrone | None = None,
+        tracking: tuple[SharedTracking, int] | None = None,
     ) -> None:
-        self._world = world
+        self.world, self._drone = world, drone or world
         self.faults = FaultInjector(site) if faults is None else faults
-        world.set_limits(onboard_limits(site))
+        self._tracking, self._listener = tracking or (SharedTracking(world, (self.faults,)), 0)
+        self._drone.set_limits(onboard_limits(site))
         self._failsafe = Failsafe(
             world.now, site.limits.tilt_max, site.drone.airframe, watched=guarded
         )
         self._wire = lockstep_wire(site)
+        self._lacks = site.drone.airframe.lacks
         self._pose_rate = PoseRate(site.drone.airframe.capabilities.external_pose_rate)
         self._sent_at, self._link = world.now, site.drone.airframe.link
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
@@ -126,7 +116,7 @@ class LockstepRoom:
     @property
     def now(self) -> float:
         """World time [s]."""
-        return self._world.now
+        return self.world.now
 
     def inject(self, *faults: Fault) -> None:
         """Let these faults happen, too; raises ConfigError for one that cannot be made here."""
@@ -134,26 +124,29 @@ class LockstepRoom:
 
     def advance(self, seconds: float) -> None:
         """Let the world run while commands are repeated at the driver's rate."""
-        end = self.now + seconds
-        self._disturb()
-        while (beat := min(self._sent_at + self._link.repeat_after, self._next_arrival())) <= end:
-            self._world.advance(max(0.0, beat - self.now))
-            self._deliver()
-            if self._sent_at + self._link.repeat_after <= self.now:
-                self._transmit()
-        self._world.advance(max(0.0, end - self.now))
+        advance_together((self,), seconds)
+
+    @property
+    def next_beat(self) -> float:
+        """When its driver has something to do next [s]."""
+        return min(self._sent_at + self._link.repeat_after, self._next_arrival())
+
+    def beat(self) -> None:
+        """Let the drone hear what has arrived, and repeat the command when it is time to."""
+        self._deliver()
+        if self._sent_at + self._link.repeat_after <= self.now:
+            self._transmit()
 
     def sightings(self) -> tuple[Sighting, ...]:
         """Return what tracking reported since the last call, oldest first."""
-        frames = self.faults.frames(self._world.mocap_frames(), self.now)
-        return tuple(sighting for frame in frames for sighting in _sightings_of(frame))
+        return self._tracking.sightings(self._listener)
 
     def telemetry(self) -> Telemetry | None:
         """Return the drone's newest report; None before the first.
 
         As on the wire: battery in whole percent, no vertical speed.
         """
-        onboard = self._world.onboard()
+        onboard = self._drone.onboard()
         if not self.faults.schedule.faults:
             return self._telemetry_of(onboard)
         if onboard.at > self._reported_at:
@@ -164,13 +157,13 @@ class LockstepRoom:
             )
         while self._reports_under_way and self._reports_under_way[0][0] <= self.now + _ROUNDING:
             due, onboard = self._reports_under_way.popleft()
-            self._report = telemetry_of(onboard, due)
+            self._report = as_measured(telemetry_of(onboard, due), self._lacks)
         return self._report
 
     def _telemetry_of(self, onboard: OnboardState) -> Telemetry:
         """Return a report that is received as it is written, once for each state."""
         if self._understood is None or self._understood[0] is not onboard:
-            self._understood = onboard, telemetry_of(onboard)
+            self._understood = onboard, as_measured(telemetry_of(onboard), self._lacks)
         return self._understood[1]
 
     def send(self, command: Command, motion: KnownMotion | None = None) -> None:
@@ -186,7 +179,7 @@ class LockstepRoom:
         """Hand over where tracking saw the drone, to one that wants to know."""
         due = self._pose_rate.due(seen)
         if due is not None:
-            self._world.tell_pose(due.pose, due.captured_at)
+            self._drone.tell_pose(due.pose, due.captured_at)
 
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
@@ -194,9 +187,12 @@ class LockstepRoom:
         if action_changed or self.now - self._sent_at >= self._link.interval_min:
             self._transmit()
 
-    def _disturb(self) -> None:
-        if isinstance(self._world, SimulatedWorld):
-            self.faults.act_on(self._world)
+    def disturb(self) -> None:
+        """Let the faults act on the drone, and on who is in its way."""
+        drone = self._drone
+        if isinstance(self.world, SimulatedWorld):
+            assert isinstance(drone, SimulatedWorld | SimulatedDrone)
+            self.faults.act_on(self.world, drone)
         elif self.faults.schedule.faults:
             raise ConfigError("faults", "need the simulated room; this world has no physics")
 
@@ -221,43 +217,19 @@ class LockstepRoom:
             if number <= self._heard_number:
                 continue
             self._heard_number = number
-            self._world.keep_alive()
+            self._drone.keep_alive()
             for command in commands:
-                self._wire.obey(self._world, command)
+                self._wire.obey(self._drone, command)
 
 
-def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Telemetry:
-    """Return a report of the drone as the driver would understand it.
-
-    Args:
-        onboard: what it reports.
-        received_at: when the report arrives [s]; at once where it is not given.
-    """
-    forward, left, _ = onboard.velocity
-    return Telemetry(
-        received_at=onboard.at if received_at is None else received_at,
-        status=FLIGHT_STATUS[onboard.flight],
-        battery=_in_percent(onboard.battery),
-        phi=onboard.phi,
-        theta=onboard.theta,
-        psi=onboard.psi,
-        height=onboard.height,
-        velocity=(forward, left, 0.0),
-        faults=tuple(fault for fault, applies in _FAULTS if applies(onboard)),
-        acceleration=onboard.acceleration,
-        drone_time=onboard.at,
-        hears_us=not (onboard.com_watchdog or onboard.com_lost),
-    )
-
-
-def _in_percent(charge: float) -> float:
-    return round(charge * 100) / 100 if isfinite(charge) else charge
-
-
-def _sightings_of(frame: MocapFrame) -> tuple[Sighting, ...]:
-    """Return the sightings of the bodies that a frame shows."""
-    return tuple(
-        Sighting(name, pose, frame.captured_at, frame.due_at)
-        for name, pose in frame.bodies
-        if pose is not None
-    )
+def advance_together(rooms: Sequence[LockstepRoom], seconds: float) -> None:
+    """Let the world of some drones run, while each driver repeats its commands at its own rate."""
+    world = rooms[0].world
+    end = world.now + seconds
+    for room in rooms:
+        room.disturb()
+    while (beat := min(room.next_beat for room in rooms)) <= end:
+        world.advance(max(0.0, beat - world.now))
+        for room in rooms:
+            room.beat()
+    world.advance(max(0.0, end - world.now))

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from housefly.config.site import Site
-from housefly.messages import Action, Command, Setpoint, Telemetry
+from housefly.messages import Command, Telemetry
 from housefly.messages.steering import Instruction
-from housefly.twin.contracts import OnboardLimits, TwinWorld
+from housefly.twin.contracts import OnboardLimits, TwinDrone
+from housefly.twin.plain_drone import Obedience
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import CommandEncoder
-from housefly.wires.ardrone.conversions import Maxima, Stick, pcmd_from_setpoint, stick_from_pcmd
+from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
 
 class LockstepWire(Protocol):
@@ -20,8 +21,8 @@ class LockstepWire(Protocol):
         """Return what would be one datagram, now [s], given the drone's newest report."""
         ...
 
-    def obey(self, world: TwinWorld, command: Any) -> None:
-        """Let the drone of a world obey one command of a datagram."""
+    def obey(self, drone: TwinDrone, command: Any) -> None:
+        """Let the drone obey one command of a datagram."""
         ...
 
 
@@ -40,56 +41,41 @@ class ArDroneWire:
         """Return AT commands."""
         return self._encoder.encoded(told, now, report)
 
-    def obey(self, world: TwinWorld, command: at.AtCommand) -> None:
+    def obey(self, drone: TwinDrone, command: at.AtCommand) -> None:
         """Obey a command as the drone does; the emergency bit acts on its rising edge."""
         match command:
             case at.Pcmd():
-                world.set_stick(stick_from_pcmd(command))
+                drone.set_stick(stick_from_pcmd(command))
             case at.FlatTrim():
-                world.flat_trim()
+                drone.flat_trim()
             case at.Ref(bits):
                 emergency = at.RefBits.EMERGENCY in bits
                 if emergency and not self._emergency_held:
-                    world.toggle_emergency()
+                    drone.toggle_emergency()
                 self._emergency_held = emergency
                 if at.RefBits.TAKE_OFF in bits:
-                    world.request_take_off()
+                    drone.request_take_off()
                 else:
-                    world.request_land()
+                    drone.request_land()
 
 
 class PlainWire:
-    """Commands as they are: of a drone whose bytes nobody simulates.
+    """Commands as they are: of a drone whose bytes are not simulated.
 
     Args:
         maxima: what a full stick means.
     """
 
     def __init__(self, maxima: Maxima) -> None:
-        self._maxima = maxima
-        self._was_cutting = False
+        self._obedience = Obedience(maxima)
 
     def encoded(self, told: Instruction, now: float, report: Telemetry | None) -> tuple[Any, ...]:
         """Return the command."""
         return (told.command,)
 
-    def obey(self, world: TwinWorld, command: Command) -> None:
-        """Obey a command; cutting the motors and ending an emergency are one button."""
-        presses = command.action in (Action.CUT, Action.RESET)
-        if presses and not self._was_cutting:
-            world.toggle_emergency()
-        self._was_cutting = presses
-        match command.action, command.asked:
-            case Action.TAKE_OFF, _:
-                world.request_take_off()
-            case ((Action.LAND | Action.IDLE), _):
-                world.request_land()
-            case Action.HOVER, _:
-                world.set_stick(Stick())
-            case Action.FLY, Setpoint() as tilted:
-                world.set_stick(stick_from_pcmd(pcmd_from_setpoint(tilted, self._maxima)))
-            case Action.FLY, asked:
-                world.steer(asked)
+    def obey(self, world: TwinDrone, command: Command) -> None:
+        """Obey a command."""
+        self._obedience.obey(world, command)
 
 
 def lockstep_wire(site: Site) -> LockstepWire:

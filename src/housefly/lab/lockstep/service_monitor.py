@@ -7,7 +7,7 @@ from math import inf
 
 from housefly.geometry import Vec2, distance
 from housefly.messages import DroneStatus, Phase, PilotStep, SafetyMode, Severity
-from housefly.pilot.behavior.standing import NEVER_STOOD, Footing
+from housefly.pilot.behavior.standing import NEVER_STOOD, StandingHeight
 from housefly.record.truth import COMPLETED, HOME_RADIUS
 
 STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING)
@@ -28,7 +28,7 @@ class ServiceMonitor:
         trouble: the last fault or refusal, in words.
         worst: the most severe safety mode seen.
         outcome: "completed", or the reason why not.
-        footing: where the drone stood before the flight.
+        standing: where the drone stood before the flight.
     """
 
     started_at: float
@@ -39,7 +39,7 @@ class ServiceMonitor:
     trouble: str = ""
     worst: SafetyMode = SafetyMode.NOMINAL
     outcome: str = ""
-    footing: Footing = NEVER_STOOD
+    standing: StandingHeight = NEVER_STOOD
 
     def updated(self, step: PilotStep) -> ServiceMonitor:
         """Return the monitor after one more step of the pilot."""
@@ -49,20 +49,20 @@ class ServiceMonitor:
         seen = self.seen if phase in self.seen or phase not in STAGES else (*self.seen, phase)
         texts = [event.text for event in step.outputs.events if event.severity is not Severity.INFO]
         worst = max(self.worst, step.outputs.safety, key=_SEVERITIES.index)
-        footing, monitor = self._stood(step), self
-        if texts or footing is not self.footing or (seen, worst) != (self.seen, self.worst):
+        standing, monitor = self._stood(step), self
+        if texts or standing is not self.standing or (seen, worst) != (self.seen, self.worst):
             trouble = texts[-1] if texts else self.trouble
-            monitor = replace(self, seen=seen, worst=worst, trouble=trouble, footing=footing)
+            monitor = replace(self, seen=seen, worst=worst, trouble=trouble, standing=standing)
         outcome = monitor._verdict(step)
         return replace(monitor, outcome=outcome) if outcome else monitor
 
-    def _stood(self, step: PilotStep) -> Footing:
+    def _stood(self, step: PilotStep) -> StandingHeight:
         """Learn where the drone stands before its flight."""
         estimate, telemetry = step.outputs.estimate, step.inputs.telemetry
         stands = telemetry is not None and telemetry.status is DroneStatus.LANDED
         if estimate is None or not stands or len(self.seen) > 1:
-            return self.footing
-        return self.footing.stood_at(estimate.position[2], estimate.pose_age)
+            return self.standing
+        return self.standing.stood_at(estimate.position[2], estimate.pose_age)
 
     def _verdict(self, step: PilotStep) -> str:
         elapsed = step.now - self.started_at
@@ -91,4 +91,4 @@ class ServiceMonitor:
                 f": {self.trouble}" if self.trouble else ""
             )
         assert estimate is not None
-        return self.footing.fault(estimate.position[2], estimate.pose_age) or COMPLETED
+        return self.standing.fault(estimate.position[2], estimate.pose_age) or COMPLETED

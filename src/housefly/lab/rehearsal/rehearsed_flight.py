@@ -17,6 +17,7 @@ from typing import Any
 
 from housefly.config.site import changed
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.questions import Question
 from housefly.lab.lockstep.task_flight import TaskFlight, TaskScript
@@ -36,7 +37,6 @@ from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.steps import StepKind, TaskStep
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.document.templates import names_in, plain_text
-from housefly.tasks.execution.values import StartClip, TakeSnapshot
 from housefly.tasks.vantage.named_subject import viewpoint_of
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.twin.world import SimulatedWorld
@@ -109,10 +109,9 @@ class RehearsedSite:
             report = RehearsalReport(
                 False,
                 ReasonCode.NOT_READY,
-                Words(
-                    "the rehearsal was not done after {n} s: this machine is busy, or the task has"
-                    " many ways",
-                    n=figure(limit, ".0f"),
+                literal(
+                    f"the rehearsal was not done after {limit:.0f} s: this machine is busy, or"
+                    " the task has many ways"
                 ),
             )
         return replace(report, took=time.monotonic() - began)
@@ -172,9 +171,8 @@ class RehearsedSite:
                 return replace(report, words=words)
             branches.append(branch)
         if len(branches) > BRANCHES_MAX:
-            words = Words(
-                "its answers lead to more than {n} ways: too many to rehearse",
-                n=figure(BRANCHES_MAX),
+            words = literal(
+                f"its answers lead to more than {BRANCHES_MAX} ways: too many to rehearse"
             )
             return RehearsalReport(False, ReasonCode.TOO_LONG, words)
         if all(branch.fails_by_itself for branch in branches):

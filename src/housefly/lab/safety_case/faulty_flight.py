@@ -15,11 +15,11 @@ from housefly.lab.safety_case.oracle import Oracle
 from housefly.lab.safety_case.trial import PersonOrder, TrialKey, TrialResult
 from housefly.messages import Inputs, Order, OrderKind, PilotStep
 from housefly.sites.loaded_site import LoadedSite, load_site
+from housefly.twin.demo_site import demo_changes
 from housefly.twin.faults.catalogue import row_of
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.fault_row import FaultVariant
 from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
-from housefly.twin.lively import lively_changes
 
 SAFETY_SITE = "bsen"
 SAFETY_PLACE = "table"
@@ -62,7 +62,7 @@ _ORDERS: dict[PersonOrder, tuple[tuple[float, Order], ...]] = {
 @lru_cache(maxsize=2)
 def _base(scanned: bool) -> LoadedSite:
     """Return the room, with its scanners where people and things may get in the way."""
-    lasers = lively_changes()["lasers"] if scanned else ()
+    lasers = demo_changes()["lasers"] if scanned else ()
     return load_site(SAFETY_SITE, hub__enabled=False, lasers=lasers)
 
 

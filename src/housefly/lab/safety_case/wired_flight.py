@@ -25,10 +25,10 @@ from housefly.lab.safety_case.process_faults import PROCESS_FAULTS, wait_for_tak
 from housefly.lab.safety_case.wired_oracle import wired_violations
 from housefly.record.truth import TRUTH_FILE, TrueFlight, read_truth
 from housefly.sites.loaded_site import load_site, read_site
+from housefly.twin.demo_site import demo_changes
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE
 from housefly.twin.faults.fault_row import FaultRow
 from housefly.twin.faults.vocabulary import Injection
-from housefly.twin.lively import lively_changes
 
 _TIMEOUT = 240.0
 """A flight that is not over after this was not ended by its pilot [s]; it takes about 40."""
@@ -164,7 +164,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 
 def write_own_site(folder: Path, seat: int, *, scanned: bool) -> Path:
     """Write the site with addresses and a memory of its own; scanned, with the lively lasers."""
-    lasers = lively_changes()["lasers"] if scanned else ()
+    lasers = demo_changes()["lasers"] if scanned else ()
     here = f"127.77.{seat}"
     site = read_site(
         SAFETY_SITE,

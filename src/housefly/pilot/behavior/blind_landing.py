@@ -19,10 +19,10 @@ from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.braking import BESIDE_SPEED
-from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.found_below import FORGOTTEN_AFTER
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.proposal import NOTHING, Look, MissionView, Proposal
 from housefly.pilot.behavior.steered_landing import LAND, SETTLED, BlindPlan, SteeredLanding
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
 
@@ -53,24 +53,28 @@ class BlindLanding:
     """Watches the floor below a drone that the gate holds, or lands, without tracking.
 
     Args:
-        commander: whose drone; it knows what the sonar shows.
+        mission: whose drone; it knows what the sonar shows.
         navigator: who knows walls, people and things.
         paper: in mode paper the drone lands where it is.
         limits: how high to hold.
     """
 
     def __init__(
-        self, commander: Commander, navigator: Navigator, paper: bool, limits: LimitsConfig
+        self, mission: MissionView, navigator: Navigator, paper: bool, limits: LimitsConfig
     ) -> None:
-        self._commander, self._people, self._paper = commander, navigator.people, paper
+        self._mission, self._people, self._paper = mission, navigator.people, paper
         self._highest = limits.height_max
         self._landing: SteeredLanding | None = None
         self._blocked_at = self._shown_at = self._look_at = -inf
         self._told = UNSAID
         self.plan = LAND
 
-    def step(self, vehicle: VehicleStatus) -> list[Event]:
-        """Look below once, and say what is done about it."""
+    def propose(self, look: Look) -> Proposal:
+        """Look below once, and say what is done about it; ``plan`` says what the gate flies."""
+        events = self._events(look.vehicle)
+        return Proposal(events=tuple(events)) if events else NOTHING
+
+    def _events(self, vehicle: VehicleStatus) -> list[Event]:
         here = vehicle.reckoned
         if self._paper or here is None or vehicle.status is not DroneStatus.FLYING:
             return self._end(vehicle, Words("the drone does not tell how it moves"))
@@ -94,15 +98,15 @@ class BlindLanding:
         place = here.position[:2]
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
         person = Words("{who} is below", who=near.name) if near.now < 0.0 else UNSAID
-        fault = person or self._commander.fault_below(place, vehicle)
+        fault = person or self._mission.fault_below(place, vehicle)
         is_furniture = not fault and self._people.is_above_furniture(place, self._people.hull)
         if is_furniture:
             fault = Words("furniture stands below")
-        if not fault and self._commander.sonar.found:
+        if not fault and self._mission.sonar.found:
             fault = Words("looking below")
         if fault:
             self._blocked_at = vehicle.now
-        if person or self._commander.sonar.found or is_furniture:
+        if person or self._mission.sonar.found or is_furniture:
             self._shown_at = vehicle.now
         return fault
 
@@ -125,7 +129,7 @@ class BlindLanding:
 
     def _must_land(self, vehicle: VehicleStatus, here: ReckonedPose) -> Words:
         """Return why it cannot be held where it is, in words, or UNSAID."""
-        if self._commander.insists:
+        if self._mission.insists:
             return Words("ordered to")
         if not vehicle.consistency.flow_believed:
             return Words("its own motion is in doubt")
@@ -149,7 +153,7 @@ class BlindLanding:
 
         The drone is landing, at rest and not stopped; what showed a moment ago may have gone.
         """
-        if self._commander.state.stopped:
+        if self._mission.state.stopped:
             return False
         since = vehicle.now - self._shown_at
         is_shown = since == 0.0 or since > GONE_AFTER
@@ -161,7 +165,7 @@ class BlindLanding:
     ) -> tuple[SteeredLanding, list[Event]]:
         """Return the landing at another place, where there is one, and what is said."""
         self._look_at = vehicle.now + LOOK_PERIOD
-        (x, y, z), found = here.position, (*self._commander.found, here.position[:2])
+        (x, y, z), found = here.position, (*self._mission.found, here.position[:2])
         spot = self._people.clear_floor((x, y), z, vehicle.now, FARTHEST, BESIDE_SPEED, found)
         if spot is None:
             return landing, self._nowhere(vehicle)
@@ -177,7 +181,7 @@ class BlindLanding:
     ) -> BlindPlan:
         target, later = landing.setpoint(vehicle.now), landing.setpoint(vehicle.now + _STEP)
         velocity = (later[0] - target[0]) / _STEP, (later[1] - target[1]) / _STEP
-        may_sink = not self._commander.sonar.found
+        may_sink = not self._mission.sonar.found
         return BlindPlan(fault, target, velocity, landing.height, here, may_sink)
 
     def _tell(self, vehicle: VehicleStatus, fault: Words) -> list[Event]:

@@ -23,13 +23,14 @@ from housefly.messages.order_fault import shown_name
 from housefly.messages.order_words import asked_words, refused_words
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
-from housefly.messages.steering import Path, PlanAnswer
+from housefly.messages.steering import PlanAnswer
 from housefly.messages.words import UNSAID, Words, said
 from housefly.pilot.behavior.braking import coasted
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.found_below import FoundBelow
 from housefly.pilot.behavior.height_gap import SonarMonitor
 from housefly.pilot.behavior.mission import (
+    LANDING_PLACE,
     STAY,
     Mission,
     MissionState,
@@ -42,12 +43,8 @@ from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
 from housefly.pilot.behavior.origin import OriginMonitor
 from housefly.pilot.behavior.preflight import PreflightInputs, preflight, preflight_refusal
+from housefly.pilot.behavior.proposal import AIRBORNE_PHASES, Proposal
 from housefly.pilot.behavior.way_planner import NOWHERE_TO_GO, planned_task, refusal_of
-
-LANDING_PLACE = "a clear place to land"
-"""Name of the mission that lands elsewhere than at home."""
-AIRBORNE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
-"""Phases in which the pilot moves the drone."""
 
 
 class Commander:
@@ -148,6 +145,7 @@ class Commander:
                 take_off_fault=fault,
                 sees_people=navigator.sees_people,
                 frames=self._frames,
+                lacks=self.airframe.lacks,
             )
         )
 
@@ -161,14 +159,14 @@ class Commander:
 
     def depart(self, mission: Mission, vehicle: VehicleStatus) -> Refused | None:
         """Set off on a mission from where the drone is."""
-        task = self._planned(mission, vehicle)
+        task = self.way(mission, vehicle)
         if isinstance(task, Refused):
             return task
         if task is None:
             self.stay(vehicle)
             return None
         self._task = task
-        self._state = self._state.entering(_flying_phase(mission), vehicle.now, mission)
+        self._state = self._state.entering(mission.flying_phase, vehicle.now, mission)
         return None
 
     def come_home(self, vehicle: VehicleStatus) -> Refused | None:
@@ -177,7 +175,7 @@ class Commander:
 
     def stay(self, vehicle: VehicleStatus) -> None:
         """Hold the place where the drone comes to rest."""
-        self._task = self._halt(vehicle)
+        self._task = self.halted(vehicle)
         self._state = self._state.entering(Phase.HOLDING, vehicle.now, STAY)
 
     def rest(self) -> None:
@@ -189,100 +187,31 @@ class Commander:
         """Ask no longer for a motor cut or a reset."""
         self._state = self._state.released()
 
-    def wait(self, why: Words, vehicle: VehicleStatus, mission: Mission | None = None) -> None:
-        """Hold the place where the drone comes to rest until the way is free.
+    def carry_out(self, proposal: Proposal) -> None:
+        """Change the mission as a monitor proposes."""
+        if proposal.task is not None:
+            self._task = proposal.task
+        if proposal.state is not None:
+            self._state = proposal.state
 
-        Args:
-            why: in words, for people.
-            vehicle: where the drone is.
-            mission: what to wait for, when it is another than that under way.
-        """
-        here, duration = self._halt(vehicle), self._task.duration
-        self._task = replace(here, waiting=why, since=vehicle.now, duration=duration)
-        if mission is not None:
-            self._state = self._state.entering(_flying_phase(mission), vehicle.now, mission)
-
-    def go_around(self, vehicle: VehicleStatus) -> Refused | None:
-        """Plan again from where the drone is, in the phase that it is in."""
-        task = self.other_way(vehicle)
-        if isinstance(task, Refused):
-            return task
-        self.take(task)
-        return None
+    def way(self, mission: Mission, vehicle: VehicleStatus) -> TrackingTask | Refused | None:
+        """Return the task of flying to the goal of a mission; None when it has none."""
+        coast_time = self.airframe.braking.coast_time
+        return planned_task(self._navigator, mission, self._task, vehicle, coast_time)
 
     def other_way(self, vehicle: VehicleStatus) -> TrackingTask | Refused:
-        """Return a new task for the same mission, from where the drone is."""
-        task = self._planned(self._state.mission, vehicle)
-        return Refused(OrderOutcome.NO_WAY, NOWHERE_TO_GO) if task is None else task
-
-    def take(self, task: TrackingTask) -> None:
-        """Track another task of the same mission."""
-        self._task = replace(task, duration=max(task.duration, self._task.duration))
-
-    def move(self, task: TrackingTask, vehicle: VehicleStatus) -> None:
-        """Track what a person moves by hand; it counts as a fresh order to stay."""
-        self._task = task
-        self._state = self._state.entering(Phase.HOLDING, vehicle.now, STAY)
-
-    def show(self, path: Path) -> None:
-        """Show people the same path with other times."""
-        self._task = replace(self._task, path=path)
-
-    def wait_on_way(self, why: Words, since: float) -> None:
-        """Come to rest on the trajectory in use; in words why, and since when it waits [s]."""
-        self._task = replace(self._task, halted=True, waiting=why, since=since)
-
-    def go_on(self) -> None:
-        """Fly on along the trajectory on which the drone waits."""
-        self._task = replace(self._task, halted=False, waiting=UNSAID)
-
-    def give_way(self, hold: Vec2, yaw: float, why: Words, vehicle: VehicleStatus) -> None:
-        """Make for a place out of somebody's way, in the phase that the drone is in.
-
-        Args:
-            hold: where to go [m].
-            yaw: heading to keep [rad].
-            why: in words, for people.
-            vehicle: where the drone is.
-        """
-        before = self._task
-        since = before.since if before.waiting else vehicle.now
-        self._task = TrackingTask(
-            duration=before.duration,
-            hold=hold,
-            hold_yaw=yaw,
-            waiting=why,
-            since=since,
-            height=self._height(vehicle),
-        )
-
-    def go_back(self, place: Vec2, vehicle: VehicleStatus) -> Refused | None:
-        """Return to a place [m] that was left for somebody, in the phase that the drone is in."""
-        mission = replace(self._state.mission, goal=place)
-        task = self._planned(mission, vehicle)
+        """Return a new task for the mission under way, from where the drone is."""
+        task = self.way(self._state.mission, vehicle)
+        if task is None:
+            return Refused(OrderOutcome.NO_WAY, NOWHERE_TO_GO)
         if isinstance(task, Refused):
             return task
-        if task is not None:
-            self._task = replace(task, duration=self._task.duration)
-        return None
-
-    def land_at(self, spot: Vec2, vehicle: VehicleStatus) -> Refused | None:
-        """Go to another place [m] to land there."""
-        return self.depart(Mission(OrderKind.HOME, LANDING_PLACE, spot), vehicle)
+        return replace(task, duration=max(task.duration, self._task.duration))
 
     def land_here(self, vehicle: VehicleStatus) -> None:
         """Land where the drone is."""
         self._state = self._state.entering(Phase.LANDING, vehicle.now, STAY)
         self._task = TrackingTask()
-
-    def hold_at(self, place: Vec2, vehicle: VehicleStatus) -> None:
-        """Hold a place [m] in the phase that the drone is in."""
-        here = self._hold_here(vehicle)
-        self._task = replace(here, hold=place, duration=self._task.duration)
-
-    def descend_to(self, height: float | None) -> None:
-        """Hold the present place at another height [m]; None for the usual one."""
-        self._task = replace(self._task, height=height)
 
     def _route(self, mission: Mission, vehicle: VehicleStatus) -> PlanAnswer | Refused | None:
         """Return the way; None when the mission needs none."""
@@ -293,30 +222,27 @@ class Commander:
         answer = self._navigator.route(vehicle.place, mission.goal)
         return answer if answer.path is not None else refusal_of(answer)
 
-    def _planned(self, mission: Mission, vehicle: VehicleStatus) -> TrackingTask | Refused | None:
-        coast_time = self.airframe.braking.coast_time
-        return planned_task(self._navigator, mission, self._task, vehicle, coast_time)
-
-    def _halt(self, vehicle: VehicleStatus) -> TrackingTask:
+    def halted(self, vehicle: VehicleStatus) -> TrackingTask:
         """Return the task of coming to rest: on a trajectory in space along its own curve."""
         task = self._task
         if vehicle.reference is None or task.profile is None:
-            return self._hold_here(vehicle)
+            return self.held_here(vehicle)
         return TrackingTask(
             task.profile, task.path, halted=True, comfort=task.comfort, arrival=task.arrival
         )
 
-    def _hold_here(self, vehicle: VehicleStatus) -> TrackingTask:
+    def held_here(self, vehicle: VehicleStatus) -> TrackingTask:
+        """Return the task of holding the place where the drone comes to rest."""
         if vehicle.estimate is None:
             return TrackingTask()
         place, velocity = vehicle.estimate.position[:2], vehicle.estimate.velocity[:2]
         return TrackingTask(
             hold=coasted(place, velocity, self.airframe.braking.coast_time),
             hold_yaw=vehicle.estimate.yaw,
-            height=self._height(vehicle),
+            height=self.kept_height(vehicle),
         )
 
-    def _height(self, vehicle: VehicleStatus) -> float | None:
+    def kept_height(self, vehicle: VehicleStatus) -> float | None:
         """Return the height to keep where a trajectory in space ends early [m]; else None."""
         if not self._navigator.in_space:
             return None
@@ -359,7 +285,7 @@ class Commander:
     def _land(self, order: Order, vehicle: VehicleStatus) -> None:
         if self._must_wait_to_land(order, vehicle):
             here = Mission(OrderKind.HOME, LANDING_PLACE, vehicle.place)
-            self._task = self._hold_here(vehicle)
+            self._task = self.held_here(vehicle)
             self._state = self._state.entering(Phase.RETURNING, vehicle.now, here)
         elif self._state.phase is not Phase.LANDING:
             self.land_here(vehicle)
@@ -383,7 +309,7 @@ class Commander:
         What it shows is remembered, because a landing is tried; but for what the map shows.
         """
         if vehicle.position is not None and self.sonar.is_sure(vehicle.now):
-            beam = self.airframe.sonar.beam_radius
+            beam = self.airframe.sonar.beam_radius if self.airframe.sonar else 0.0
             if not self._navigator.people.is_above_furniture(place, beam):
                 self.found.show(vehicle.position, vehicle.now)
             return self.sonar.words
@@ -399,7 +325,7 @@ class Commander:
             return False
         if vehicle.place is None:
             return False
-        people, rest = self._navigator.people, self._hold_here(vehicle).hold
+        people, rest = self._navigator.people, self.held_here(vehicle).hold
         return bool(
             people.landing_fault(vehicle.place, vehicle.now)
             or people.ground_fault(vehicle.place)
@@ -411,13 +337,13 @@ class Commander:
     def _stop(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.stopping(vehicle.now, vehicle.status is DroneStatus.LANDED)
         is_holding = self._state.phase is Phase.HOLDING
-        self._task = self._hold_here(vehicle) if is_holding else TrackingTask()
+        self._task = self.held_here(vehicle) if is_holding else TrackingTask()
 
     def _resume(self, order: Order, vehicle: VehicleStatus) -> None:
         if self._state.stopped:
             self._state = replace(self._state, stopped=False)
             is_holding = self._state.phase is Phase.HOLDING
-            self._task = self._hold_here(vehicle) if is_holding else self._task
+            self._task = self.held_here(vehicle) if is_holding else self._task
 
     def _nudge(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
         """Say whether the drone may be moved by hand; ``nudging`` moves it."""
@@ -439,10 +365,6 @@ class Commander:
 
     def _reset(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.pressing(vehicle.now, cut=False)
-
-
-def _flying_phase(mission: Mission) -> Phase:
-    return Phase.RETURNING if mission.kind is OrderKind.HOME else Phase.OUTBOUND
 
 
 def _answer(order: Order, refused: Refused | None) -> OrderAnswer:

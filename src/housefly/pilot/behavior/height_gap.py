@@ -33,10 +33,13 @@ LOW_MAX = 0.55
 
 
 class SonarMonitor:
-    """Holds the height by the drone's own sonar against the tracked one, in the air."""
+    """Holds the height by the drone's own sonar against the tracked one, in the air.
 
-    def __init__(self, sonar: SonarConstants) -> None:
-        self._range_min = sonar.range_min
+    Without a sonar nothing ever seems to stand below.
+    """
+
+    def __init__(self, sonar: SonarConstants | None) -> None:
+        self._sonar = sonar
         self._has_worked = False
         self._since = self._until = inf
         self._found = 0.0
@@ -70,8 +73,10 @@ class SonarMonitor:
 
     def step(self, vehicle: VehicleStatus) -> None:
         """Take in what the drone says and where tracking sees it."""
+        if self._sonar is None:
+            return
         self._pad.step(vehicle)
-        gap = self._gap(vehicle)
+        gap = self._gap(vehicle, self._sonar.range_min)
         if gap > 0.0:
             self._found = gap
             self._since = min(self._since, vehicle.now)
@@ -79,7 +84,7 @@ class SonarMonitor:
         elif vehicle.now >= self._until:
             self._found, self._since, self._until = 0.0, inf, inf
 
-    def _gap(self, vehicle: VehicleStatus) -> float:
+    def _gap(self, vehicle: VehicleStatus, range_min: float) -> float:
         """Return how high what stands below is [m], at least; 0 for nothing, or unknown."""
         report, position = vehicle.telemetry, vehicle.position
         if report is None or position is None or vehicle.status is not DroneStatus.FLYING:
@@ -92,7 +97,7 @@ class SonarMonitor:
         if not self._has_worked or self._is_stuck(report.height, position):
             return 0.0
         floor = self._pad.offset_at(position[:2])
-        gap = position[2] - floor - max(report.height, self._range_min)
+        gap = position[2] - floor - max(report.height, range_min)
         is_shown = gap > HEIGHT_GAP_MAX
         self._everywhere.step(position[:2], gap if is_shown else 0.0)
         if self.is_wrong:

@@ -51,6 +51,11 @@ class Mission:
     look_s: float = 0.0
     yaw: float | None = None
 
+    @property
+    def flying_phase(self) -> Phase:
+        """The phase in which it is flown."""
+        return Phase.RETURNING if self.kind is OrderKind.HOME else Phase.OUTBOUND
+
     def arrival_yaw(self, position: Vec2) -> float | None:
         """Return the heading [rad] to take at the goal, seen from a position [m]; None keeps it."""
         return self.yaw if self.look_at is None else heading_to(position, self.look_at[:2])
@@ -58,6 +63,8 @@ class Mission:
 
 STAY = Mission()
 """Hover where the drone is."""
+LANDING_PLACE = "a clear place to land"
+"""Name of the mission that lands elsewhere than at home."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
@@ -12,6 +14,7 @@ from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.faster_way import FasterWayMonitor
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
+from housefly.pilot.behavior.lost_drones import LostDronesMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
@@ -19,12 +22,14 @@ from housefly.pilot.behavior.nudging import NudgeMonitor
 from housefly.pilot.behavior.off_course import OffCourseMonitor
 from housefly.pilot.behavior.passing_monitor import PassingMonitor
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.priorities import PRIORITIES, Situation, Watch
+from housefly.pilot.behavior.proposal import NOTHING, Look, Monitor
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
 from housefly.pilot.behavior.steered_landing import BlindPlan
 
 
 class MissionManager:
-    """Orders first, then what happened, then what stands in the way."""
+    """Orders first, then what happened, then what the monitors propose, by ``PRIORITIES``."""
 
     def __init__(
         self,
@@ -38,14 +43,31 @@ class MissionManager:
         self._commander = Commander(limits, navigator, airframe, frames)
         self._collisions = CollisionMonitor(self._commander, navigator, airframe.braking)
         self._passing = PassingMonitor(self._commander, navigator)
-        self._off_course = OffCourseMonitor(self._commander, limits, paper)
-        self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, airframe, paper)
+        self._lost_drones = LostDronesMonitor(navigator)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)
         self._landings = LandingMonitor(self._commander, navigator, paper, limits)
         self._blind = BlindLanding(self._commander, navigator, paper, limits)
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
+        )
+        monitors: dict[Watch, Monitor] = {
+            Watch.LANDING: self._landings,
+            Watch.BLIND_LANDING: self._blind,
+            Watch.COLLISION: self._collisions,
+            Watch.OFF_COURSE: OffCourseMonitor(self._commander, limits, paper),
+            Watch.PASSING: self._passing,
+            Watch.FASTER_WAY: FasterWayMonitor(self._commander, navigator),
+            Watch.SEPARATION: self._separation,
+            Watch.NUDGE: self._nudges,
+        }
+        holds: dict[Situation, Callable[[], bool]] = {
+            Situation.MAKING_WAY: lambda: self._separation.is_yielding,
+            Situation.AWAITING_PASSAGE: lambda: self._passing.is_waiting,
+        }
+        self._rows = tuple(
+            (monitors[row.watch], tuple(holds[situation] for situation in row.silenced_by))
+            for row in PRIORITIES
         )
 
     @property
@@ -122,15 +144,12 @@ class MissionManager:
             answer = self._commander.obey(order, vehicle)
             events.extend(self._nudges.heard(order, answer, vehicle.now))
         events.extend(self._monitor.step(vehicle, target, facing))
-        events.extend(self._landings.step(vehicle))
-        events.extend(self._blind.step(vehicle))
-        is_yielding = self._separation.is_yielding
-        is_paused = is_yielding or self._passing.is_waiting
-        events.extend(self._collisions.step(vehicle, target, paused=is_paused))
-        if not is_paused:
-            events.extend(self._off_course.step(vehicle, target))
-        events.extend(self._passing.step(vehicle, paused=is_yielding))
-        events.extend(self._faster.step(vehicle, paused=is_yielding))
-        events.extend(self._separation.step(vehicle, self._passing.rate))
-        events.extend(self._nudges.step(vehicle, self._separation.speed_factor))
+        for monitor, silencers in self._rows:
+            silent = bool(silencers) and any(holds() for holds in silencers)
+            rate, share = self._passing.rate, self._separation.speed_factor
+            proposal = monitor.propose(Look(vehicle, target, silent, rate, share))
+            if proposal is not NOTHING:
+                self._commander.carry_out(proposal)
+                events.extend(proposal.events)
+        events.extend(self._lost_drones.step(vehicle.now))
         return events

@@ -95,7 +95,9 @@ class MissionMonitor:
         found = signals(
             commander.state, commander.task, self._timers, vehicle, self._limits, facing
         )
-        for signal in self._landing_monitor.allowed(found, vehicle):
+        allowed, sinking = self._landing_monitor.allowed(found, vehicle)
+        commander.carry_out(sinking)
+        for signal in allowed:
             before = commander.state
             if commander.apply(signal, vehicle.now):
                 events.extend(self._entered(signal, before, vehicle))
@@ -118,7 +120,9 @@ class MissionMonitor:
         refused = self._follow_up(signal, before, vehicle)
         if refused is None:
             return [event]
-        if self._collision_monitor.waits_instead(refused.reason, vehicle):
+        waiting = self._collision_monitor.waiting_instead(refused.reason, vehicle)
+        if waiting.task is not None:
+            self._commander.carry_out(waiting)
             text, code = Words("waiting here: {why}", why=refused.reason), EventCode.WAY_BLOCKED
         elif signal in LANDS_WITHOUT_WAY:
             self._commander.land_here(vehicle)

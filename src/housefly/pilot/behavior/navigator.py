@@ -52,6 +52,11 @@ class Navigator(Protocol):
         """Whether a sensor of the site sees people."""
         ...
 
+    @property
+    def lost_drones(self) -> tuple[str, ...]:
+        """Other drones that were lost sight of in the air; their last places are kept clear."""
+        ...
+
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
     ) -> list[Words]:

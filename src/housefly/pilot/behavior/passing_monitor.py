@@ -6,16 +6,17 @@ made way for (``separation_monitor``).
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf
 
 from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
-from housefly.messages.words import Words
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.collision_monitor import ON_THE_WAY, RELAPSE_TIME
-from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.path_profile import PathProfile
+from housefly.pilot.behavior.proposal import NOTHING, Look, MissionChange, MissionView, Proposal
 from housefly.pilot.behavior.trajectory_profile import SpacePath, retimed
 from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.planning.space.passage import Passage, first_passage
@@ -30,10 +31,10 @@ AROUND_PERIOD = 0.5
 
 
 class PassingMonitor:
-    """Watches people who walk for one commander."""
+    """Watches people who walk."""
 
-    def __init__(self, commander: Commander, navigator: Navigator) -> None:
-        self._commander, self._navigator = commander, navigator
+    def __init__(self, mission: MissionView, navigator: Navigator) -> None:
+        self._mission, self._navigator = mission, navigator
         self._passing = Passing()
         self._profile: PathProfile | None = None
         self._waits: TrackingTask | None = None
@@ -48,24 +49,19 @@ class PassingMonitor:
     @property
     def is_waiting(self) -> bool:
         """Whether the drone waits on its trajectory for somebody to pass."""
-        return self._waits is not None and self._commander.task is self._waits
+        return self._waits is not None and self._mission.task is self._waits
 
-    def step(self, vehicle: VehicleStatus, *, paused: bool = False) -> list[Event]:
-        """Look at people once, and say what is done about them.
-
-        Args:
-            vehicle: status and place of the drone.
-            paused: the drone makes way for somebody.
-        """
-        task, state = self._commander.task, self._commander.state
+    def propose(self, look: Look) -> Proposal:
+        """Look at people once, and say what to do about them."""
+        vehicle, task, state = look.vehicle, self._mission.task, self._mission.state
         is_flown = task.profile is not None and is_in_space(task.profile)
-        is_ours = state.phase in ON_THE_WAY and not state.stopped and not paused
+        is_ours = state.phase in ON_THE_WAY and not state.stopped and not look.silent
         if not (is_flown and is_ours and (task.is_following or self.is_waiting)):
             self._forget()
-            return []
+            return NOTHING
         is_new = task.profile is not self._profile
         if not is_new and vehicle.now - self._asked_at < PERIOD - 1e-6:
-            return []
+            return NOTHING
         self._asked_at, self._profile = vehicle.now, task.profile
         if is_new:
             self._passing = Passing(around_at=self._passing.around_at)
@@ -78,12 +74,12 @@ class PassingMonitor:
     def _forget(self) -> None:
         self._passing, self._profile, self._waits = Passing(), None, None
 
-    def _decide(self, task: TrackingTask, scale: TimeScale, vehicle: VehicleStatus) -> list[Event]:
+    def _decide(self, task: TrackingTask, scale: TimeScale, vehicle: VehicleStatus) -> Proposal:
         assert task.profile is not None
         people = self._navigator.people
         is_free = self._passing.choice is not PassingChoice.WAIT and self._passing.rate >= 1.0
         if is_free and not len(people.walking(vehicle.now)):
-            return []
+            return NOTHING
         choices = self._navigator.passages(scale, task.profile, task.comfort, vehicle.now)
         other = self._other_way(task, scale, choices, vehicle)
         arrival = inf if other is None else other.arrival
@@ -91,14 +87,15 @@ class PassingMonitor:
         self._passing = passed(before, choices, arrival, vehicle.now)
         if self._passing.choice is PassingChoice.AROUND and other is not None:
             return self._go_around(other, vehicle)
-        events: list[Event] = []
+        proposal = NOTHING
         if self._passing.choice is PassingChoice.WAIT and not self.is_waiting:
-            events = self._wait(vehicle)
+            proposal = self._wait(task, vehicle)
         elif self._passing.choice is PassingChoice.GO_ON and self.is_waiting:
-            events = self._go_on(vehicle)
-        if (before.choice, before.rate) != (self._passing.choice, self._passing.rate):
-            self._show(first_passage(choices, GIVE), scale, vehicle)
-        return events
+            proposal = self._go_on(task, vehicle)
+        if (before.choice, before.rate) == (self._passing.choice, self._passing.rate):
+            return proposal
+        task = proposal.task or task
+        return self._retimed(proposal, task, first_passage(choices, GIVE), scale, vehicle)
 
     def _other_way(
         self, task: TrackingTask, scale: TimeScale, choices: list[Passage], vehicle: VehicleStatus
@@ -111,39 +108,49 @@ class PassingMonitor:
         if not is_held_up or vehicle.now - self._around_at < AROUND_PERIOD:
             return None
         self._around_at = vehicle.now
-        found = self._commander.other_way(vehicle)
+        found = self._mission.other_way(vehicle)
         return found if isinstance(found, TrackingTask) else None
 
-    def _show(self, passage: Passage | None, scale: TimeScale, vehicle: VehicleStatus) -> None:
+    def _retimed(
+        self,
+        proposal: Proposal,
+        task: TrackingTask,
+        passage: Passage | None,
+        scale: TimeScale,
+        vehicle: VehicleStatus,
+    ) -> Proposal:
         """Show the times at which the way is passed from now on, where they are known."""
-        path, profile = self._commander.task.path, self._profile
+        path, profile = task.path, self._profile
         if passage is None or profile is None or not isinstance(path, SpacePath):
-            return
+            return proposal
         begin = vehicle.now - self._begun_at + passage.wait
-        self._commander.show(retimed(path, profile.marks, scale.time, begin, passage.rate))
+        task = replace(task, path=retimed(path, profile.marks, scale.time, begin, passage.rate))
         if self._waits is not None:
-            self._waits = self._commander.task
+            self._waits = task
+        change = proposal.change or MissionChange.RETIME
+        return replace(proposal, change=change, task=task)
 
-    def _go_around(self, other: TrackingTask, vehicle: VehicleStatus) -> list[Event]:
-        self._commander.take(other)
+    def _go_around(self, other: TrackingTask, vehicle: VehicleStatus) -> Proposal:
         self._waits = None
         text = Words("{who} walks into the way: going around", who=self._name(vehicle))
-        return [Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)]
+        event = Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text)
+        return Proposal(MissionChange.GO_AROUND, event.code, other, events=(event,))
 
-    def _wait(self, vehicle: VehicleStatus) -> list[Event]:
+    def _wait(self, task: TrackingTask, vehicle: VehicleStatus) -> Proposal:
         is_relapse = vehicle.now - self._ended_at < RELAPSE_TIME
         self._since = self._since if is_relapse else vehicle.now
         text = Words("{who} walks into the way: waiting", who=self._name(vehicle))
-        self._commander.wait_on_way(text, self._since)
-        self._waits = self._commander.task
+        self._waits = replace(task, halted=True, waiting=text, since=self._since)
         event = Event(vehicle.now, Severity.INFO, EventCode.WAY_BLOCKED, text)
-        return [] if is_relapse else [event]
+        events = () if is_relapse else (event,)
+        return Proposal(MissionChange.HOLD, event.code, self._waits, events=events)
 
-    def _go_on(self, vehicle: VehicleStatus) -> list[Event]:
-        self._commander.go_on()
+    def _go_on(self, task: TrackingTask, vehicle: VehicleStatus) -> Proposal:
         self._waits, self._ended_at = None, vehicle.now
         text = Words("the way is free: going on")
-        return [Event(vehicle.now, Severity.INFO, EventCode.GOING_ON, text)]
+        event = Event(vehicle.now, Severity.INFO, EventCode.GOING_ON, text)
+        moving = replace(task, halted=False, waiting=UNSAID)
+        return Proposal(MissionChange.GO_ON, event.code, moving, events=(event,))
 
     def _name(self, vehicle: VehicleStatus) -> str:
         """Return who walks and is nearest."""

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import degrees, hypot, isfinite, radians
 
+from housefly.config.airframe import Ability
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import OrderOutcome
 from housefly.messages.preflight import (
@@ -59,6 +60,12 @@ class PreflightInputs:
     take_off_fault: Words = UNSAID
     sees_people: bool = True
     frames: FramesKnown = FRAMES_NOT_NEEDED
+    lacks: frozenset[Ability] = frozenset()
+
+    @property
+    def unknown(self) -> Words:
+        """What the drone does not have that others have, in words."""
+        return joined(", ", (said(one) for one in Ability if one in self.lacks & _MISSED))
 
     @property
     def tilt(self) -> float:
@@ -118,6 +125,7 @@ class PreflightRule:
         value, limit: in words.
         why: what would happen otherwise.
         mend: what to do.
+        applies: whether it is looked at at all.
         required: no take-off without it ...
         waived: ... but here, where it is told only.
         mend_waived: what to do there, where that differs.
@@ -131,6 +139,7 @@ class PreflightRule:
     limit: Callable[[PreflightInputs], Words]
     why: Words
     mend: Words
+    applies: Callable[[PreflightInputs], bool] = lambda _: True
     required: bool = True
     waived: Callable[[PreflightInputs], bool] = lambda _: False
     mend_waived: Words = UNSAID
@@ -151,6 +160,8 @@ class PreflightRule:
         )
 
 
+_MISSED = frozenset({Ability.HOVER, Ability.HEIGHT, Ability.VELOCITY, Ability.ATTITUDE})
+"""What counts before a take-off: a camera does not, and every form of setpoints is flown."""
 CHARGE_CHECK = "charge"
 """Code of the check of the battery."""
 
@@ -320,6 +331,18 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         required=False,
     ),
     PreflightRule(
+        "abilities",
+        Words("it has what others have"),
+        Words("the drone lacks what others have"),
+        lambda i: not i.unknown,
+        lambda i: i.unknown or Words("nothing"),
+        lambda _: Words("nothing"),
+        Words("rules that need it do not count, and where tracking fails it sinks and lands"),
+        Words("fly it where tracking is sure, and keep people away"),
+        applies=lambda i: bool(i.unknown),
+        required=False,
+    ),
+    PreflightRule(
         "pad",
         Words("it stands on its pad"),
         Words("the drone is not on its pad"),
@@ -377,7 +400,7 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
 
 def preflight(inputs: PreflightInputs) -> tuple[PreflightCheck, ...]:
     """Return what every check finds."""
-    return tuple(rule.check(inputs) for rule in PREFLIGHT_RULES)
+    return tuple(rule.check(inputs) for rule in PREFLIGHT_RULES if rule.applies(inputs))
 
 
 MACHINE_CHECK = "machine"

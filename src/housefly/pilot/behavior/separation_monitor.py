@@ -7,7 +7,7 @@ still.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
@@ -20,9 +20,18 @@ from housefly.messages.sensing import DroneStatus
 from housefly.messages.words import Words
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.braking import EVASION_SPEED, REFERENCE_BRAKING
-from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
-from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
+from housefly.pilot.behavior.mission import Refused, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.proposal import (
+    AIRBORNE_PHASES,
+    NOTHING,
+    Look,
+    MissionChange,
+    MissionView,
+    Proposal,
+    landing_here,
+    news,
+)
 from housefly.pilot.planning.people import SPEED_UNCERTAINTY, UNCERTAIN_TIME, speed_share
 from housefly.pilot.planning.separation import STEP, Refuge, Separation, approach_speed
 from housefly.pilot.planning.trajectory.kinematic_state import TICK
@@ -97,17 +106,17 @@ class Yielding:
 
 
 class SeparationMonitor:
-    """Watches people for one commander.
+    """Watches people.
 
     Attributes:
         speed_factor: share of the cruise speed to fly at, 0 to 1.
     """
 
     def __init__(
-        self, commander: Commander, navigator: Navigator, airframe: Airframe, paper: bool
+        self, mission: MissionView, navigator: Navigator, airframe: Airframe, paper: bool
     ) -> None:
         self.speed_factor = 1.0
-        self._commander, self._people, self._paper = commander, navigator.people, paper
+        self._mission, self._people, self._paper = mission, navigator.people, paper
         self._airframe = airframe
         self._touchdown_time = airframe.landing.touchdown_time
         self._decision_time = airframe.landing.touchdown_time + DECISION_MARGIN
@@ -120,19 +129,15 @@ class SeparationMonitor:
     @property
     def is_yielding(self) -> bool:
         """Whether the drone makes way now."""
-        return self._yielding is not None and self._commander.task is self._task
+        return self._yielding is not None and self._mission.task is self._task
 
-    def step(self, vehicle: VehicleStatus, rate: float = 1.0) -> list[Event]:
-        """Look at people once, and say what is done about them.
-
-        Args:
-            vehicle: status and place of the drone.
-            rate: at which the time of a trajectory in space is to pass.
-        """
-        place, state = vehicle.place, self._commander.state
+    def propose(self, look: Look) -> Proposal:
+        """Look at people once, and say what to do about them."""
+        vehicle = look.vehicle
+        place, state = vehicle.place, self._mission.state
         if place is None or (not len(self._people) and self._yielding is None):
             self.speed_factor = 1.0
-            return []
+            return NOTHING
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
         self.speed_factor = self._factor(near.now)
         if state.phase is Phase.TAKING_OFF and not self._paper:
@@ -140,20 +145,20 @@ class SeparationMonitor:
         is_ours = state.phase in AIRBORNE_PHASES and not state.stopped
         if not is_ours or self._paper or vehicle.landing_forced:
             self._yielding = None
-            return []
+            return NOTHING
         if vehicle.now - self._asked_at < YIELD_PERIOD - 1e-6:
-            return []
+            return NOTHING
         self._asked_at = vehicle.now
         if self._yielding is not None and not (
             self.is_yielding and self._yielding.phase is state.phase
         ):
             self._yielding = None
-        threat = self._threat(vehicle, place, rate)
+        threat = self._threat(vehicle, place, look.rate)
         if threat is not None:
             return self._make_way(threat, vehicle, place)
-        return self._calm(vehicle, place) if self._yielding is not None else []
+        return self._calm(vehicle, place) if self._yielding is not None else NOTHING
 
-    def _give_up_take_off(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+    def _give_up_take_off(self, vehicle: VehicleStatus, place: Vec2) -> Proposal:
         """Land a drone that has just left the floor when somebody walks up to it.
 
         Not where they would arrive before it stands, but late enough to be made way for in the
@@ -161,24 +166,24 @@ class SeparationMonitor:
         """
         height = vehicle.estimate.position[2] if vehicle.estimate else TAKE_OFF_HEIGHT
         if height >= TAKE_OFF_HEIGHT or vehicle.status is DroneStatus.LANDED:
-            return []
+            return NOTHING
         found = self._comes_within(TAKE_OFF_HORIZON, vehicle, place)
         if found.closest >= self._people.config.min_distance:
             self._coming_since, self._climbs_on = inf, False
-            return []
+            return NOTHING
         self._coming_since = min(self._coming_since, vehicle.now)
         if self._climbs_on or vehicle.now - self._coming_since < TAKE_OFF_DOUBT:
-            return []
+            return NOTHING
         climb = self._airframe.take_off
         standing = climb.give_up_time + climb.give_up_time_per_height * height
         away = (climb.steerable_height - height) / climb.climb_rate + ESCAPE_TIME
         is_met = self._comes_within(standing, vehicle, place).closest < 0.0
         if is_met and self._comes_within(away, vehicle, place).closest > LIKELY_DISTANCE:
             self._climbs_on = True
-            return []
-        self._commander.land_here(vehicle)
+            return NOTHING
         text = Words("{who} comes near: the take-off is given up", who=found.name)
-        return [Event(vehicle.now, Severity.WARNING, EventCode.TAKE_OFF_GIVEN_UP, text)]
+        state, reason = self._mission.state, EventCode.TAKE_OFF_GIVEN_UP
+        return landing_here(state, reason, Severity.WARNING, text, vehicle.now)
 
     def _comes_within(self, horizon: float, vehicle: VehicleStatus, place: Vec2) -> Separation:
         """Return how near who walks comes to a drone that stays, within a time [s]."""
@@ -191,8 +196,8 @@ class SeparationMonitor:
 
     def _threat(self, vehicle: VehicleStatus, place: Vec2, rate: float) -> Separation | None:
         """Return who comes too near, or None."""
-        config, task = self._people.config, self._commander.task
-        following = task.is_following and self._commander.state.phase in _GUIDED
+        config, task = self._people.config, self._mission.task
+        following = task.is_following and self._mission.state.phase in _GUIDED
         if following and vehicle.estimate is not None:
             velocity = vehicle.estimate.velocity[:2]
             places = self._places_ahead(vehicle, min(self.speed_factor, rate))
@@ -221,7 +226,7 @@ class SeparationMonitor:
             vehicle: where the drone is, and how far it has flown the trajectory.
             wanted: rate of the trajectory's time that is asked for now.
         """
-        reference, profile = vehicle.reference, self._commander.task.profile
+        reference, profile = vehicle.reference, self._mission.task.profile
         place = vehicle.place
         if reference is None or profile is None or place is None or len(profile.motion) < 2:
             return None
@@ -254,7 +259,7 @@ class SeparationMonitor:
         self._trapped_since = min(self._trapped_since, vehicle.now)
         return found if vehicle.now - self._trapped_since >= TRAPPED_DOUBT else None
 
-    def _make_way(self, threat: Separation, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+    def _make_way(self, threat: Separation, vehicle: VehicleStatus, place: Vec2) -> Proposal:
         assert vehicle.estimate is not None
         before, now = self._yielding, vehicle.now
         vx, vy, _ = vehicle.estimate.velocity
@@ -267,18 +272,14 @@ class SeparationMonitor:
             refuge=found.place,
             speed=speed,
             name=threat.name,
-            phase=self._commander.state.phase,
+            phase=self._mission.state.phase,
             threatened_at=now,
             cornered_at=since if cornered else inf,
         )
-        if cornered and now - since >= CORNERED_TIME:
-            events = self._corner(vehicle, place)
-            if self._yielding is None:
-                return events
-        else:
-            events = self._tell(vehicle)
-        self._go(vehicle, place)
-        return events
+        if not cornered or now - since < CORNERED_TIME:
+            return self._go(vehicle, place, self._tell(vehicle))
+        last = self._corner(vehicle, place)
+        return self._go(vehicle, place, last.events) if last.task is None else last
 
     def _refuge(self, vehicle: VehicleStatus, place: Vec2, velocity: Vec2) -> tuple[Refuge, float]:
         """Return where to go and how fast [m/s]: no faster than usual where that is enough."""
@@ -292,8 +293,8 @@ class SeparationMonitor:
         is_better = faster.separation > found.separation
         return (faster, EVASION_SPEED) if is_better else (found, usual)
 
-    def _go(self, vehicle: VehicleStatus, place: Vec2) -> None:
-        """Set the place to fly to: as far ahead as makes the drone fly at the wanted speed."""
+    def _go(self, vehicle: VehicleStatus, place: Vec2, events: tuple[Event, ...] = ()) -> Proposal:
+        """Make for the refuge: as far ahead as makes the drone fly at the wanted speed."""
         yielding = self._yielding
         assert yielding is not None
         (x, y), (gx, gy) = place, yielding.refuge
@@ -302,36 +303,59 @@ class SeparationMonitor:
         share = speed * LEAD_TIME / max(away, 1e-6)
         why = Words("{who} comes near: making way", who=yielding.name)
         hold = (x + share * (gx - x), y + share * (gy - y))
-        self._commander.give_way(hold, yielding.yaw, why, vehicle)
-        self._task = self._commander.task
+        self._task = self._making_way(hold, yielding.yaw, why, vehicle)
+        return Proposal(MissionChange.MAKE_WAY, EventCode.MAKING_WAY, self._task, events=events)
 
-    def _calm(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+    def _making_way(
+        self, hold: Vec2, yaw: float, why: Words, vehicle: VehicleStatus
+    ) -> TrackingTask:
+        """Return the task of making for a place out of somebody's way, in the phase under way.
+
+        Args:
+            hold: where to go [m].
+            yaw: heading to keep [rad].
+            why: in words, for people.
+            vehicle: where the drone is.
+        """
+        before = self._mission.task
+        return TrackingTask(
+            duration=before.duration,
+            hold=hold,
+            hold_yaw=yaw,
+            waiting=why,
+            since=before.since if before.waiting else vehicle.now,
+            height=self._mission.kept_height(vehicle),
+        )
+
+    def _calm(self, vehicle: VehicleStatus, place: Vec2) -> Proposal:
         """Go on to the refuge, then back when nobody is near any more."""
         yielding = self._yielding
         assert yielding is not None
         if vehicle.now - yielding.threatened_at < CALM_TIME:
-            self._go(vehicle, place)
-            return []
+            return self._go(vehicle, place)
         if yielding.phase in _GUIDED:
-            why = self._commander.task.waiting
-            self._commander.give_way(place, yielding.yaw, why, vehicle)
+            why = self._mission.task.waiting
+            task = self._making_way(place, yielding.yaw, why, vehicle)
             self._end(vehicle)
-            return []
+            return Proposal(MissionChange.MAKE_WAY, EventCode.MAKING_WAY, task)
         there = self._people.separation(yielding.post, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
         if there.closest < self._people.config.comfort_distance + APPROACH:
-            self._go(vehicle, place)
-            return []
-        if self._commander.go_back(yielding.post, vehicle) is not None:
-            return []
+            return self._go(vehicle, place)
+        before, mission = self._mission.task, self._mission.state.mission
+        back = self._mission.way(replace(mission, goal=yielding.post), vehicle)
+        if isinstance(back, Refused):
+            return NOTHING
         self._end(vehicle)
         text = Words("nobody comes near: going back")
-        return [Event(vehicle.now, Severity.INFO, EventCode.GOING_BACK, text)]
+        event = Event(vehicle.now, Severity.INFO, EventCode.GOING_BACK, text)
+        back = back and replace(back, duration=before.duration)
+        return Proposal(MissionChange.GO_BACK, event.code, back, events=(event,))
 
     def _end(self, vehicle: VehicleStatus) -> None:
         self._yielding, self._is_cornered_told = None, False
         self._ended_at = vehicle.now
 
-    def _corner(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+    def _corner(self, vehicle: VehicleStatus, place: Vec2) -> Proposal:
         """Land while there is time, else hold still and say so."""
         assert self._yielding is not None
         name = self._yielding.name
@@ -339,37 +363,37 @@ class SeparationMonitor:
         soon = self._people.separation(place, still, vehicle.now, self._touchdown_time)
         later = self._people.separation(place, still, vehicle.now, self._decision_time)
         if later.closest > LIKELY_DISTANCE:
-            return []
+            return NOTHING
         if soon.closest > LIKELY_DISTANCE:
-            self._commander.land_here(vehicle)
             self._yielding = None
             text = Words(
                 "{who} comes near and there is no room to make way: landing here", who=name
             )
-            return [Event(vehicle.now, Severity.WARNING, EventCode.CORNERED_LANDING, text)]
+            state, reason = self._mission.state, EventCode.CORNERED_LANDING
+            return landing_here(state, reason, Severity.WARNING, text, vehicle.now)
         if self._is_cornered_told:
-            return []
+            return NOTHING
         self._is_cornered_told = True
         text = Words("{who} comes near and there is no room to make way", who=name)
-        return [Event(vehicle.now, Severity.WARNING, EventCode.CORNERED, text)]
+        return news(EventCode.CORNERED, Severity.WARNING, text, vehicle.now)
 
-    def _tell(self, vehicle: VehicleStatus) -> list[Event]:
+    def _tell(self, vehicle: VehicleStatus) -> tuple[Event, ...]:
         assert self._yielding is not None
         last = max(self._told_at, self._ended_at)
         self._told_at = vehicle.now
         if vehicle.now - last < QUIET_TIME:
-            return []
+            return ()
         text = Words("{who} comes near: making way", who=self._yielding.name)
-        return [Event(vehicle.now, Severity.INFO, EventCode.MAKING_WAY, text)]
+        return (Event(vehicle.now, Severity.INFO, EventCode.MAKING_WAY, text),)
 
     def _post(self, place: Vec2) -> Vec2:
         """Return where the drone should be in this phase [m]."""
-        task = self._commander.task
+        task = self._mission.task
         if task.path is not None and task.is_following:
             return task.path.waypoints[-1]
         return task.hold or place
 
     def _yaw(self, vehicle: VehicleStatus, place: Vec2) -> float:
-        state = self._commander.state
+        state = self._mission.state
         wished = state.mission.arrival_yaw(place) if state.phase is Phase.LOOKING else None
         return vehicle.estimate.yaw if wished is None and vehicle.estimate else wished or 0.0

@@ -22,7 +22,7 @@ def raised(vehicle: VehicleStatus) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Footing:
+class StandingHeight:
     """Where a drone stood before a flight, for those who only hear of the pilot.
 
     Attributes:
@@ -31,9 +31,9 @@ class Footing:
 
     height: float = inf
 
-    def stood_at(self, height: float, pose_age: float) -> Footing:
-        """Return the footing of a drone that stands, seen so high [m], so long ago [s]."""
-        return Footing(height) if pose_age <= POSE_AGE_MAX else self
+    def stood_at(self, height: float, pose_age: float) -> StandingHeight:
+        """Return the height of a drone that stands, seen so high [m], so long ago [s]."""
+        return StandingHeight(height) if pose_age <= POSE_AGE_MAX else self
 
     def fault(self, height: float, pose_age: float) -> Words:
         """Return what is wrong with where it stands now, seen so high [m], in words, or UNSAID."""
@@ -44,5 +44,5 @@ class Footing:
         return Words("stands {d} m above where it took off: on something", d=by)
 
 
-NEVER_STOOD = Footing()
+NEVER_STOOD = StandingHeight()
 """Of a drone that nobody saw standing yet."""

@@ -76,7 +76,7 @@ NOT_FORMED = FormedCommand(False, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
-def velocity_command(ax: float, ay: float, heading: float, model: FormModel) -> FormedCommand:
+def velocity_asked(ax: float, ay: float, heading: float, model: FormModel) -> FormedCommand:
     """Return the velocity that accelerates a drone as wanted, no faster than allowed.
 
     Args:
@@ -102,7 +102,7 @@ def velocity_command(ax: float, ay: float, heading: float, model: FormModel) -> 
 
 
 @compiled
-def position_command(
+def place_asked(
     ax: float, ay: float, climb: float, ahead: ControlState, model: FormModel
 ) -> FormedCommand:
     """Return the place that accelerates a drone as wanted, within the room and no faster.

@@ -55,7 +55,7 @@ def lagged(value: float, target: float, pole: float, dt: float) -> float:
     return target + (value - target) * exp(-pole * dt)
 
 
-class Beat(NamedTuple):
+class TimeStep(NamedTuple):
     """A step of fixed length, its decays worked out beforehand.
 
     Attributes:
@@ -70,9 +70,9 @@ class Beat(NamedTuple):
 
 
 @compiled
-def beat_of(constants: Constants, dt: float) -> Beat:
+def time_step(constants: Constants, dt: float) -> TimeStep:
     """Return a step of dt [s]; midpoint rule, so keep it below about 20 ms."""
-    return Beat(
+    return TimeStep(
         dt, exp(-constants.lag * dt), exp(-constants.climb_lag * dt), exp(-constants.yaw_lag * dt)
     )
 
@@ -86,15 +86,15 @@ def moved(
     yaw_rate_des: float,
     wind: tuple[float, float],
     constants: Constants,
-    beat: Beat,
+    step: TimeStep,
 ) -> DroneState:
     """Return the drone after one step; arguments as in ``body_step``."""
-    dt = beat.dt
+    dt = step.dt
     theta_end, phi_end = constants.gain * theta_des, constants.gain * phi_des
-    theta = theta_end + (body.theta - theta_end) * beat.attitude
-    phi = phi_end + (body.phi - phi_end) * beat.attitude
-    vz = vz_des + (body.vz - vz_des) * beat.climb
-    rate = yaw_rate_des + (body.yaw_rate - yaw_rate_des) * beat.turn
+    theta = theta_end + (body.theta - theta_end) * step.attitude
+    phi = phi_end + (body.phi - phi_end) * step.attitude
+    vz = vz_des + (body.vz - vz_des) * step.climb
+    rate = yaw_rate_des + (body.yaw_rate - yaw_rate_des) * step.turn
     turn = 0.5 * dt * (body.yaw_rate + rate)
     middle = body.psi + 0.5 * turn
     ax, ay = acceleration(0.5 * (body.theta + theta), 0.5 * (body.phi + phi), middle)
@@ -158,5 +158,5 @@ def drone_step(
         dt: step [s]; midpoint rule, so keep it below about 20 ms.
     """
     return moved(
-        body, theta_des, phi_des, vz_des, yaw_rate_des, wind, constants, beat_of(constants, dt)
+        body, theta_des, phi_des, vz_des, yaw_rate_des, wind, constants, time_step(constants, dt)
     )

@@ -18,7 +18,7 @@ class ClimbOdometry:
     """The changes of the sonar, told apart: those that can be a climb, and steps of the floor.
 
     Attributes:
-        sonar: what it is like.
+        sonar: what it is like; None where there is none, and nothing is ever climbed by it.
         climbed: sum of those that can be a climb, since it began [m].
         stepped: sum of all others since the floor was seen last [m], below zero above a thing; nan
             when readings were missing since, or stood still.
@@ -27,7 +27,7 @@ class ClimbOdometry:
         changed_at: when it was read first [s].
     """
 
-    sonar: SonarConstants
+    sonar: SonarConstants | None
     climbed: float = 0.0
     stepped: float = nan
     at: float = nan
@@ -36,6 +36,8 @@ class ClimbOdometry:
 
     def updated(self, at: float, height: float) -> ClimbOdometry:
         """Return the odometry after a reading [m] of a time [s]."""
+        if self.sonar is None:
+            return self
         change, gap = height - self.height, at - self.at
         if change == 0.0 and gap <= READING_GAP:
             is_stuck = at - self.changed_at > STUCK_TIME

@@ -8,10 +8,12 @@ from __future__ import annotations
 from math import exp, sqrt
 from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from housefly.numeric import compiled
 from housefly.pilot.estimation.flow_bias import FlowBias, bias_predicted, first_bias, parted_from
-from housefly.pilot.estimation.onboard_odometry import FLOW_BIAS_TIME, flow_bias_variance
-from housefly.pilot.estimation.track_row import known_bias
+from housefly.pilot.estimation.flow_model import FlowModel, flow_bias_variance
 
 SIGMAS = 5.25
 """Displacements further apart than this many standard deviations disagree."""
@@ -28,6 +30,27 @@ MANOEUVRE_ROWS = 10
 MANOEUVRE_MIN, MANOEUVRE_USUAL = 0.085, 0.5
 """Velocities that differ by less are the flow's noise; usually they change by so much [m/s]."""
 
+ROW_PERIOD = 0.05
+"""Time between two rows [s]."""
+
+WINDOW_RING_SIZE = 512
+"""Rows kept: 25 s; a power of two."""
+TRACK_ROW = np.dtype(
+    [
+        (name, "f8")
+        for name in (
+            *("at", "px", "py", "ox", "oy", "vx", "vy", "way", "variance", "yaw", "psi"),
+            *("mean_vx", "mean_vy"),
+            *("bx", "by", "rate_x", "rate_y", "b_variance", "b_covariance", "b_rate_variance"),
+        )
+    ]
+)
+"""Time of capture [s], tracked place and odometry [m], its velocity [m/s], way [m] and variance
+[m^2], tracked and onboard heading, unwrapped [rad], the mean velocity of late [m/s], and the bias
+that is known after this row (``FlowBias``).
+"""
+TrackRing = NDArray[Any]
+
 
 class OdometryTolerance(NamedTuple):
     """What tracking and odometry may be off by.
@@ -35,10 +58,12 @@ class OdometryTolerance(NamedTuple):
     Attributes:
         position_noise: one sigma of a sighting [m].
         way_error: share of the way by which flow scale and heading may misjudge it.
+        flow: what is known of the reported velocity.
     """
 
     position_noise: float
     way_error: float
+    flow: FlowModel
 
 
 @compiled
@@ -61,7 +86,7 @@ def displacement_bound(
         tolerance: of tracking and odometry.
     """
     noise = tolerance.position_noise
-    variance = white + flow_bias_variance(seconds) + 2.0 * noise * noise
+    variance = white + flow_bias_variance(tolerance.flow, seconds) + 2.0 * noise * noise
     return SIGMAS * sqrt(variance) + tolerance.way_error * way + TIMING_ERROR * speed_change
 
 
@@ -85,7 +110,7 @@ def learned_velocity(before: Any, new: Any) -> tuple[float, float]:
 
 
 @compiled
-def _unlearned_way(new: Any, row: Any) -> float:
+def _unlearned_way(new: Any, row: Any, flow: FlowModel) -> float:
     """Return the way that the bias of a row knows nothing of [m].
 
     A bias that was learned at a constant velocity holds its share of the way already, less what it
@@ -96,7 +121,7 @@ def _unlearned_way(new: Any, row: Any) -> float:
     bend_y = new.oy - row.oy - seconds * row.mean_vy
     learning = sqrt((row.vx - row.mean_vx) ** 2 + (row.vy - row.mean_vy) ** 2)
     mean = sqrt(row.mean_vx * row.mean_vx + row.mean_vy * row.mean_vy)
-    forgotten = (0.5 * seconds + LEARNING_TIME) / FLOW_BIAS_TIME
+    forgotten = (0.5 * seconds + LEARNING_TIME) / flow.bias_time
     way = sqrt(bend_x * bend_x + bend_y * bend_y)
     return float(way + seconds * (learning + forgotten * mean))
 
@@ -117,23 +142,27 @@ def next_bias(earlier: Any, before: Any, new: Any, tolerance: OdometryTolerance)
         new.psi - before.psi,
         new.variance - before.variance + TIMING_ERROR * TIMING_ERROR * manoeuvre,
         tolerance.way_error * tolerance.way_error * manoeuvre,
+        tolerance.flow,
     )
 
 
 @compiled
-def predicted_bias(row: Any, new: Any) -> FlowBias:
+def predicted_bias(row: Any, new: Any, flow: FlowModel) -> FlowBias:
     """Return the bias that a row predicts for a much newer one."""
     white = new.variance - row.variance
-    return bias_predicted(known_bias(row), new.at - row.at, new.psi - row.psi, white, 0.0)
+    return bias_predicted(known_bias(row), new.at - row.at, new.psi - row.psi, white, 0.0, flow)
 
 
 @compiled
-def predicted_bias_since(row: Any, new: Any, learned: bool, noise: float) -> FlowBias:
+def predicted_bias_since(
+    row: Any, new: Any, learned: bool, tolerance: OdometryTolerance
+) -> FlowBias:
     """Return what a row predicts, by what was learned until then or by nothing."""
     if learned:
-        return predicted_bias(row, new)
-    start = first_bias(row.px - row.ox, row.py - row.oy, noise)
-    return bias_predicted(start, new.at - row.at, 0.0, new.variance - row.variance, 0.0)
+        return predicted_bias(row, new, tolerance.flow)
+    noise, flow = tolerance.position_noise, tolerance.flow
+    start = first_bias(row.px - row.ox, row.py - row.oy, noise, flow)
+    return bias_predicted(start, new.at - row.at, 0.0, new.variance - row.variance, 0.0, flow)
 
 
 @compiled
@@ -141,9 +170,12 @@ def parted_from_prediction(new: Any, row: Any, tolerance: OdometryTolerance) -> 
     """Return whether the displacements since a row differ by more than its bias predicts."""
     if abs(new.psi - row.psi) > BIAS_TURN_MAX:
         return False
-    expected = predicted_bias(row, new)
+    expected = predicted_bias(row, new, tolerance.flow)
     change = speed_change(new, row)
-    bound = expected_bound(expected, _unlearned_way(new, row), tolerance) + TIMING_ERROR * change
+    bound = (
+        expected_bound(expected, _unlearned_way(new, row, tolerance.flow), tolerance)
+        + TIMING_ERROR * change
+    )
     return way_parted(expected, new) > bound
 
 
@@ -158,3 +190,25 @@ def expected_bound(expected: FlowBias, way: float, tolerance: OdometryTolerance)
     """Return how far from it that may be [m], with a way that may be misjudged [m]."""
     noise = tolerance.position_noise
     return SIGMAS * sqrt(expected.variance + noise * noise) + tolerance.way_error * way
+
+
+@compiled
+def known_bias(row: Any) -> FlowBias:
+    """Return the bias that is known after a row."""
+    return FlowBias(
+        row.bx,
+        row.by,
+        row.rate_x,
+        row.rate_y,
+        row.b_variance,
+        row.b_covariance,
+        row.b_rate_variance,
+    )
+
+
+@compiled
+def keep_bias(row: Any, bias: FlowBias) -> None:
+    """Write the bias that is known after a row into it."""
+    row.bx, row.by, row.rate_x, row.rate_y = bias.x, bias.y, bias.rate_x, bias.rate_y
+    row.b_variance, row.b_covariance = bias.variance, bias.covariance
+    row.b_rate_variance = bias.rate_variance

@@ -84,14 +84,23 @@ def axis_model(
     drag: float,
     acceleration_noise: float,
     wander: float = DISTURBANCE_WANDER,
+    pull: float = 0.0,
 ) -> AxisModel:
-    """Return the prediction of a drone: lambda [1/s], c / lambda, drag [1/s], noise [m/s^2], and
-    how fast the disturbance may change [m/s^2 per sqrt(s)].
+    """Return the prediction of a drone.
+
+    Args:
+        lag: lambda [1/s].
+        gain: c / lambda.
+        drag: of the air, over mass [1/s].
+        acceleration_noise: [m/s^2].
+        wander: how fast the disturbance may change [m/s^2 per sqrt(s)].
+        pull: what takes the place of drag in a drone that is not steered by tilt [1/s]; 0 in one
+            that is.
     """
     return AxisModel(
         lag=lag,
         gain=gain,
-        drag=drag,
+        drag=pull if pull > 0.0 else drag,
         hover_drag=drag + HOVER_BRAKING,
         noise=acceleration_noise,
         wander=wander,

@@ -11,7 +11,7 @@ from math import cos, exp, sin, sqrt
 from typing import NamedTuple
 
 from housefly.numeric import compiled
-from housefly.pilot.estimation.onboard_odometry import FLOW_BIAS, FLOW_BIAS_TIME
+from housefly.pilot.estimation.flow_model import FlowModel
 
 
 class FlowBias(NamedTuple):
@@ -35,14 +35,14 @@ class FlowBias(NamedTuple):
 
 
 @compiled
-def first_bias(x: float, y: float, noise: float) -> FlowBias:
+def first_bias(x: float, y: float, noise: float, flow: FlowModel) -> FlowBias:
     """Return what is known after one look, tracked minus onboard place (x, y) [m]."""
-    return FlowBias(x, y, 0.0, 0.0, noise * noise, 0.0, FLOW_BIAS * FLOW_BIAS)
+    return FlowBias(x, y, 0.0, 0.0, noise * noise, 0.0, flow.bias * flow.bias)
 
 
 @compiled
 def bias_predicted(
-    b: FlowBias, seconds: float, turn: float, white: float, rate_change: float
+    b: FlowBias, seconds: float, turn: float, white: float, rate_change: float, flow: FlowModel
 ) -> FlowBias:
     """Return the bias after a time without a look.
 
@@ -52,11 +52,12 @@ def bias_predicted(
         turn: of the drone in it, which carries the flow's axes along [rad].
         white: variance that the place gained by white noise [m^2].
         rate_change: variance that the rate gained by a change of velocity [m^2/s^2].
+        flow: what is known of the reported velocity.
     """
-    tau = FLOW_BIAS_TIME
+    tau = flow.bias_time
     keep = exp(-seconds / tau)
     reach = tau * (1.0 - keep)
-    spread = FLOW_BIAS * FLOW_BIAS
+    spread = flow.bias * flow.bias
     # Place and rate after a time, of a rate that is known at its beginning (Ornstein-Uhlenbeck).
     gained = spread * tau * tau * (2.0 * seconds / tau - 3.0 + 4.0 * keep - keep * keep)
     both = spread * tau * (1.0 - keep) * (1.0 - keep)

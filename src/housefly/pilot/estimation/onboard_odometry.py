@@ -7,22 +7,15 @@ tracking system can bend. Its error grows slowly: white noise and a wandering bi
 
 from __future__ import annotations
 
-from math import cos, exp, inf, isnan, nan, sin
+from math import cos, inf, isnan, nan, sin
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from housefly.numeric import compiled, wrapped
+from housefly.pilot.estimation.flow_model import FlowModel
 
-FLOW_DELAY = 0.04
-"""Velocity and height of the drone's report are this old [s] (tum_ardrone, DroneKalmanFilter)."""
-FLOW_NOISE = 0.02
-"""White noise of a reported velocity, one sigma [m/s]."""
-FLOW_BIAS = 0.003
-"""Slowly wandering bias of the reported velocity, one sigma [m/s]."""
-FLOW_BIAS_TIME = 10.0
-"""Correlation time of that bias [s]."""
 REPORT_GAP_MAX = 0.25
 """Reports further apart than this leave a hole in the odometry [s]."""
 STALL_MIN, STALL_PERIODS = 0.03, 2.0
@@ -57,7 +50,7 @@ ONBOARD_MOTION = np.dtype(
     ]
 )
 """One report: when it came [s], heading since the drone's start, unwrapped [rad], height [m], the
-place [m], velocity [m/s] and way [m] of the odometry one ``FLOW_DELAY`` before, the variance of
+place [m], velocity [m/s] and way [m] of the odometry one delay of the flow before, the variance of
 that place by white noise [m^2], when the drone wrote it by its own clock [s], and whether the link
 stood still before it: 0 or 1.
 """
@@ -98,6 +91,7 @@ class OdometryState(NamedTuple):
         unchanged_since: the velocity is the same to the last bit since then [s]; inf when it is
             not.
         period: usual time between two reports [s].
+        flow: what is known of the reported velocity.
     """
 
     reports: int
@@ -108,6 +102,7 @@ class OdometryState(NamedTuple):
     left: float
     unchanged_since: float
     period: float
+    flow: FlowModel
 
 
 class OdometryAt(NamedTuple):
@@ -129,23 +124,19 @@ class OdometryAt(NamedTuple):
     stalled: bool
 
 
-NO_ODOMETRY = OdometryState(
-    reports=0,
-    heading=nan,
-    heading_at=0.0,
-    since=inf,
-    forward=nan,
-    left=nan,
-    unchanged_since=inf,
-    period=0.0,
-)
-
-
-@compiled
-def flow_bias_variance(seconds: float) -> float:
-    """Return the variance of the odometry over a time [s] by the bias of the flow [m^2]."""
-    tau = FLOW_BIAS_TIME
-    return 2.0 * FLOW_BIAS**2 * tau * (seconds - tau * (1.0 - exp(-seconds / tau)))
+def odometry_begun(flow: FlowModel) -> OdometryState:
+    """Return the odometry before the first report."""
+    return OdometryState(
+        reports=0,
+        heading=nan,
+        heading_at=0.0,
+        since=inf,
+        forward=nan,
+        left=nan,
+        unchanged_since=inf,
+        period=0.0,
+        flow=flow,
+    )
 
 
 @compiled
@@ -176,7 +167,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         row.stalled = 1.0 if is_long else 0.0
         row.x, row.y = before.x + flown * mean_x, before.y + flown * mean_y
         row.way = before.way + flown * (mean_x * mean_x + mean_y * mean_y) ** 0.5
-        noise = FLOW_NOISE * dt if report.airborne else 0.0
+        noise = s.flow.noise * dt if report.airborne else 0.0
         row.variance = before.variance + noise * noise + (0.1 * dt * dt) ** 2
     return OdometryState(
         reports=s.reports + 1,
@@ -187,6 +178,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         left=report.left,
         unchanged_since=unchanged_since,
         period=s.period + PERIOD_SHARE * (min(dt, REPORT_GAP_MAX) - s.period),
+        flow=s.flow,
     )
 
 
@@ -240,7 +232,7 @@ def _world_velocity(
     left = (report.left - forward * sp * st - report.vz * sp * ct) / cp
     psi = report.psi
     if s.reports > 0:
-        psi = odometry_at(s, ring, report.at - FLOW_DELAY).psi
+        psi = odometry_at(s, ring, report.at - s.flow.delay).psi
     c, n = cos(psi + s.heading), sin(psi + s.heading)
     return c * forward - n * left, n * forward + c * left
 
@@ -261,10 +253,10 @@ def odometry_at(s: OdometryState, ring: MotionRing, at: float) -> OdometryAt:
     a, b = ring[psi & (ring.size - 1)], ring[second & (ring.size - 1)]
     share = _share(a.at, b.at, at)
     heading = a.psi + share * (b.psi - a.psi)
-    first, ahead = _around(s, ring, at + FLOW_DELAY)
+    first, ahead = _around(s, ring, at + s.flow.delay)
     second = min(first + 1, s.reports - 1)
     a, b = ring[first & (ring.size - 1)], ring[second & (ring.size - 1)]
-    share = _share(a.at, b.at, at + FLOW_DELAY)
+    share = _share(a.at, b.at, at + s.flow.delay)
     ahead = min(max(ahead, 0.0), REPORT_GAP_MAX) if second == first else 0.0
     return OdometryAt(
         psi=heading,
@@ -313,4 +305,5 @@ def odometry_headed(s: OdometryState, ring: MotionRing, at: float, yaw: float) -
         left=s.left,
         unchanged_since=s.unchanged_since,
         period=s.period,
+        flow=s.flow,
     )

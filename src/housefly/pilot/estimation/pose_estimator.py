@@ -6,7 +6,7 @@ from math import dist, sqrt
 
 import numpy as np
 
-from housefly.config.airframe import SonarConstants
+from housefly.config.airframe import Airframe
 from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.event_code import EventCode
@@ -35,6 +35,7 @@ from housefly.pilot.estimation.estimator_state import (
     Measurement,
     PoseEstimate,
 )
+from housefly.pilot.estimation.flow_model import flow_model
 from housefly.pilot.estimation.tracking_monitor import GAP_MIN, TrackingMonitor
 from housefly.pilot.estimation.validation import (
     RejectionLog,
@@ -55,7 +56,7 @@ class PoseEstimator:
         params: of the compiled estimator.
         body: name of the drone in the tracking system.
         now: [s].
-        sonar: of the drone.
+        airframe: of the drone.
         drag: of the air on it, over mass [1/s].
         odometry_error: share of a way by which the drone's own odometry may misjudge it.
         trusting: what tracking says is not held against what the drone feels; for negative
@@ -73,7 +74,7 @@ class PoseEstimator:
         params: EstimatorParameters,
         body: str,
         now: float,
-        sonar: SonarConstants,
+        airframe: Airframe,
         *,
         drag: float,
         odometry_error: float = TWIN_ODOMETRY_ERROR,
@@ -87,8 +88,10 @@ class PoseEstimator:
         self.history: CommandHistory = np.zeros(HISTORY_SIZE, COMMAND_SPAN)
         self.box: CompiledBox[EstimatorState] = boxed(estimator_created(self.history, params, now))
         self.accepted: Sighting | None = None
-        tolerance = OdometryTolerance(params.position_noise, odometry_error)
-        self.monitor = TrackingMonitor(tolerance, drag, sonar)
+        tolerance = OdometryTolerance(
+            params.position_noise, odometry_error, flow_model(airframe.flow)
+        )
+        self.monitor = TrackingMonitor(tolerance, drag, airframe.sonar)
 
     @property
     def state(self) -> EstimatorState:

@@ -19,9 +19,13 @@ from housefly.numeric import compiled, wrapped
 from housefly.pilot.estimation.displacement import (
     AGREE_AGAIN,
     MANOEUVRE_ROWS,
+    ROW_PERIOD,
     TIMING_ERROR,
     OdometryTolerance,
+    TrackRing,
     expected_bound,
+    keep_bias,
+    known_bias,
     learned_velocity,
     next_bias,
     parted,
@@ -31,8 +35,8 @@ from housefly.pilot.estimation.displacement import (
     way_parted,
 )
 from housefly.pilot.estimation.flow_bias import bias_updated, first_bias
-from housefly.pilot.estimation.onboard_odometry import OdometryAt, flow_bias_variance
-from housefly.pilot.estimation.track_row import ROW_PERIOD, TrackRing, keep_bias, known_bias
+from housefly.pilot.estimation.flow_model import flow_bias_variance
+from housefly.pilot.estimation.onboard_odometry import OdometryAt
 
 DRIFT_WINDOWS = (1.0, 2.5, 5.0, 7.0, 10.0, 15.0)
 """Windows over which displacements are compared [s]."""
@@ -142,7 +146,7 @@ def windows_advanced(
     row.way, row.variance = onboard.way, onboard.variance
     row.yaw = yaw if is_first else _unwrapped(before, at, yaw, onboard.psi)
     off_x, off_y, noise = row.px - row.ox, row.py - row.oy, tolerance.position_noise
-    row.mean_vx, row.mean_vy, bias = 0.0, 0.0, first_bias(off_x, off_y, noise)
+    row.mean_vx, row.mean_vy, bias = 0.0, 0.0, first_bias(off_x, off_y, noise, tolerance.flow)
     if not is_first:
         row.mean_vx, row.mean_vy = learned_velocity(before, row)
         earlier = ring[max(w.first, w.taken - MANOEUVRE_ROWS) & mask]
@@ -177,7 +181,7 @@ def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) ->
     if since >= 0 and not anchored:
         row = ring[since & mask]
         anchored, anchored_at, anchor_way = True, new.at, row.way
-        keep_bias(new, predicted_bias_since(row, new, learned, tolerance.position_noise))
+        keep_bias(new, predicted_bias_since(row, new, learned, tolerance))
     is_full = new.at - ring[oldest & mask].at + AGE_SLACK >= DRIFT_WINDOWS[0]
     drift = kept if is_full or kept > 0.0 else nan
     if anchored:
@@ -206,7 +210,7 @@ def _frame_compared(
         row = ring[index & mask]
         if new.at - row.at + AGE_SLACK >= FRAME_WINDOWS[window]:
             window += 1
-            angle = _direction_error(new, row, tolerance.position_noise)
+            angle = _direction_error(new, row, tolerance)
             error = max(error, angle, _turn_error(new, row))
             mirrored = mirrored or _turns_back(new, row)
             if window == len(FRAME_WINDOWS):
@@ -250,11 +254,12 @@ def _back(w: TrackWindows, new: Any, tolerance: OdometryTolerance) -> bool:
 
 
 @compiled
-def _direction_error(new: Any, row: Any, noise: float) -> float:
+def _direction_error(new: Any, row: Any, tolerance: OdometryTolerance) -> float:
     """Return the angle between the two displacements [rad], -1 when one of them is too short."""
     px, py, ox, oy = new.px - row.px, new.py - row.py, new.ox - row.ox, new.oy - row.oy
     seconds, white = new.at - row.at, new.variance - row.variance
-    sigma = sqrt(white + flow_bias_variance(seconds) + 2.0 * noise * noise)
+    noise = tolerance.position_noise
+    sigma = sqrt(white + flow_bias_variance(tolerance.flow, seconds) + 2.0 * noise * noise)
     least = max(DIRECTION_WAY_MIN, DIRECTION_SIGMAS * sigma)
     if ox * ox + oy * oy < least * least or px * px + py * py < 0.25 * least * least:
         return -1.0

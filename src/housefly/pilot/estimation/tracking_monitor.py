@@ -15,30 +15,36 @@ from housefly.config.airframe import SonarConstants
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Sighting, Telemetry
 from housefly.numeric import wrapped
-from housefly.pilot.estimation.carrying import CarryDetector
 from housefly.pilot.estimation.climb_odometry import ClimbOdometry
-from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.estimation.consistency import (
+    CarryDetector,
+    LeanWatch,
+    ReportClock,
+    TrackingConsistency,
+)
 from housefly.pilot.estimation.dead_reckoning import ReckonedPose
-from housefly.pilot.estimation.displacement import OdometryTolerance, displacement_bound
+from housefly.pilot.estimation.displacement import (
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    OdometryTolerance,
+    displacement_bound,
+)
+from housefly.pilot.estimation.flow_model import flow_bias_variance
 from housefly.pilot.estimation.flow_monitor import FlowMonitor
 from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
-from housefly.pilot.estimation.lean_watch import LeanWatch
 from housefly.pilot.estimation.onboard_odometry import (
     MOTION_RING_SIZE,
-    NO_ODOMETRY,
     ONBOARD_MOTION,
     REPORT_GAP_MAX,
     OdometryAt,
     OnboardReport,
     drone_seconds,
-    flow_bias_variance,
     flow_is_told,
     odometry_advanced,
     odometry_at,
+    odometry_begun,
     odometry_headed,
 )
-from housefly.pilot.estimation.report_clock import ReportClock
-from housefly.pilot.estimation.track_row import TRACK_ROW, WINDOW_RING_SIZE
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     windows_advanced,
@@ -74,16 +80,18 @@ class TrackingMonitor:
     Args:
         tolerance: what tracking and odometry may be off by.
         drag: linear drag over mass of the drone [1/s].
-        sonar: what its own height is like.
+        sonar: what its own height is like; None where it tells none.
 
     Attributes:
         lean: whether the attitude that the drone reports stands still, and how it leans then.
     """
 
-    def __init__(self, tolerance: OdometryTolerance, drag: float, sonar: SonarConstants) -> None:
+    def __init__(
+        self, tolerance: OdometryTolerance, drag: float, sonar: SonarConstants | None
+    ) -> None:
         self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
-        self._odometry = NO_ODOMETRY
+        self._odometry = odometry_begun(tolerance.flow)
         self._rows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW)
         self._windows = EMPTY_WINDOWS
         self._bank = lag_bank()
@@ -93,6 +101,7 @@ class TrackingMonitor:
         self._report: OnboardReport | None = None
         self._carry = CarryDetector()
         self._climb, self._climbed_then = ClimbOdometry(sonar), 0.0
+        self._has_sonar = sonar is not None
         self._airborne = False
         self._attitude_told = False
         self._height_told = False
@@ -118,7 +127,7 @@ class TrackingMonitor:
             self._leave_or_reach_ground(airborne)
         self._carry = self._carry.updated(telemetry, airborne)
         self._attitude_told |= any((telemetry.phi, telemetry.theta, telemetry.psi))
-        self._height_told = not airborne or telemetry.height > 0.0
+        self._height_told = not airborne or (self._has_sonar and telemetry.height > 0.0)
         forward, left, _ = telemetry.velocity
         report = OnboardReport(
             at=at,
@@ -226,7 +235,7 @@ class TrackingMonitor:
             return None
         last, then = self._last
         here, (x, y, z) = odometry_at(self._odometry, self._motion, now), last.pose.position
-        bias = flow_bias_variance(max(now - last.captured_at, 0.0))
+        bias = flow_bias_variance(self._tolerance.flow, max(now - last.captured_at, 0.0))
         way_error = self._tolerance.way_error * (here.way - then.way)
         return ReckonedPose(
             position=(
@@ -303,10 +312,12 @@ class TrackingMonitor:
             share = min(max(at - self._height_at, 0.0) / HEIGHT_TIME, 1.0)
             error = self._height_error + share * (error - self._height_error)
         self._height_error, self._height_at = error, at
-        # The smoothed error is late, the newest reading noisy: where both say so is the floor.
-        if max(abs(error), abs(position[2] - self._climb.height)) < FLOOR_SEEN:
+        # The smoothed error is late, the newest reading noisy: what both say counts. A sighting
+        # may be the last for half a second, just as the floor steps away below the drone.
+        newest = position[2] - self._climb.height
+        if max(abs(error), abs(newest)) < FLOOR_SEEN:
             self._climb = self._climb.over_floor()
-        self._height_drift = error + self._climb.stepped if self._airborne else nan
+        self._height_drift = min(error, newest) + self._climb.stepped if self._airborne else nan
 
     def consistency(self, now: float) -> TrackingConsistency:
         """Return how well tracking agrees with the drone's own report, now [s]."""

@@ -29,16 +29,17 @@ SPEED_SHARE_MIN = 0.3
 """Share of the cruise speed at the comfort distance from people, and nearer."""
 MOVING_SPEED = 0.2
 """What is faster may be a person, whatever its source says [m/s]."""
+_MET = frozenset({ObstacleKind.PERSON, ObstacleKind.DRONE})
 
 
 def may_be_person(obstacle: Obstacle) -> bool:
     """Return whether to keep a person's distance: from people, and from unknown things that move.
 
-    Things with a name (furniture) are pushed, not met.
+    From other drones, too. Things with a name (furniture) are pushed, not met.
     """
     if obstacle.kind is ObstacleKind.UNKNOWN:
         return hypot(*obstacle.velocity) > MOVING_SPEED
-    return obstacle.kind is ObstacleKind.PERSON
+    return obstacle.kind in _MET
 
 
 def is_walking(obstacle: Obstacle) -> bool:

@@ -8,7 +8,7 @@ import numpy as np
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
-from housefly.messages.obstacles import Obstacle
+from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.column import StaticColumns, column_fault, spots_around
@@ -60,6 +60,11 @@ class PeopleMap:
         self.hull = half_diagonal(site.drone.hull_length, site.drone.hull_width)
         self._static = StaticColumns(room, site.map.flight_height + site.map.half_band)
         self._grid, self._pad = grid, None if site.mode == "paper" else room.home
+        reaches = {drone.name: drone.reach for drone in site.all_drones}
+        self._other_pads = tuple(
+            (name, place, reaches[name] + self.hull) for name, place in room.other_pads
+        )
+        self._drones: frozenset[str] = frozenset()
         self._obstacles: tuple[Obstacle, ...] = ()
         self._things: ThingsMap = lambda height: grid
         self._people: ObservedPeople = NOBODY
@@ -74,6 +79,9 @@ class PeopleMap:
         """Take in what is known at a time [s]; ``things`` makes the map without people."""
         self._obstacles, self._things, self._at = tuple(obstacles), things, now
         self._people, self._later = people_at(self._obstacles, now, self._grid), None
+        self._drones = frozenset(
+            one.id for one in self._obstacles if one.kind is ObstacleKind.DRONE
+        )
         self._stood = {
             name: self._stood_since(name, (x, y), now)
             for name, (x, y) in zip(
@@ -88,9 +96,12 @@ class PeopleMap:
         return (place, now) if before is None or has_moved else before
 
     def is_still(self, name: str, now: float) -> bool:
-        """Return whether somebody has stood still for so long that they may be a thing."""
+        """Return whether somebody has stood still for so long that they may be a thing.
+
+        A drone that hovers never is one.
+        """
         stood = self._stood.get(name)
-        return stood is not None and now - stood[1] >= UNMOVED_TIME
+        return stood is not None and name not in self._drones and now - stood[1] >= UNMOVED_TIME
 
     def separation(
         self, place: Vec2, velocity: Vec2, now: float, horizon: float, *, walking: bool = False
@@ -152,6 +163,9 @@ class PeopleMap:
         """
         if self._pad is None or distance(place, self._pad) < ON_PAD:
             return UNSAID
+        for name, pad, apart in self._other_pads:
+            if distance(place, pad) < apart + HULL_MARGIN:
+                return Words("the pad of {who} is there", who=name)
         is_clear = self._static.clearance(place) > self.hull + HULL_MARGIN
         return UNSAID if is_clear else Words("furniture or a wall stands below or beside it")
 
@@ -188,9 +202,13 @@ class PeopleMap:
         grid, wide = self._things(None), self.hull + HULL_MARGIN
         for spot in spots_around(place):
             is_open = grid.is_free(grid.cell_of(spot)) and self._static.clearance(spot) > wide
+            is_open = is_open and not self._is_other_pad(spot)
             is_new = all(distance(spot, other) >= UNSEEN_DISTANCE for other in found)
             if is_open and is_new and not self.landing_fault(spot, now):
                 yield spot
+
+    def _is_other_pad(self, place: Vec2) -> bool:
+        return any(distance(place, pad) < apart + HULL_MARGIN for _, pad, apart in self._other_pads)
 
     def clear_floor(
         self,

@@ -1,6 +1,6 @@
 """People and unknown bodies that the tracking system sees, as obstacles.
 
-Any body that is neither our drone nor furniture of the site is in the way. One that is not seen any
+Any body that is neither a drone nor furniture of the site is in the way. One that is not seen any
 more is forgotten like every other obstacle.
 """
 
@@ -22,14 +22,15 @@ BODY_REPORT_PERIOD = 0.1
 
 
 class TrackedBodies:
-    """All bodies of a site that are neither drone nor furniture.
+    """All bodies of a site that are neither drones nor furniture.
 
     Args:
-        site: names the drone, the furniture and the people.
+        site: names the drones, the furniture and the people.
     """
 
     def __init__(self, site: Site) -> None:
         ours = {site.tracking.body, *(piece.body for piece in site.furniture)}
+        ours |= {drone.tracked_body for drone in site.drones}
         self._ours = frozenset(ours)
         self._people = frozenset({site.tracking.visitor, *site.people.bodies})
         self._radius = site.people.body_radius

@@ -80,8 +80,8 @@ def _is_still_up(c: RuleContext) -> bool:
     """Return whether it is above the floor; without a fresh pose by its sonar, and by time."""
     if not too_old(c.now.pose_age, c.limits.pose_age_level):
         return not lies_on_floor(c)
-    low = c.airframe.sonar.floor_reading_max
-    is_high = c.now.telemetry is not None and c.now.telemetry.height >= low
+    sonar, told = c.airframe.sonar, c.now.telemetry
+    is_high = sonar is not None and told is not None and told.height >= sonar.floor_reading_max
     return is_high or c.seen.landing_for < c.limits.landing_timeout + descent_time(c)
 
 

@@ -3,13 +3,16 @@
 RETURN needs a way home and a place that is not lost, else it is LAND: what is in doubt for a moment
 only holds the drone, by a rule of its own. LAND needs a place, or a drone that knows its own height
 and speed (``means``); else it is DESCEND, a level descent by our own setpoint, until the drone is
-on the floor or must be.
+on the floor or must be. One that tells no height of its own is told to land itself then: nobody
+else knows of the floor.
 """
 
 from __future__ import annotations
 
+from housefly.config.airframe import Ability
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
+from housefly.pilot.safety.drone_rules import descent_time
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.means import Means, is_believed, means_to_land
 from housefly.pilot.safety.rule import RuleContext
@@ -34,6 +37,9 @@ def can_wait_to_land(c: RuleContext) -> bool:
 def possible_mode(mode: SafetyMode, c: RuleContext) -> SafetyMode:
     """Return the mode that takes the place of one, for want of knowledge."""
     if mode is SafetyMode.RETURN and not knows_way_home(c):
+        mode = SafetyMode.LAND
+    must_be_down = c.seen.landing_for > descent_time(c)
+    if mode is SafetyMode.DESCEND and must_be_down and Ability.HEIGHT in c.airframe.lacks:
         mode = SafetyMode.LAND
     is_level = mode is SafetyMode.LAND and means_to_land(c, steered=False) is Means.LEVEL
     return SafetyMode.DESCEND if is_level else mode

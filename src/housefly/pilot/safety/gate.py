@@ -124,6 +124,7 @@ class GateAssessment:
         knows_speed: the drone's own hover is.
         missing_lean: as in ``GateInputs``, within ``tilt_max``, the largest tilt [rad].
         form: of the setpoints that the drone is steered by.
+        hovers: the drone has a hover of its own.
     """
 
     mode: SafetyMode
@@ -139,6 +140,7 @@ class GateAssessment:
     missing_lean: Vec2 | None = None
     tilt_max: float = 0.0
     form: SetpointForm = SetpointForm.TILT_AND_CLIMB
+    hovers: bool = True
 
     @property
     def airborne(self) -> bool:
@@ -218,6 +220,7 @@ class Gate:
     Args:
         limits: of the site.
         fence: of the room.
+        airframe: of the drone; a rule that needs what it lacks does not count.
         rules: what counts; fewer than all are for negative controls only.
     """
 
@@ -231,6 +234,7 @@ class Gate:
         self._limits = limits
         self._fence = fence
         self._airframe = airframe
+        rules = tuple(rule for rule in rules if not rule.needs & airframe.lacks)
         self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
         self._waiting = frozenset(rule.code for rule in rules if rule.waits)
         self._observer = FlightObserver(limits)
@@ -296,6 +300,7 @@ class Gate:
             missing_lean=inputs.missing_lean,
             tilt_max=self._limits.tilt_max,
             form=self._airframe.capabilities.form,
+            hovers=self._airframe.capabilities.hovers,
         )
 
     def _means(self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool) -> Means:
@@ -433,7 +438,10 @@ def _allowed(action: Action, mode: SafetyMode, assessment: GateAssessment) -> Ac
     if assessment.status is DroneStatus.EMERGENCY:
         return Action.RESET if action is Action.RESET else Action.IDLE
     table = AIRBORNE_ACTIONS if assessment.airborne else GROUND_ACTIONS
-    return table[mode].get(action, action)
+    allowed = table[mode].get(action, action)
+    # one without a hover would do anything, or nothing: its own landing is what is left
+    is_left = allowed is Action.HOVER and assessment.airborne and not assessment.hovers
+    return Action.LAND if is_left else allowed
 
 
 CLEAR_AFTER = 1.0

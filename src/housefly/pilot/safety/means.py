@@ -56,9 +56,18 @@ def is_believed(c: RuleContext) -> bool:
     return not (seems_low(c) or c.now.consistency.mirrored)
 
 
+def hovers(c: RuleContext) -> bool:
+    """Return whether the drone has a hover of its own, and the speed it flies by is believed."""
+    return c.airframe.capabilities.hovers and c.now.consistency.flow_believed
+
+
 def knows_height(c: RuleContext) -> bool:
     """Return whether the drone can be trusted to find the floor by itself."""
-    return DroneFault.ULTRASOUND_DEAF not in c.now.faults and not seems_low(c)
+    return (
+        c.airframe.sonar is not None
+        and DroneFault.ULTRASOUND_DEAF not in c.now.faults
+        and not seems_low(c)
+    )
 
 
 def means_to_hold(c: RuleContext, steered: bool) -> Means:
@@ -71,14 +80,14 @@ def means_to_hold(c: RuleContext, steered: bool) -> Means:
     """
     if not _is_ours(c):
         return Means.HOVER
-    hovers = c.now.consistency.flow_believed
-    return MEANS[knows_place(c) and (steered or not hovers), hovers]
+    is_own = hovers(c)
+    return MEANS[knows_place(c) and (steered or not is_own), is_own]
 
 
 def means_to_land(c: RuleContext, steered: bool) -> Means:
     """Return by what a landing goes on; arguments as above. The last bit is the drone's own."""
-    hovers = not lands_on_floor(c) if _is_ours(c) else knows_height(c)
-    if hovers or _is_down(c):
+    is_own = not lands_on_floor(c) if _is_ours(c) else knows_height(c)
+    if is_own or _is_down(c):
         is_steered = steered and _is_ours(c) and knows_place(c) and _can_steer(c)
         return Means.PLACE if is_steered and not _is_down(c) else Means.HOVER
     return MEANS[_is_ours(c) and knows_place(c), False]

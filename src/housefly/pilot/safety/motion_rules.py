@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees, hypot, isfinite
 
+from housefly.config.airframe import Ability
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import GRAVITY
 from housefly.messages.event_code import EventCode
@@ -29,7 +30,7 @@ from housefly.pilot.safety.rule_words import (
     landing,
 )
 
-C, M, N = EventCode, SafetyMode, Counting
+A, C, M, N = Ability, EventCode, SafetyMode, Counting
 
 CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
@@ -267,6 +268,8 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             )
         ),
         clears=Clearing.GROUND,
+        needs=frozenset({A.ATTITUDE, A.TILT}),
+        instead="`control_lost`: where it is, not how it leans",
     ),
     SafetyRule(
         code=C.CONTACT,
@@ -291,6 +294,8 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         ),
         after=1.5,
         clears=Clearing.GROUND,
+        needs=frozenset({A.TILT}),
+        instead="`control_lost`: it falls behind its reference",
     ),
     SafetyRule(
         code=C.CONTROL_LOST,
@@ -331,6 +336,8 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         ),
         after=0.5,
         lasts=TILT_HOLD_TIME,
+        needs=frozenset({A.ATTITUDE, A.TILT}),
+        instead="`control_error`: where it is, not how it leans",
     ),
     SafetyRule(
         code=C.CONTROL_ERROR,

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 
-from housefly.config.airframe import Airframe
+from housefly.config.airframe import Ability, Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
@@ -64,6 +64,8 @@ class SafetyRule:
             and not how the drone obeys.
         waits: the landing may wait for the floor below to be clear: the drone's own motion is not
             what is wrong.
+        needs: what the drone has to have for it; with one that lacks it the rule does not count ...
+        instead: ... and this stands in for it, for the documentation.
     """
 
     code: EventCode
@@ -77,6 +79,8 @@ class SafetyRule:
     clears: Clearing = Clearing.ITSELF
     steered: bool = False
     waits: bool = False
+    needs: frozenset[Ability] = frozenset()
+    instead: str = ""
 
 
 COUNTED: dict[Counting, Callable[[RuleContext], bool]] = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees, isfinite, isnan, radians
 
+from housefly.config.airframe import Ability
 from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
@@ -20,7 +21,7 @@ from housefly.pilot.safety.rule_words import (
     slowly,
 )
 
-C, M, N = EventCode, SafetyMode, Counting
+A, C, M, N = Ability, EventCode, SafetyMode, Counting
 
 REFUSED_HOLD, REFUSED_LAND = 0.3, 2.0
 """Poses are refused for so long because onboard motion disagrees: hold, land [s]."""
@@ -144,6 +145,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         after=0.2,
         clears=Clearing.GROUND,
         steered=True,
+        needs=frozenset({A.VELOCITY, A.ATTITUDE}),
+        instead="nothing flies by that velocity",
     ),
     SafetyRule(
         code=C.TRACKING_LOST,
@@ -164,6 +167,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         words=lambda c: landing(_refused_words(c, REFUSED_LAND)),
         clears=Clearing.GROUND,
         waits=True,
+        needs=frozenset({A.VELOCITY}),
+        instead="the estimator's gate refuses jumps; `tracking_lost` counts them",
     ),
     SafetyRule(
         code=C.TRACKING_DRIFT,
@@ -173,6 +178,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: c.now.consistency.drift > DRIFT_LAND,
         words=lambda c: landing(_drift_words(c, DRIFT_LAND)),
         clears=Clearing.GROUND,
+        needs=frozenset({A.VELOCITY}),
+        instead="nothing: a slow drift of tracking is not seen",
     ),
     SafetyRule(
         code=C.TRACKING_DRIFTED,
@@ -183,6 +190,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         words=lambda c: landing(_drift_words(c, DRIFT_WARN)),
         after=DRIFT_LASTS,
         clears=Clearing.GROUND,
+        needs=frozenset({A.VELOCITY}),
+        instead="nothing: a slow drift of tracking is not seen",
     ),
     SafetyRule(
         code=C.TRACKING_FRAME,
@@ -200,6 +209,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
             )
         ),
         clears=Clearing.GROUND,
+        needs=frozenset({A.VELOCITY}),
+        instead="`control_error`: it flies away from its reference",
     ),
     SafetyRule(
         code=C.TRACKING_MIRRORED,
@@ -209,6 +220,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: c.now.consistency.mirrored,
         words=lambda _: landing(Words("tracking is the mirror image of how the drone moves")),
         clears=Clearing.GROUND,
+        needs=frozenset({A.VELOCITY}),
+        instead="`control_error`: it flies away from its reference",
     ),
     SafetyRule(
         code=C.TRACKING_HEIGHT,
@@ -219,6 +232,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         words=lambda c: landing(_height_words(c)),
         after=0.3,
         clears=Clearing.GROUND,
+        needs=frozenset({A.HEIGHT}),
+        instead="`too_low` and the frame check on the ground",
     ),
     SafetyRule(
         code=C.TRACKING_HEIGHT_DRIFT,
@@ -235,6 +250,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         ),
         after=0.5,
         clears=Clearing.GROUND,
+        needs=frozenset({A.HEIGHT}),
+        instead="`too_low` and `too_high`",
     ),
     SafetyRule(
         code=C.TRACKING_OLD,
@@ -251,6 +268,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="poses refused, because onboard motion disagrees",
         broken=lambda c: c.now.consistency.refused_for > REFUSED_HOLD,
         words=lambda c: holding_itself(_refused_words(c, REFUSED_HOLD)),
+        needs=frozenset({A.VELOCITY}),
+        instead="the estimator's gate refuses jumps; `tracking_old` counts them",
     ),
     SafetyRule(
         code=C.TRACKING_ON_GROUND,
@@ -268,6 +287,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="poses much older than they say",
         broken=lambda c: c.now.consistency.latency_error > LATENCY_HOLD,
         words=lambda c: holding_itself(_latency_words(c, LATENCY_HOLD)),
+        needs=frozenset({A.VELOCITY}),
+        instead="the latency that the tracking system states",
     ),
     SafetyRule(
         code=C.TRACKING_SLOW,
@@ -276,6 +297,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="poses older than they say",
         broken=lambda c: c.now.consistency.latency_error > LATENCY_SLOW,
         words=lambda c: slowly(_latency_words(c, LATENCY_SLOW)),
+        needs=frozenset({A.VELOCITY}),
+        instead="the latency that the tracking system states",
     ),
     SafetyRule(
         code=C.TRACKING_GAP,
@@ -292,6 +315,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="the tracked way begins to leave the drone's own",
         broken=lambda c: c.now.consistency.drift > DRIFT_WARN,
         words=lambda c: _drift_words(c, DRIFT_WARN),
+        needs=frozenset({A.VELOCITY}),
+        instead="nothing: a slow drift of tracking is not seen",
     ),
     SafetyRule(
         code=C.TRACKING_UNCHECKED,
@@ -301,6 +326,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: isnan(c.now.consistency.drift),
         words=lambda _: Words("the drone does not tell how it moves: tracking is not checked"),
         after=UNCHECKED_AFTER,
+        needs=frozenset({A.VELOCITY}),
+        instead="the list before the take-off says that it tells none",
     ),
     SafetyRule(
         code=C.FLOW_UNTOLD,
@@ -310,6 +337,8 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: c.now.consistency.flow_untold,
         words=lambda _: Words("the drone does not see how it moves: it cannot hold itself"),
         after=0.3,
+        needs=frozenset({A.VELOCITY}),
+        instead="the list before the take-off says that it tells none",
     ),
     SafetyRule(
         code=C.TRACKING_HEIGHT_OFF,
@@ -319,5 +348,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: c.now.consistency.height_error > HEIGHT_DISAGREES,
         words=lambda c: Words("{why}, or something is below: slowly", why=_height_words(c)),
         after=0.3,
+        needs=frozenset({A.HEIGHT}),
+        instead="furniture and people that the map and the sensors show",
     ),
 )

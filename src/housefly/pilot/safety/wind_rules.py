@@ -34,7 +34,8 @@ BLOWN_ABOUT = 0.15
 
 def _own_height(c: RuleContext) -> float:
     """Return how high the drone says it is [m]; infinite where it says nothing."""
-    return c.now.telemetry.height if c.now.telemetry else inf
+    is_told = c.now.telemetry is not None and c.airframe.sonar is not None
+    return c.now.telemetry.height if c.now.telemetry and is_told else inf
 
 
 def _drift(c: RuleContext) -> float:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from housefly.config.house_mode import HouseMode
+from housefly.evidence.clip_values import ClipsAnswer, ClipsQuestion, DeleteClip, KeepClip
 from housefly.messages.words import Words
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -27,7 +26,6 @@ from housefly.tasks.api.questions import (
     Webhook,
 )
 from housefly.tasks.api.values import (
-    HouseMode,
     ParameterValue,
     ReasonCode,
     RehearsalReport,
@@ -150,46 +148,6 @@ class FiringsAnswer:
     """What the rules did, or would have done, by time."""
 
     firings: tuple[RuleFiring, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class ClipInfo:
-    """One clip or snapshot.
-
-    Attributes:
-        id: of the clip.
-        kind: "clip" or "snapshot".
-        task: id of the task that asked for it.
-        service, place, thing, people: what it shows.
-        cause: id of the event behind it.
-        began_at, duration: [Unix time, s] and [s].
-        size: of the file [bytes].
-        keep_until: when it is deleted [Unix time, s]; None is kept until somebody deletes it.
-        blanked: whether part of it was blanked for privacy.
-        cut_off: whether its end is missing, as after a crash or on a full disk.
-    """
-
-    id: str
-    kind: str
-    task: int
-    service: str
-    place: str
-    thing: str
-    people: tuple[str, ...]
-    cause: str
-    began_at: float
-    duration: float
-    size: int
-    keep_until: float | None = None
-    blanked: bool = False
-    cut_off: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class ClipsAnswer:
-    """Clips and snapshots, the newest first; after an order, the one that it concerns."""
-
-    clips: tuple[ClipInfo, ...]
 
 
 TaskAnswer = (

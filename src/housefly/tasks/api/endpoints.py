@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,

@@ -12,7 +12,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from housefly.tasks.api.values import Confirm, HouseMode, Priority, RequestSurface
+from housefly.config.house_mode import HouseMode
+from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
+from housefly.tasks.api.values import Confirm, Priority, RequestSurface
 
 _Word = Annotated[str, Field(max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
 _Name = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^[^\x00-\x1f\x7f]*$")]
@@ -39,6 +41,7 @@ class RequestTask:
     deadline: _Time | None = None
     ask: Literal["request"] = "request"
     owner: _Word = ""
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +52,7 @@ class RehearseTask:
     parameters: _Parameters = field(default_factory=dict)
     ask: Literal["rehearse"] = "rehearse"
     surface: RequestSurface = RequestSurface.CONSOLE
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +131,7 @@ class Sentence:
     """Something a person said or typed; ``fly`` False never starts a task.
 
     ``may_fly`` False is for whoever may only ask; the edge that knows the person fills it in.
+    ``drone`` is for whom it is meant where the words name none; "" for all, or any.
     """
 
     text: _Sentence
@@ -138,6 +143,7 @@ class Sentence:
     may_fly: bool = True
     ask: Literal["sentence"] = "sentence"
     owner: _Word = ""
+    drone: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,25 +172,6 @@ class DryRunQuestion:
 
 
 @dataclass(frozen=True, slots=True)
-class ClipsQuestion:
-    """Which clips and snapshots there are; "" and 0 mean any, the newest first.
-
-    ``before`` is the last clip of the page before; "" begins with the newest.
-    """
-
-    since: _Time = 0.0
-    until: _Time | None = None
-    person: _Word = ""
-    place: _Word = ""
-    thing: _Word = ""
-    task: Annotated[int, Field(ge=0, le=2**53)] = 0
-    limit: _Limit = 50
-    ask: Literal["clips"] = "clips"
-    caused_by: _Word = ""
-    before: _Word = ""
-
-
-@dataclass(frozen=True, slots=True)
 class Webhook:
     """A trigger from outside: its name, for rules that wait for it."""
 
@@ -194,31 +181,13 @@ class Webhook:
 
 
 @dataclass(frozen=True, slots=True)
-class KeepClip:
-    """Keep a clip or snapshot until somebody deletes it; with ``keep`` False, as long as others."""
-
-    clip: _Name
-    keep: bool = True
-    by: _Word = ""
-    ask: Literal["keep_clip"] = "keep_clip"
-
-
-@dataclass(frozen=True, slots=True)
-class DeleteClip:
-    """Delete a clip or snapshot at once, also one that is kept; nothing brings it back."""
-
-    clip: _Name
-    by: _Word = ""
-    ask: Literal["delete_clip"] = "delete_clip"
-
-
-@dataclass(frozen=True, slots=True)
 class TakePhoto:
     """Keep the picture that a person sees, in flight; ``at`` is when it came [s], 0 the newest."""
 
     at: Annotated[float, Field(ge=0.0, le=1e12, allow_inf_nan=False)] = 0.0
     by: _Word = ""
     ask: Literal["photo"] = "photo"
+    drone: _Word = ""
 
 
 TaskQuestion = (

@@ -82,16 +82,6 @@ ATTENDED = frozenset({RequestSurface.CONSOLE, RequestSurface.COMMAND_LINE, Reque
 """Where a person asks; everywhere else nobody may be looking."""
 
 
-class HouseMode(Enum):
-    """The mode of the house: gates launching, recording and zones."""
-
-    HOME = "home"
-    AWAY = "away"
-    NIGHT = "night"
-    PRIVACY = "privacy"
-    MAINTENANCE = "maintenance"
-
-
 class ReasonCode(Enum):
     """Why something was refused, or how a task ended; the words beside it are for people."""
 
@@ -152,6 +142,7 @@ class TaskRequest:
         priority: who goes first.
         deadline: not begun by then [Unix time, s], it expires; None waits for ever.
         owner: id of who asks, filled in by whoever knows them; a name may be anybody's.
+        drone: name of the drone that is to fly; "" for whichever is free, ready and nearest.
     """
 
     service: str
@@ -163,6 +154,7 @@ class TaskRequest:
     priority: Priority = Priority.PERSON
     deadline: float | None = None
     owner: str = ""
+    drone: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,6 +231,7 @@ class TaskStatus:
         took_off_at: when its flight began [Unix time, s]; None when it did not fly.
         flown: how long it was in the air [s]; None where nobody knows whether it flew.
         recording: folder of the recording of the whole run, for `housefly replay`, or "".
+        drone: that flies it, or is wanted for it; "" while that may be any.
     """
 
     id: int
@@ -264,6 +257,7 @@ class TaskStatus:
     took_off_at: float | None = None
     flown: float | None = None
     recording: str = ""
+    drone: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from http.client import HTTPConnection, HTTPException, HTTPSConnection
 from typing import Any, Protocol
 from urllib.parse import quote, urlsplit
 
-from housefly.bus.topics import ROOM_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.errors import LinkError
 from housefly.hub.api.endpoints import API_PREFIX
 from housefly.hub.api.json import checked_question
@@ -75,7 +75,7 @@ class FoundRoom:
         if not place.bus:
             raise LinkError(f"the run of {place.site} does not say where its bus is")
         with ZenohBus(connect=place.bus) as bus:
-            return from_json(RoomView, bus.ask(ROOM_QUERY, ""))
+            return from_json(RoomView, bus.ask(DroneTopics(place.drones[0]).room, ""))
 
     def clip(self, clip: str) -> bytes:
         """Return the file of a clip or snapshot; raises LinkError."""

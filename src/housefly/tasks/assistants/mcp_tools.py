@@ -16,6 +16,8 @@ from mcp_types import ClientCapabilities, ToolAnnotations
 from pydantic import BaseModel, Field
 
 from housefly.errors import HouseflyError, LinkError, TaskError
+from housefly.evidence.clip_picture import clip_picture
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.hub.api.answers import PictureAnswer
 from housefly.hub.api.questions import (
     CatalogueQuestion,
@@ -28,7 +30,6 @@ from housefly.hub.api.questions import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     RehearseTask,
     ReplyToTask,
     RequestTask,
@@ -48,7 +49,6 @@ from housefly.tasks.assistants.assistant_reply import marked_reply, refused_repl
 from housefly.tasks.assistants.assistant_room import AssistantRoom
 from housefly.tasks.assistants.flight_approval import ApprovalBook, CheckedFlight, checked_flight
 from housefly.tasks.assistants.room_picture import map_legend, map_png, map_text, marked_places
-from housefly.tasks.evidence.clip_picture import clip_picture
 
 ASSISTANT = "an assistant"
 """Who asks, on the board; a name that the client gives itself proves nothing."""

@@ -47,13 +47,14 @@ class TaskQueries(ABC):
     def ask_tasks(self, question: TaskQuestion) -> Any:
         """Return the answer; raises TaskError, with its reason code, when it is refused."""
 
-    def request(self, service: str, **parameters: ParameterValue) -> TaskStatus:
-        """Ask for a service: ``request("look", subject="refrigerator")``; return its task."""
-        answer: TasksAnswer = self.ask_tasks(self._requested(service, parameters))
-        return answer.tasks[0]
+    def request(self, service: str, drone: str = "", /, **parameters: ParameterValue) -> TaskStatus:
+        """Ask for a service: ``request("look", subject="refrigerator")``; return its task.
 
-    def _requested(self, service: str, parameters: dict[str, ParameterValue]) -> RequestTask:
-        return RequestTask(service, parameters, self.by, _SURFACE, owner=self.owner)
+        With the name of a drone behind the service it flies, else whichever is free and nearest.
+        """
+        asked = RequestTask(service, parameters, self.by, _SURFACE, owner=self.owner, drone=drone)
+        answer: TasksAnswer = self.ask_tasks(asked)
+        return answer.tasks[0]
 
     def rehearse(self, service: str, **parameters: ParameterValue) -> RehearsalReport:
         """Rehearse a service in lock step; nothing flies."""

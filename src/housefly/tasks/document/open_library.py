@@ -35,6 +35,7 @@ class _Found:
 
 
 NO_DRONE = "this room has no drone"
+NO_CAMERA = "the drone has no camera"
 
 
 class OpenLibrary(Mapping[str, TaskDocument]):
@@ -45,10 +46,14 @@ class OpenLibrary(Mapping[str, TaskDocument]):
     Args:
         own_folder: with documents of one's own, or None.
         has_drone: whether there is a drone; without one nothing that flies is a service.
+        has_camera: whether the drone has a camera; without one nothing that looks is a service.
     """
 
-    def __init__(self, own_folder: Path | None = None, *, has_drone: bool = True) -> None:
-        self._folder, self._lock, self._has_drone = own_folder, Lock(), has_drone
+    def __init__(
+        self, own_folder: Path | None = None, *, has_drone: bool = True, has_camera: bool = True
+    ) -> None:
+        self._folder, self._lock = own_folder, Lock()
+        self._has_drone, self._has_camera = has_drone, has_camera
         self._mark: _Mark | None = None
         self._found = _Found({}, {})
         self.refresh()
@@ -74,6 +79,14 @@ class OpenLibrary(Mapping[str, TaskDocument]):
             if mark != self._mark:
                 self._found, self._mark = _read(self._folder), mark
 
+    def _objection(self, document: TaskDocument) -> tuple[ReasonCode, str] | None:
+        """Return why a document is no service here, or None where it is one."""
+        if document.flies and not self._has_drone:
+            return ReasonCode.NO_DRONE, f"flies, and {NO_DRONE}"
+        if document.looks and not self._has_camera:
+            return ReasonCode.NO_VIEW, f"looks, and {NO_CAMERA}"
+        return None
+
     def services(self) -> tuple[ServiceInfo, ...]:
         """Return what can be asked for now, and at the end what cannot, with why."""
         self.refresh()
@@ -82,7 +95,7 @@ class OpenLibrary(Mapping[str, TaskDocument]):
             ServiceInfo(name, name, f"cannot be asked for: {problem}", (), False, problem)
             for name, problem in sorted(found.broken.items())
         ]
-        offered = (one for one in found.documents.values() if self._has_drone or not one.flies)
+        offered = (one for one in found.documents.values() if self._objection(one) is None)
         return (*(document.info() for document in offered), *broken)
 
     def document(self, service: str) -> TaskDocument:
@@ -90,22 +103,23 @@ class OpenLibrary(Mapping[str, TaskDocument]):
 
         Raises:
             TaskError: UNKNOWN_SERVICE; says what there is, or what is wrong with the document;
-                NO_DRONE.
+                NO_DRONE; NO_VIEW where it looks and the drone has no camera.
         """
         self.refresh()
         found = self._found
         if service in found.documents:
             document = found.documents[service]
-            if document.flies and not self._has_drone:
-                raise TaskError(f"{service} flies, and {NO_DRONE}", ReasonCode.NO_DRONE.value)
+            if (objection := self._objection(document)) is not None:
+                code, why = objection
+                raise TaskError(f"{service} {why}", code.value)
             return document
-        code = ReasonCode.UNKNOWN_SERVICE.value
+        unknown = ReasonCode.UNKNOWN_SERVICE.value
         if service in found.broken:
             words = f"the service {service!r} cannot be asked for: {found.broken[service]}"
-            raise TaskError(words, code)
+            raise TaskError(words, unknown)
         near = get_close_matches(service, found.documents, 1)
         hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(found.documents)}"
-        raise TaskError(f"there is no service {service!r}: {hint}", code)
+        raise TaskError(f"there is no service {service!r}: {hint}", unknown)
 
 
 def _mark_of(folder: Path | None) -> _Mark:

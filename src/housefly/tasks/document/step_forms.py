@@ -68,6 +68,7 @@ class StepForm:
         blocks: words under which steps must stand; "" is the value of the step itself.
         more_blocks: words under which steps may stand.
         flies: whether it moves the drone.
+        looks: whether it is of no use without the drone's camera.
     """
 
     about: str
@@ -75,6 +76,7 @@ class StepForm:
     blocks: tuple[str, ...] = ()
     more_blocks: tuple[str, ...] = ()
     flies: bool = False
+    looks: bool = False
 
 
 _T = ArgumentType
@@ -108,6 +110,7 @@ FORMS: dict[StepKind, StepForm] = {
             _A("as", _T.NAME, "name for who is faced instead", "who"),
         ),
         flies=True,
+        looks=True,
     ),
     StepKind.SWEEP: StepForm(
         "Turn on the spot and take a picture in each direction: a panorama.",
@@ -117,6 +120,7 @@ FORMS: dict[StepKind, StepForm] = {
             _A("subject", _T.SUBJECT, "what the pictures show"),
         ),
         flies=True,
+        looks=True,
     ),
     StepKind.FOLLOW: StepForm(
         "Keep a person in view from a distance, never overhead.",
@@ -134,6 +138,7 @@ FORMS: dict[StepKind, StepForm] = {
             _A("search", _T.TIME, "then look where they were last for so long", 0.0, high=120.0),
         ),
         flies=True,
+        looks=True,
     ),
     StepKind.RETURN_HOME: StepForm("Fly home and land on the pad.", flies=True),
     StepKind.LAND: StepForm("Land where the drone is.", flies=True),
@@ -145,8 +150,9 @@ FORMS: dict[StepKind, StepForm] = {
             _SHOWN,
         ),
         more_blocks=("do",),
+        looks=True,
     ),
-    StepKind.SNAPSHOT: StepForm("Keep one picture.", (_SHOWN,)),
+    StepKind.SNAPSHOT: StepForm("Keep one picture.", (_SHOWN,), looks=True),
     StepKind.SAY: StepForm("Tell people: on every screen and over MQTT.", (_SPEECH,)),
     StepKind.ANNOUNCE: StepForm(
         "Say it out loud in the room, over MQTT, and on every screen.",
@@ -198,6 +204,7 @@ FORMS: dict[StepKind, StepForm] = {
             _A("ended", _T.NAME, "name that is set when the search is over", "ended"),
         ),
         flies=True,
+        looks=True,
     ),
     StepKind.COVERAGE: StepForm(
         "Report how much of the floor the pictures of this task show, of what can be seen at all."

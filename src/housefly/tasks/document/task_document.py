@@ -55,6 +55,16 @@ class TaskDocument:
             for step in first.every_step()
         )
 
+    @property
+    def looks(self) -> bool:
+        """Whether any of its steps is of no use without the drone's camera."""
+        return any(
+            FORMS[step.kind].looks
+            or (step.kind is StepKind.CALL and self._called_looks(str(step.arguments["task"])))
+            for first in self.steps
+            for step in first.every_step()
+        )
+
     def every_step(self) -> Iterator[TaskStep]:
         """Yield all its steps, in order, without those of tasks that it calls."""
         for step in (*self.steps, *self.on_cancel):
@@ -68,6 +78,10 @@ class TaskDocument:
     def _called_flies(self, name: str) -> bool:
         called = self.calls.get(name)
         return called is None or called.flies
+
+    def _called_looks(self, name: str) -> bool:
+        called = self.calls.get(name)
+        return called is not None and called.looks
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,14 +7,15 @@ from dataclasses import replace
 from typing import Any
 
 from housefly.errors import HouseflyError
+from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.messages.words import literal
 from housefly.tasks.api.values import ParameterValue, PersonQuestion, RequestSurface, TaskStatus
+from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.engine.task_outlet import TaskOutlet, task_event, task_name
 from housefly.tasks.engine.task_record import TaskRecord
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import task_sender
 from housefly.tasks.execution.values import (
     AskPerson,
@@ -23,9 +24,7 @@ from housefly.tasks.execution.values import (
     PublishMqtt,
     Report,
     Say,
-    StartClip,
     StopClip,
-    TakeSnapshot,
     TaskAction,
 )
 from housefly.tasks.scheduler.values import ScheduledTask
@@ -45,13 +44,12 @@ class TaskActions:
 
     Args:
         outlet: takes orders, events and MQTT.
-        clips: the recorder.
-        drone: id of the drone, to which what happens is told.
+        drones: with their recorders; what happens is told of the one whose task it is.
     """
 
-    def __init__(self, outlet: TaskOutlet, clips: ClipRecorder, drone: str) -> None:
-        self._outlet, self._clips, self._drone = outlet, clips, drone
-        self._films = 0  # id of the task whose clip is recorded
+    def __init__(self, outlet: TaskOutlet, drones: TaskDrones) -> None:
+        self._outlet, self._drones = outlet, drones
+        self._films: dict[int, str] = {}  # by the ids of the tasks whose clips are recorded
         self._by: dict[type[TaskAction], Callable[[_Doing, Any], None]] = {
             GiveOrder: self._order,
             StartClip: self._start_clip,
@@ -95,7 +93,8 @@ class TaskActions:
             "service": task.request.service,
             "because": task.request.cause,
         }
-        self._outlet.tell(task_event(kind, self._drone, unix, cause, known | facts))
+        body = self._drones.of(task.drone).body
+        self._outlet.tell(task_event(kind, body, unix, cause, known | facts))
 
     def tell_asked(self, task: ScheduledTask, unix: float) -> None:
         """Tell that a task was asked for, and what a person is asked now [Unix time, s]."""
@@ -109,46 +108,49 @@ class TaskActions:
         """Tell how a task ended [Unix time, s]."""
         self.tell("task ended", task, unix, outcome=status.state.value, words=status.words)
 
-    def tell_clip(self, clip: str, unix: float) -> int:
+    def tell_clip(self, drone: TaskDrone, clip: str, unix: float) -> int:
         """Tell that a clip is kept; return the number of its task, 0 for a person's or unknown."""
         try:
-            info = self._clips.index.info(clip)
+            info = drone.clips.index.info(clip)
         except HouseflyError:
             return 0
         facts = {"clip": clip, "place": info.place, "thing": info.thing}
         cause = task_name(info.task) if info.task else info.cause
-        event = task_event(_KEPT[info.kind], self._drone, unix, cause, dict(facts))
+        event = task_event(_KEPT[info.kind], drone.body, unix, cause, dict(facts))
         self._outlet.tell(event)
         return info.task
 
-    def send_home(self, now: float) -> None:
+    def send_home(self, drone: str, now: float) -> None:
         """Send home a drone that no task flies any more; ``now`` stamps the order [s]."""
         sender, source = task_sender(0, "home"), OrderSource.TASK
-        self._outlet.order(Order(OrderKind.HOME, issued_at=now, sender=sender, source=source))
+        order = Order(OrderKind.HOME, issued_at=now, sender=sender, source=source)
+        self._outlet.order(order, drone)
 
     def end_clip(self, number: int) -> None:
         """End the clip of a task that ends, however it ended."""
-        if number == self._films:
-            self._stop_clip(number)
+        self._stop_clip(number)
 
     def _stop_clip(self, number: int) -> None:
-        if number == self._films:
-            self._films = 0
-            self._clips.stop()
+        drone = self._films.pop(number, None)
+        if drone is not None and drone not in self._films.values():
+            self._drones[drone].clips.stop()
 
     def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
         request = doing.task.request
         sender = task_sender(doing.task.id, request.service)
         source = _SOURCES.get(request.surface, OrderSource.TASK)
         order = replace(wanted.order, issued_at=doing.now, sender=sender, source=source)
-        self._outlet.order(order)
+        self._outlet.order(order, self._drones.of(doing.task.drone).name)
 
     def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
-        self._films = doing.task.id
-        doing.keep(lambda: self._clips.start(wanted, doing.origin))
+        drone = self._drones.of(doing.task.drone)
+        self._films = {one: name for one, name in self._films.items() if name != drone.name}
+        self._films[doing.task.id] = drone.name
+        doing.keep(lambda: drone.clips.start(wanted, doing.origin))
 
     def _snapshot(self, doing: _Doing, wanted: TakeSnapshot) -> None:
-        doing.keep(lambda: self._clips.snapshot(wanted, doing.origin))
+        clips = self._drones.of(doing.task.drone).clips
+        doing.keep(lambda: clips.snapshot(wanted, doing.origin))
 
     def _say(self, doing: _Doing, wanted: Say) -> None:
         self.tell("said", doing.task, doing.unix, words=wanted.words)

@@ -1,4 +1,4 @@
-"""Runs the tasks of one drone: the queue, and what its decisions mean. Driven by ``tick``.
+"""Runs the tasks of the drones: the queue, and what its decisions mean. Driven by ``tick``.
 
 Nothing here reads a clock or opens a wire: time comes in, orders go out by the outlet.
 """
@@ -9,12 +9,12 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
 from housefly.messages import Order, OrderKind, OrderSource
 from housefly.messages.words import UNSAID, Words, error_words, literal, said
 from housefly.tasks.api.values import (
     ATTENDED,
-    HouseMode,
     ReasonCode,
     RehearsalReport,
     RequestSurface,
@@ -24,12 +24,13 @@ from housefly.tasks.api.values import (
 )
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_drones import TaskDrones
 from housefly.tasks.engine.task_record import task_status
 from housefly.tasks.engine.task_runs import TaskRuns
 from housefly.tasks.execution.values import GiveOrder, PersonReply
 from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.scheduler.board import board_order, waiting_words
-from housefly.tasks.scheduler.scheduler import Scheduler
+from housefly.tasks.scheduler.scheduler import Scheduler, holder_of
 from housefly.tasks.scheduler.task_store import KeptTask, TaskStore
 from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
 from housefly.tasks.scheduler.values import (
@@ -53,13 +54,14 @@ _ONLY_OWN = "you can end only what you asked for; STOP is for all"
 
 
 class TaskEngine:
-    """The open tasks of one drone; not thread-safe.
+    """The open tasks of the drones; not thread-safe.
 
     Args:
         store: keeps the queue and what ended.
         limits: of the queue.
         runs: of the open tasks.
         actions: does and tells.
+        drones: of the site.
     """
 
     def __init__(
@@ -68,8 +70,12 @@ class TaskEngine:
         limits: SchedulerLimits,
         runs: TaskRuns,
         actions: TaskActions,
+        drones: TaskDrones,
     ) -> None:
-        self._drone = DroneAvailability(False, Words("the tasks have just begun"))
+        self._drones = drones
+        self._available = tuple(
+            DroneAvailability(False, Words("the tasks have just begun"), name) for name in drones
+        )
         self._store, self._runs, self._actions = store, runs, actions
         self._scheduler = store.load(limits)
         self._ended: deque[TaskStatus] = deque(store.newest_ended(_SHOWN), _SHOWN)
@@ -86,7 +92,9 @@ class TaskEngine:
                 bound = bind(task.request)
                 if scheduling_traits(bound) != task.traits:
                     raise _bad(f"'{task.traits.title}' was changed meanwhile; ask again")
-                record = self._runs.add(task.id, bound, is_urgent=task.is_attended)
+                record = self._runs.add(
+                    task.id, bound, task.request.drone, is_urgent=task.is_attended
+                )
                 if (before := self._known(task.id)) is not None:
                     record.clips, record.report = list(before.clips), list(before.report)
                     record.steps = before.steps
@@ -106,7 +114,7 @@ class TaskEngine:
     @property
     def open(self) -> tuple[TaskStatus, ...]:
         """The open tasks, as they will fly, each with why it does not yet."""
-        waits = waiting_words(self._scheduler, self._drone)
+        waits = waiting_words(self._scheduler, *self._available)
         return tuple(
             task_status(task, self._runs.record(task.id), waits.get(task.id, UNSAID))
             for task in board_order(self._scheduler)
@@ -136,18 +144,17 @@ class TaskEngine:
         ]
         for decision in outcome[1]:
             if isinstance(decision, TaskAdmitted):
-                self._runs.add(decision.task.id, task, is_urgent=request.surface in ATTENDED)
+                is_urgent = request.surface in ATTENDED
+                self._runs.add(decision.task.id, task, request.drone, is_urgent=is_urgent)
         self._take(outcome, unix)
         return self.status(told[0].id)
 
     def _asked_just_now(self, request: TaskRequest, unix: float) -> ScheduledTask | None:
         """Return the same running task of the same asker: a second click wants no second flight."""
-        wanted = (request.service, request.parameters, request.asked_by, request.owner)
+        wanted = _wish(request)
         for task in self._scheduler.tasks:
-            one = task.request
-            given = (one.service, one.parameters, one.asked_by, one.owner)
             is_new = 0.0 <= unix - task.asked_at <= _CLICK_TIME
-            if task.state is QueueState.RUNNING and is_new and given == wanted:
+            if task.state is QueueState.RUNNING and is_new and _wish(task.request) == wanted:
                 return task
         return None
 
@@ -201,25 +208,26 @@ class TaskEngine:
         self._take(self._scheduler.continued(number, by, unix), unix)
         return self.status(number)
 
-    def tick(self, drone: DroneAvailability, now: float, unix: float) -> None:
+    def tick(self, drones: tuple[DroneAvailability, ...], now: float, unix: float) -> None:
         """Step the runs, take what ended, start what may start.
 
         Args:
-            drone: whether it may be ordered now.
+            drones: whether each may be ordered now.
             now: the pilot's clock [s].
             unix: the same moment as Unix time [s].
         """
-        self._drone = drone
+        self._available = drones
         self._store.retry()
         for number, report in tuple(self._runs.rehearsed(unix)):
             self._take(self._scheduler.rehearsed(number, report, unix), unix)
-        reports = self._runs.step(self._scheduler.tasks, drone, now, unix)
-        if self._runs.person_ordered:
-            self._take(self._scheduler.taken_over(unix), unix)
+        reports = self._runs.step(self._scheduler.tasks, drones, now, unix)
+        for name in sorted(self._runs.person_ordered):
+            self._take(self._scheduler.taken_over(unix, name), unix)
         self._runs.hand_over(reports)
-        self._take(self._scheduler.ticked(unix, reports, drone), unix)
-        if not any(task.traits.flies and task.state in ACTIVE for task in self._scheduler.tasks):
-            self._runs.bring_home(now)
+        self._take(self._scheduler.ticked(unix, reports, *drones), unix)
+        for name in self._drones:
+            if holder_of(name, self._scheduler.tasks) is None:
+                self._runs.bring_home(name, now)
 
     def change_mode(self, mode: HouseMode, unix: float) -> None:
         """End the flights that may not be asked for in the new mode of the house.
@@ -256,12 +264,11 @@ class TaskEngine:
         )
         return tasks[0].id if tasks else None
 
-    def close(self, words: str, is_airborne: bool, now: float, unix: float) -> None:
+    def close(self, words: str, now: float, unix: float) -> None:
         """End what runs, because the program ends; what flies is sent home.
 
         Args:
             words: why.
-            is_airborne: whether the drone flies.
             now: the pilot's clock [s].
             unix: the same moment as Unix time [s].
         """
@@ -269,14 +276,15 @@ class TaskEngine:
         for task in active:
             record = self._runs.record(task.id)
             has_run = record is not None and record.run is not None
-            if has_run and record is not None and task.traits.flies and is_airborne:
+            is_up = record is not None and self._drones[record.drone].inbox.is_airborne
+            if has_run and record is not None and task.traits.flies and is_up:
                 home = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),)
                 self._actions.perform(task, record, home, now, unix)
         why = literal(words)
         reports = [
             RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, why) for task in active
         ]
-        self._take(self._scheduler.ticked(unix, reports, DroneAvailability(False, why)), unix)
+        self._take(self._scheduler.ticked(unix, reports), unix)
 
     def keep_clip(self, number: int, clip: str, words: str = "") -> None:
         """Remember a clip or snapshot of an open task, and report what is wrong with it."""
@@ -330,6 +338,12 @@ class TaskEngine:
     def _end_status(self, task: ScheduledTask) -> TaskStatus:
         status = task_status(task, self._runs.record(task.id))
         return replace(status, words=task.words or said(task.stage))
+
+
+def _wish(request: TaskRequest) -> tuple[object, ...]:
+    """Return what makes two requests the same wish."""
+    one = request
+    return one.service, one.parameters, one.asked_by, one.owner, one.drone
 
 
 def scheduling_traits(task: BoundTask) -> TaskTraits:

@@ -24,8 +24,8 @@ _MAX_WORDS, _MAX_THING = 200, 100
 class TaskOutlet(Protocol):
     """Takes what the tasks want done; quick, thread-safe, never raises."""
 
-    def order(self, order: Order) -> None:
-        """Give the pilot an order."""
+    def order(self, order: Order, drone: str) -> None:
+        """Give a drone's pilot an order."""
         ...
 
     def tell(self, event: RoomEvent) -> None:
@@ -44,8 +44,8 @@ class TaskOutlet(Protocol):
 class TaskRehearser(Protocol):
     """Flies a task in lock step, elsewhere."""
 
-    def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
-        """Begin a rehearsal on the room as it is now."""
+    def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
+        """Begin a rehearsal with a drone in the room as it is now."""
         ...
 
 

@@ -41,6 +41,7 @@ class TaskRecord:
         flown: how long it was in the air for it [s]; None where nobody knows whether it was.
         airborne_at: when it was last seen in the air, by the pilot's clock [s].
         recording: folder into which the whole run is recorded, or "".
+        drone: with which it is, or was, rehearsed; "" for any.
     """
 
     task: BoundTask
@@ -59,6 +60,7 @@ class TaskRecord:
     flown: float | None = 0.0
     airborne_at: float | None = None
     recording: str = ""
+    drone: str = ""
 
     def watch_flight(self, is_airborne: bool, now: float, unix: float) -> None:
         """Count the time in the air.
@@ -128,4 +130,5 @@ def task_status(
         record.took_off_at if record else None,
         record.flown if record else 0.0,
         record.recording if record and record.took_off_at is not None else "",
+        task.drone or request.drone,
     )

@@ -63,7 +63,7 @@ class TaskRehearsals:
     ) -> None:
         """Begin the rehearsal of a task; one that waits already may become the next."""
         if record.rehearsal is None:
-            record.rehearsal = self._turns.begin(record.task, urgency)
+            record.rehearsal = self._turns.begin(record.task, urgency, record.drone)
         elif urgency is RehearsalUrgency.FLIGHT:
             self._turns.hurry(record.task, record.rehearsal)
 
@@ -91,13 +91,17 @@ class TaskRehearsals:
         return 0.0 <= unix - record.rehearsed_at <= FRESH_TIME
 
     def now(
-        self, task: BoundTask, surface: RequestSurface = RequestSurface.CONSOLE
+        self,
+        task: BoundTask,
+        surface: RequestSurface = RequestSurface.CONSOLE,
+        drone: str = "",
     ) -> RehearsalReport:
         """Rehearse and wait.
 
         Args:
             task: which.
             surface: where it was asked for.
+            drone: with which; "" for any.
 
         Raises:
             TaskError: too many are under way, or it takes too long.
@@ -105,7 +109,7 @@ class TaskRehearsals:
         is_person = surface in ATTENDED
         urgency = RehearsalUrgency.PERSON if is_person else RehearsalUrgency.MACHINE
         self._admit(urgency)
-        future = self._turns.begin(task, urgency)
+        future = self._turns.begin(task, urgency, drone)
         try:
             future.exception(_PATIENCE)
         except TimeoutError as error:
@@ -162,25 +166,25 @@ class RehearsalTurns:
     def __init__(self, rehearser: TaskRehearser) -> None:
         self._rehearser, self._lock = rehearser, Lock()
         self._number = count()
-        self._waiting: list[tuple[int, int, BoundTask, Report]] = []
+        self._waiting: list[tuple[int, int, BoundTask, str, Report]] = []
         self._is_busy = False
 
-    def begin(self, task: BoundTask, urgency: RehearsalUrgency) -> Report:
+    def begin(self, task: BoundTask, urgency: RehearsalUrgency, drone: str = "") -> Report:
         """Return the report to come; cancelled before its turn, it is not rehearsed at all."""
         report: Report = Future()
-        self._add(task, urgency, report)
+        self._add(task, urgency, drone, report)
         return report
 
     def hurry(self, task: BoundTask, report: Report) -> None:
         """Let a rehearsal that waits be the next."""
         with self._lock:
-            waits = any(one[3] is report and one[0] for one in self._waiting)
-        if waits:
-            self._add(task, RehearsalUrgency.FLIGHT, report)
+            found = next((one for one in self._waiting if one[4] is report and one[0]), None)
+        if found is not None:
+            self._add(task, RehearsalUrgency.FLIGHT, found[3], report)
 
-    def _add(self, task: BoundTask, urgency: RehearsalUrgency, report: Report) -> None:
+    def _add(self, task: BoundTask, urgency: RehearsalUrgency, drone: str, report: Report) -> None:
         with self._lock:
-            heapq.heappush(self._waiting, (urgency, next(self._number), task, report))
+            heapq.heappush(self._waiting, (urgency, next(self._number), task, drone, report))
         self._next()
 
     def _next(self) -> None:
@@ -188,12 +192,12 @@ class RehearsalTurns:
             with self._lock:
                 if self._is_busy or not self._waiting:
                     return
-                _, _, task, report = heapq.heappop(self._waiting)
+                _, _, task, drone, report = heapq.heappop(self._waiting)
                 # One that was hurried stands here twice; one that nobody waits for is cancelled.
                 if report.running() or report.done() or not report.set_running_or_notify_cancel():
                     continue
                 self._is_busy = True
-            _begun(self._rehearser.rehearse, task).add_done_callback(
+            _begun(self._rehearser.rehearse, task, drone).add_done_callback(
                 lambda found, report=report: self._ended(found, report)  # type: ignore[misc]
             )
 
@@ -208,9 +212,9 @@ class RehearsalTurns:
         self._next()
 
 
-def _begun(rehearse: Callable[[BoundTask], Report], task: BoundTask) -> Report:
+def _begun(rehearse: Callable[[BoundTask, str], Report], task: BoundTask, drone: str) -> Report:
     try:
-        return rehearse(task)
+        return rehearse(task, drone)
     except Exception as error:
         failed: Report = Future()
         failed.set_exception(error)

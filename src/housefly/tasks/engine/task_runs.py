@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from housefly.messages import Order, OrderKind, OrderSource, Phase
@@ -12,10 +12,10 @@ from housefly.messages.words import Words, literal
 from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_drones import TaskDrones
 from housefly.tasks.engine.task_record import TaskRecord
 from housefly.tasks.engine.task_rehearsals import RehearsalUrgency, TaskRehearsals
 from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
-from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import GiveOrder, TaskInputs
 from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
@@ -48,30 +48,23 @@ class TaskRuns:
     """The records of the open tasks, and their runs; not thread-safe.
 
     Attributes:
-        person_ordered: whether a person ordered the drone since the step before the last.
+        person_ordered: the drones that a person ordered since the step before the last.
         recording: folder into which the whole run is recorded, or "".
 
     Args:
-        room: what runs may ask.
+        drones: their pilots' steps, and what runs may ask.
         rehearsals: each flight is rehearsed first.
         actions: does what runs want done.
-        inbox: the pilot's steps.
     """
 
     def __init__(
-        self,
-        room: TaskRoom,
-        rehearsals: TaskRehearsals,
-        actions: TaskActions,
-        inbox: StepInbox,
+        self, drones: TaskDrones, rehearsals: TaskRehearsals, actions: TaskActions
     ) -> None:
-        self._room, self._rehearsals = room, rehearsals
-        self._actions, self._inbox = actions, inbox
+        self._drones, self._rehearsals, self._actions = drones, rehearsals, actions
         self._records: dict[int, TaskRecord] = {}
-        self._pilot = inbox.run
-        self._steps = -1
-        self._sent_home_at = float("-inf")
-        self.person_ordered = False
+        self._pilots = {name: _PilotWatch(drone.inbox) for name, drone in drones.items()}
+        self._sent_home_at = dict.fromkeys(drones, float("-inf"))
+        self.person_ordered: frozenset[str] = frozenset()
         self.recording = ""
         self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
             StartTask: _start,
@@ -82,15 +75,19 @@ class TaskRuns:
             ContinueRun: lambda record, _: _resume(record),
         }
 
-    def add(self, number: int, task: BoundTask, *, is_urgent: bool = True) -> TaskRecord:
+    def add(
+        self, number: int, task: BoundTask, drone: str = "", *, is_urgent: bool = True
+    ) -> TaskRecord:
         """Take a task; one that flies is rehearsed soon, so that people hear early.
 
         Args:
             number: of the task.
             task: bound to its parameters.
+            drone: that is to fly it; "" for any.
             is_urgent: whether a person waits for it.
         """
-        record = self._records[number] = TaskRecord(task, recording=self.recording)
+        name = self._drones.of(drone).name
+        record = self._records[number] = TaskRecord(task, recording=self.recording, drone=name)
         if task.flies:
             urgency = RehearsalUrgency.FLIGHT if is_urgent else RehearsalUrgency.MACHINE
             self._rehearsals.begin(record, urgency)
@@ -129,40 +126,44 @@ class TaskRuns:
                 yield number, report
 
     def step(
-        self, tasks: Iterable[ScheduledTask], drone: DroneAvailability, now: float, unix: float
+        self,
+        tasks: Iterable[ScheduledTask],
+        drones: Iterable[DroneAvailability],
+        now: float,
+        unix: float,
     ) -> tuple[RunReport, ...]:
         """Step every active run once, as far as the pilot's news are fresh; return how far it is.
 
         Args:
             tasks: of the queue.
-            drone: whether it may be ordered now.
-            now: the pilot's clock [s].
+            drones: whether each may be ordered now.
+            now: the pilots' clock [s].
             unix: the same moment as Unix time [s].
         """
-        age = self._inbox.age(now)
-        is_fresh = self._inbox.steps != self._steps and age <= SILENT_TIME
-        inputs = self._inbox.drain(now, unix, keep=not is_fresh)
-        lost = self._lost(age)
-        self._steps, self._pilot = self._inbox.steps, self._inbox.run
-        self.person_ordered = bool(inputs.orders)
+        availability = {one.name: one for one in drones}
+        news = {name: pilot.news(now, unix) for name, pilot in self._pilots.items()}
+        self.person_ordered = frozenset(name for name, one in news.items() if one.inputs.orders)
         reports = []
         for task in tasks:
             record = self._records.get(task.id)
             if record is None or task.state not in ACTIVE:
                 continue
+            _hand_over(record, task.drone)
+            pilot, drone = news[record.drone], availability[record.drone]
             if record.run is None or record.resumes:
-                if task.traits.flies and self.person_ordered:
+                if task.traits.flies and record.drone in self.person_ordered:
                     words = Words("a person ordered the drone before it began")
                     record.abandon(ReasonCode.PERSON_TOOK_OVER, words, TaskStage.CANCELLED)
                 elif task.state is QueueState.RUNNING:  # not while it is paused
                     self._begin(task, record, drone, unix)
-            elif task.traits.flies and lost:
-                record.abandon(ReasonCode.NOT_READY, literal(lost))
+            elif task.traits.flies and pilot.lost:
+                record.abandon(ReasonCode.NOT_READY, literal(pilot.lost))
             # What begins now gives its first order now: no tick is lost on the way into the air.
-            if not record.resumes and (not task.traits.flies or (is_fresh and not lost)):
-                self._step_one(task, record, inputs)
+            is_heard = pilot.is_fresh and not pilot.lost
+            if not record.resumes and (not task.traits.flies or is_heard):
+                self._step_one(task, record, pilot.inputs)
             if task.traits.flies and record.run is not None:
-                record.watch_flight(self._inbox.is_airborne, now, unix)
+                record.watch_flight(self._is_airborne(record), now, unix)
             reports.append(_report_of(task.id, record))
         return tuple(reports)
 
@@ -171,36 +172,32 @@ class TaskRuns:
         for report in reports:
             record = self._records.get(report.id)
             has_run = record is not None and record.run is not None and record.task.flies
-            if report.stage in ENDED and has_run:
-                self._inbox.give_up()
+            if record is not None and report.stage in ENDED and has_run:
+                self._drones[record.drone].inbox.give_up()
 
-    def bring_home(self, now: float) -> None:
+    def bring_home(self, name: str, now: float) -> None:
         """Send home a drone that a task left in the air, as when the next one was called off.
 
         Args:
-            now: the pilot's clock [s]; no task has the drone then.
+            name: of the drone; no task has it.
+            now: the pilot's clock [s].
         """
-        is_left = self._inbox.is_airborne and self._inbox.is_flown_by_task
-        step, is_due = self._inbox.newest, now - self._sent_home_at > _HOME_REPEAT
+        inbox, is_due = self._drones[name].inbox, now - self._sent_home_at[name] > _HOME_REPEAT
+        is_left, step = inbox.is_airborne and inbox.is_flown_by_task, inbox.newest
         if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
-            self._sent_home_at = now
-            self._actions.send_home(now)
+            self._sent_home_at[name] = now
+            self._actions.send_home(name, now)
 
     def _resume_task(self, record: TaskRecord) -> None:
         """Go on with a run that was set aside; from the ground only after another rehearsal."""
-        if self._inbox.is_airborne or not record.task.flies:
+        if self._is_airborne(record) or not record.task.flies:
             _resume(record)
         else:
             record.resumes = True
             self._rehearsals.begin(record)
 
-    def _lost(self, age: float) -> str:
-        """Return why a flight can no longer be followed, or ""."""
-        if self._inbox.run != self._pilot:
-            return "the pilot was started again; the drone comes home or lands by itself"
-        if age > LOST_TIME:
-            return "the pilot does not answer; the drone lands by itself"
-        return ""
+    def _is_airborne(self, record: TaskRecord) -> bool:
+        return self._drones[record.drone].inbox.is_airborne
 
     def _begin(
         self, task: ScheduledTask, record: TaskRecord, drone: DroneAvailability, unix: float
@@ -223,7 +220,7 @@ class TaskRuns:
             record.resumes = False
             record.run.resume()
             return
-        record.run = TaskRun(record.task, self._room)
+        record.run = TaskRun(record.task, self._drones[record.drone].room)
         self._actions.tell("task started", task, unix, title=task.traits.title)
 
     def _step_one(self, task: ScheduledTask, record: TaskRecord, inputs: TaskInputs) -> None:
@@ -238,10 +235,56 @@ class TaskRuns:
                 "a step failed inside ({error}); the log says why", error=type(error).__name__
             )
             record.abandon(ReasonCode.STEP_FAILED, words)
-            is_up = task.traits.flies and self._inbox.is_airborne
+            is_up = task.traits.flies and self._is_airborne(record)
             actions = (GiveOrder(Order(OrderKind.HOME, source=OrderSource.TASK)),) if is_up else ()
         record.steps = run.steps
         self._actions.perform(task, record, actions, inputs.now, inputs.unix)
+
+
+@dataclass(frozen=True, slots=True)
+class _PilotNews:
+    """What a pilot said since the last tick.
+
+    Attributes:
+        is_fresh: it has made a step, lately.
+        lost: why a flight can no longer be followed, or "".
+        inputs: of the runs of its drone.
+    """
+
+    is_fresh: bool
+    lost: str
+    inputs: TaskInputs
+
+
+class _PilotWatch:
+    """Tells what is new of one drone's pilot, and whether it still is the same."""
+
+    def __init__(self, inbox: StepInbox) -> None:
+        self._inbox, self._run, self._steps = inbox, inbox.run, -1
+
+    def news(self, now: float, unix: float) -> _PilotNews:
+        age = self._inbox.age(now)
+        is_fresh = self._inbox.steps != self._steps and age <= SILENT_TIME
+        inputs = self._inbox.drain(now, unix, keep=not is_fresh)
+        lost = self._lost(age)
+        self._steps, self._run = self._inbox.steps, self._inbox.run
+        return _PilotNews(is_fresh, lost, inputs)
+
+    def _lost(self, age: float) -> str:
+        if self._inbox.run != self._run:
+            return "the pilot was started again; the drone comes home or lands by itself"
+        if age > LOST_TIME:
+            return "the pilot does not answer; the drone lands by itself"
+        return ""
+
+
+def _hand_over(record: TaskRecord, drone: str) -> None:
+    """Let another drone than the one that was rehearsed fly a task: it is rehearsed anew."""
+    if drone in ("", record.drone):
+        return
+    if record.rehearsal is not None:
+        record.rehearsal.cancel()
+    record.drone, record.rehearsal, record.rehearsed_at = drone, None, float("-inf")
 
 
 def _report_of(number: int, record: TaskRecord) -> RunReport:

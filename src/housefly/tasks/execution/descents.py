@@ -29,7 +29,7 @@ class Descent(FlightStep):
     def proceed(self) -> bool:
         """Wait until it stands."""
         if self.context.stands and not self.context.orders.is_open(self.context.inputs.now):
-            if fault := self.context.footing_fault:
+            if fault := self.context.standing_fault:
                 raise StepFailed(fault, ReasonCode.SAFETY)
             return True
         if self.context.inputs.status is DroneStatus.EMERGENCY:

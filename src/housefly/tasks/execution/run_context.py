@@ -6,24 +6,18 @@ from dataclasses import dataclass, field, replace
 from math import inf
 
 from housefly.errors import HouseflyError
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import Vec2
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.messages.words import Words
-from housefly.pilot.behavior.standing import NEVER_STOOD, Footing
+from housefly.pilot.behavior.standing import NEVER_STOOD, StandingHeight
 from housefly.tasks.api.values import ReasonCode, TaskStepState
 from housefly.tasks.document.templates import plain_text
 from housefly.tasks.execution.order_tracker import OrderTracker
 from housefly.tasks.execution.task_room import TaskRoom
-from housefly.tasks.execution.values import (
-    GiveOrder,
-    StartClip,
-    StopClip,
-    TakeSnapshot,
-    TaskAction,
-    TaskInputs,
-)
+from housefly.tasks.execution.values import GiveOrder, StopClip, TaskAction, TaskInputs
 
 _FAILED = Words("a step failed")
 
@@ -61,7 +55,7 @@ class RunContext:
         flights: steps that fly now.
         clips: clips that steps record now, inside each other.
         picture_poses: where the drone was at each picture: world xy [m], heading [rad].
-        footing: where the drone stood before the task flew it.
+        standing: where the drone stood before the task flew it.
     """
 
     service: str
@@ -84,14 +78,14 @@ class RunContext:
     given: int = 0
     clips: int = 0
     picture_poses: list[tuple[Vec2, float]] = field(default_factory=list)
-    footing: Footing = NEVER_STOOD
+    standing: StandingHeight = NEVER_STOOD
 
     def hear(self, inputs: TaskInputs) -> None:
         """Take in the present tick."""
         self.inputs = inputs
         stands = inputs.status is DroneStatus.LANDED and not self.has_flown
         if stands and inputs.position is not None:
-            self.footing = self.footing.stood_at(inputs.position[2], inputs.pose_age)
+            self.standing = self.standing.stood_at(inputs.position[2], inputs.pose_age)
 
     def text(self, template: str) -> str:
         """Return a text with what steps found filled in: ids, for the room."""
@@ -184,12 +178,12 @@ class RunContext:
         return self.inputs.phase is Phase.IDLE and status in (None, DroneStatus.LANDED)
 
     @property
-    def footing_fault(self) -> str:
+    def standing_fault(self) -> str:
         """What is wrong with where the drone came down, in words, or ""."""
         inputs = self.inputs
         if not (self.has_flown and self.stands) or inputs.position is None:
             return ""
-        return self.footing.fault(inputs.position[2], inputs.pose_age)
+        return self.standing.fault(inputs.position[2], inputs.pose_age)
 
     @property
     def hovers(self) -> bool:

@@ -293,7 +293,7 @@ class TaskRun:
 
     def _on_its_feet(self, end: _End) -> _End:
         """Return how it ended: not done where the drone came down on something."""
-        (stage, code, words), fault = end, self._context.footing_fault
+        (stage, code, words), fault = end, self._context.standing_fault
         if not fault or words == fault:
             return end
         if stage is TaskStage.DONE:

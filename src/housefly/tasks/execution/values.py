@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.geometry import Vec3
 from housefly.messages import DroneStatus, Event, Order, OrderAnswer, Phase, SafetyMode
 
@@ -62,30 +63,8 @@ class GiveOrder:
 
 
 @dataclass(frozen=True, slots=True)
-class StartClip:
-    """Record from now on, with seconds of the past before it [s].
-
-    ``place``, ``thing`` and ``people`` are what the clip shows; "" and () where not known.
-    """
-
-    before: float = 5.0
-    place: str = ""
-    thing: str = ""
-    people: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
 class StopClip:
     """End the clip."""
-
-
-@dataclass(frozen=True, slots=True)
-class TakeSnapshot:
-    """Keep one picture, of a place, a thing or people."""
-
-    place: str = ""
-    thing: str = ""
-    people: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

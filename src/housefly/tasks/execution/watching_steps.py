@@ -9,6 +9,7 @@ from housefly.config.people import PeopleConfig
 from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.messages import Order, OrderKind
+from housefly.room.level_camera import FRONT_CAMERA
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import (
     ARRIVED_WITHIN,
@@ -23,7 +24,6 @@ from housefly.tasks.execution.flight_steps import (
 from housefly.tasks.execution.last_seen import ANYBODY, age_of
 from housefly.tasks.execution.step_behavior import StepFailed
 from housefly.tasks.execution.values import Say
-from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
 SWEEP_RADIUS = 2.0

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.tasks.api.answers import ClipsAnswer, TaskBoard
+from housefly.evidence.clip_values import ClipsAnswer
+from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.intents.intent import Intent
 from housefly.tasks.intents.names import Names
 from housefly.tasks.intents.recognizer import recognizer

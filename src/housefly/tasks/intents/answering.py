@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, LinkError, ThingError
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.hub.client.room_queries import RoomQueries
 from housefly.hub.situations.kinds import SituationKind
 from housefly.messages import OrderKind
-from housefly.tasks.api.questions import BoardQuestion, ClipsQuestion, SetMode
-from housefly.tasks.api.values import HouseMode, TaskRequest
+from housefly.tasks.api.questions import BoardQuestion, SetMode
+from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.answer_past import answer_came_at, answer_what_happened
 from housefly.tasks.intents.answer_people import (
     BELL,

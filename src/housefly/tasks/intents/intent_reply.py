@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from housefly.evidence.clip_values import ClipsQuestion
 from housefly.messages import OrderKind
-from housefly.tasks.api.questions import BoardQuestion, ClipsQuestion, SetMode
+from housefly.tasks.api.questions import BoardQuestion, SetMode
 from housefly.tasks.api.values import TaskRequest
 from housefly.tasks.intents.speech import Speech
 

@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
+from housefly.config.house_mode import HouseMode
 from housefly.hub.api.answers import EventAnswer
 from housefly.hub.api.questions import EventsQuestion, Question
 from housefly.messages import RoomEvent
 from housefly.tasks.api.answers import FiringsAnswer, RuleFiring
-from housefly.tasks.api.values import HouseMode, ReasonCode
+from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.rules.mode_event import MODE_CHANGED, mode_after, mode_before
 from housefly.tasks.rules.room_facts import RoomFacts
 from housefly.tasks.rules.rule_engine import RuleEngine

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from housefly.config.house_mode import HouseMode
 from housefly.hub.api.told_events import TOLD_EVENT_SOURCE
 from housefly.messages import RoomEvent
-from housefly.tasks.api.values import HouseMode
 
 MODE_CHANGED = "mode changed"
 _THING = "house"

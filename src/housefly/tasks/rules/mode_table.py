@@ -2,19 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
-from housefly.config.tasks import PrivacyZone
-from housefly.tasks.api.values import (
-    ATTENDED,
-    Confirm,
-    HouseMode,
-    Priority,
-    ReasonCode,
-    RequestSurface,
-)
+from housefly.config.house_mode import HouseMode
+from housefly.tasks.api.values import ATTENDED, Confirm, Priority, ReasonCode, RequestSurface
 
 
 class UnattendedLaunch(Enum):
@@ -33,37 +25,33 @@ class ModeRules:
     Attributes:
         person: whether people may fly tasks.
         unattended: what may launch when no person asks.
-        records: whether clips and snapshots are made.
         words: all of it, for people.
     """
 
     person: bool
     unattended: UnattendedLaunch
-    records: bool
     words: str
 
 
 MODE_TABLE = {
     HouseMode.HOME: ModeRules(
-        True, UnattendedLaunch.AS_ASKED, True, "people and rules may fly; tasks may record"
+        True, UnattendedLaunch.AS_ASKED, "people and rules may fly; tasks may record"
     ),
     HouseMode.AWAY: ModeRules(
-        True, UnattendedLaunch.AS_ASKED, True, "people and rules may fly; tasks may record"
+        True, UnattendedLaunch.AS_ASKED, "people and rules may fly; tasks may record"
     ),
     HouseMode.NIGHT: ModeRules(
         True,
         UnattendedLaunch.NAMED,
-        True,
         "people may fly, of rules only alarms and those made for the night; tasks may record",
     ),
     HouseMode.PRIVACY: ModeRules(
         True,
         UnattendedLaunch.ALARM_AFTER_YES,
-        False,
         "nothing flies by itself and nothing records; an alarm asks first",
     ),
     HouseMode.MAINTENANCE: ModeRules(
-        False, UnattendedLaunch.NEVER, False, "no task flies and nothing records"
+        False, UnattendedLaunch.NEVER, "no task flies and nothing records"
     ),
 }
 """All modes; the console, the rules and the camera read the same table."""
@@ -117,16 +105,6 @@ def launch_permit(
         case UnattendedLaunch.NEVER:
             is_given = False
     return LaunchPermit(ReasonCode.OK, confirm) if is_given else _refused(mode, confirm)
-
-
-def may_record(mode: HouseMode) -> bool:
-    """Return whether clips and snapshots may be made in a mode."""
-    return MODE_TABLE[mode].records
-
-
-def private_zones(mode: HouseMode, zones: Iterable[PrivacyZone]) -> tuple[PrivacyZone, ...]:
-    """Return the zones that no picture shows in a mode."""
-    return tuple(zone for zone in zones if not zone.modes or mode.value in zone.modes)
 
 
 def _stricter(confirm: Confirm) -> Confirm:

@@ -6,15 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import tzinfo
 
+from housefly.config.house_mode import HouseMode
 from housefly.tasks.api.answers import RuleFiring, RuleStatus
-from housefly.tasks.api.values import (
-    Confirm,
-    HouseMode,
-    Priority,
-    ReasonCode,
-    RequestSurface,
-    TaskRequest,
-)
+from housefly.tasks.api.values import Confirm, Priority, ReasonCode, RequestSurface, TaskRequest
 from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.rules.room_facts import RoomFacts
 from housefly.tasks.rules.rule import Rule, TimePattern

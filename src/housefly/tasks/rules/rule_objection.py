@@ -6,7 +6,8 @@ import re
 from dataclasses import dataclass
 from datetime import tzinfo
 
-from housefly.tasks.api.values import HouseMode, ParameterValue, ReasonCode
+from housefly.config.house_mode import HouseMode
+from housefly.tasks.api.values import ParameterValue, ReasonCode
 from housefly.tasks.rules.room_facts import RoomFacts
 from housefly.tasks.rules.rule import REFERENCE, Conditions, Rule
 from housefly.tasks.rules.rule_memory import RuleMemory

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Protocol
 
+from housefly.config.house_mode import HouseMode
 from housefly.messages import RoomEvent
 from housefly.tasks.api.answers import ModeAnswer, RulesAnswer, RuleStatus
-from housefly.tasks.api.values import HouseMode
 from housefly.tasks.rules.mode_event import mode_event
 from housefly.tasks.rules.mode_table import MODE_TABLE
 from housefly.tasks.rules.room_facts import RoomFacts

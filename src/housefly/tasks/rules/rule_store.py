@@ -9,8 +9,8 @@ from pathlib import Path
 from pydantic import TypeAdapter, ValidationError
 
 from housefly.config.durable import sync_folder
+from housefly.config.house_mode import HouseMode
 from housefly.errors import StoreError
-from housefly.tasks.api.values import HouseMode
 from housefly.tasks.rules.rule_memory import RuleMemory
 
 _FILE = "rules.json"

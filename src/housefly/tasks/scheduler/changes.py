@@ -144,6 +144,10 @@ class QueueChanges:
         state = _Q.ASKED_AGAIN if began else _Q.WAITING
         return replace(task, state=state, question=question, words=why)
 
+    def take(self, task_id: int, drone: str) -> None:
+        """Give a task the drone that is to fly it."""
+        self._tasks[task_id] = replace(self.task(task_id), drone=drone)
+
     def agree(self, task_id: int, by: str, now: float) -> None:
         """Take a yes: from now on the task counts as freshly wanted."""
         self._tasks[task_id] = replace(self.task(task_id), fresh_at=now)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from housefly.errors import TaskError
+from housefly.geometry import distance
 from housefly.messages.words import Words
 from housefly.tasks.api.values import (
     Confirm,
@@ -149,7 +150,7 @@ class Scheduler:
         return self._after(changes)
 
     def ticked(
-        self, now: float, runs: Sequence[RunReport], drone: DroneAvailability
+        self, now: float, runs: Sequence[RunReport], *drones: DroneAvailability
     ) -> tuple[Scheduler, tuple[Decision, ...]]:
         """Take what the runs report, end what is late, and start what may start."""
         changes = QueueChanges(self.limits, self.tasks)
@@ -158,15 +159,16 @@ class Scheduler:
                 changes.run_ended(run, _ENDINGS[run.stage], now)
         self._end_late(changes, now)
         self._start_beside(changes, now)
-        if drone.is_ready:
-            self._fly_next(changes, {run.id for run in runs if run.is_safe_point}, now)
+        safe = {run.id for run in runs if run.is_safe_point}
+        self._fly_next(changes, {one.name: one for one in drones if one.is_ready}, safe, now)
         return self._after(changes)
 
-    def taken_over(self, now: float) -> tuple[Scheduler, tuple[Decision, ...]]:
-        """A person flies by hand: what waits for the drone asks again before it takes off."""
+    def taken_over(self, now: float, drone: str) -> tuple[Scheduler, tuple[Decision, ...]]:
+        """A person flies by hand: what could have that drone asks again before it takes off."""
         changes = QueueChanges(self.limits, self.tasks)
         for task in self.tasks:
-            if task.traits.flies and task.state in (QueueState.QUEUED, QueueState.SUSPENDED):
+            waits = task.state in (QueueState.QUEUED, QueueState.SUSPENDED)
+            if task.traits.flies and waits and task.wanted_drone in ("", drone):
                 changes.signal(task.id, TaskSignal.STALE, now)
         return self._after(changes)
 
@@ -205,19 +207,31 @@ class Scheduler:
                 return
             changes.signal(task.id, TaskSignal.TURN, now)
 
-    def _fly_next(self, changes: QueueChanges, safe: set[int], now: float) -> None:
-        """Start the next flight where the drone is free or can be taken; ask where it is stale."""
-        while (task := turns.next_task(changes.open, flies=True)) is not None:
-            holder = next((each for each in changes.open if _has_run(each, flies=True)), None)
-            if holder is not None and not _may_take(task, holder, safe):
+    def _fly_next(
+        self,
+        changes: QueueChanges,
+        ready: dict[str, DroneAvailability],
+        safe: set[int],
+        now: float,
+    ) -> None:
+        """Start the next flights where a drone is free or can be taken; ask where one is stale."""
+        passed = set[int]()
+        while ready:
+            waiting = [task for task in changes.open if task.id not in passed]
+            if (task := turns.next_task(waiting, flies=True)) is None:
                 return
+            drone = _drone_for(task, ready.values(), changes.open, safe)
+            if drone is None:
+                passed.add(task.id)
+                continue
             if not -_CLOCK_STEP <= now - task.fresh_at <= self.limits.fresh_time:
                 changes.signal(task.id, TaskSignal.STALE, now)
                 continue
-            if holder is not None:
+            if (holder := holder_of(drone.name, changes.open)) is not None:
                 changes.preempt(holder, task, now)
+            changes.take(task.id, drone.name)
             changes.signal(task.id, TaskSignal.TURN, now)
-            return
+            del ready[drone.name]
 
     def _after(
         self, changes: QueueChanges, next_id: int | None = None
@@ -235,6 +249,38 @@ def _confirm_of(request: TaskRequest, traits: TaskTraits) -> Confirm:
 
 def _has_run(task: ScheduledTask, *, flies: bool) -> bool:
     return task.state in ACTIVE and task.traits.flies is flies
+
+
+def holder_of(drone: str, tasks: Iterable[ScheduledTask]) -> ScheduledTask | None:
+    """Return the task that has a drone, or None."""
+    flying = (each for each in tasks if _has_run(each, flies=True))
+    return next((each for each in flying if each.drone in ("", drone)), None)
+
+
+def _drone_for(
+    task: ScheduledTask,
+    ready: Iterable[DroneAvailability],
+    tasks: Sequence[ScheduledTask],
+    safe: set[int],
+) -> DroneAvailability | None:
+    """Return the drone that a task takes: a free one, the nearest; else one that makes way."""
+    fit = [one for one in ready if task.wanted_drone in ("", one.name)]
+    holders = {one.name: holder_of(one.name, tasks) for one in fit}
+    free = [one for one in fit if holders[one.name] is None]
+    if free:
+        return min(free, key=lambda one: _distance_to_go(one, task))
+    for one in fit:
+        if (holder := holders[one.name]) is not None and _may_take(task, holder, safe):
+            return one
+    return None
+
+
+def _distance_to_go(drone: DroneAvailability, task: ScheduledTask) -> float:
+    """Return how far a drone is from the farthest point of a task's way [m]; 0 where unknown."""
+    way = task.rehearsal.way if task.rehearsal is not None else ()
+    if drone.place is None or not way:
+        return 0.0
+    return distance(drone.place, max(way, key=lambda point: distance(way[0], point)))
 
 
 def _may_take(task: ScheduledTask, holder: ScheduledTask, safe: set[int]) -> bool:

@@ -52,13 +52,14 @@ def order_of_flight(tasks: Iterable[ScheduledTask]) -> tuple[ScheduledTask, ...]
 
 
 def same_that_waits(request: TaskRequest, tasks: Iterable[ScheduledTask]) -> ScheduledTask | None:
-    """Return the task that waits for the same service with the same parameters."""
-    wanted = (request.service, request.parameters)
+    """Return the task that waits for the same service with the same parameters and drone."""
+    wanted = (request.service, request.parameters, request.drone)
     return next(
         (
             task
             for task in tasks
-            if task.state in NOT_BEGUN and (task.request.service, task.request.parameters) == wanted
+            if task.state in NOT_BEGUN
+            and (task.request.service, task.request.parameters, task.request.drone) == wanted
         ),
         None,
     )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from housefly.config.drone import DRONE_NAME
+from housefly.geometry import Vec2
 from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.values import (
     ATTENDED,
@@ -17,6 +19,7 @@ from housefly.tasks.api.values import (
 )
 from housefly.tasks.scheduler.transitions import STAGES, QueueState
 
+_KEEPS_DRONE = frozenset({QueueState.SUSPENDED, QueueState.HELD_SUSPENDED})
 CONFIRM = "confirm"
 """Id of the question whether a task may begin."""
 
@@ -75,6 +78,7 @@ class ScheduledTask:
         code, words: why it is where it is, in one sentence; "" says nothing beyond the state.
         question: what a person is asked, or None.
         rehearsal: the newest, or None.
+        drone: that flies it, or flew it last; "" while that may be any.
     """
 
     id: int
@@ -90,6 +94,7 @@ class ScheduledTask:
     rehearsal: RehearsalReport | None = None
     started_at: float | None = None
     ended_at: float | None = None
+    drone: str = ""
 
     @property
     def stage(self) -> TaskStage:
@@ -105,6 +110,11 @@ class ScheduledTask:
     def lane(self) -> str:
         """Whose turn it is when it is this task's turn."""
         return self.request.owner or self.asker
+
+    @property
+    def wanted_drone(self) -> str:
+        """The only drone that may fly it; a run that was set aside stays with its own."""
+        return self.drone if self.state in _KEEPS_DRONE else self.request.drone
 
     @property
     def is_attended(self) -> bool:
@@ -134,10 +144,18 @@ class RunReport:
 
 @dataclass(frozen=True, slots=True)
 class DroneAvailability:
-    """Whether tasks may order the drone now; else why not, as in "the drone charges (43 %)"."""
+    """Whether tasks may order a drone now; else why not, as in "the drone charges (43 %)".
+
+    Attributes:
+        is_ready, words: that.
+        name: of the drone.
+        place: where it is, world xy [m]; None where that is not known.
+    """
 
     is_ready: bool
     words: Words = UNSAID
+    name: str = DRONE_NAME
+    place: Vec2 | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from threading import Lock
@@ -14,8 +14,9 @@ from housefly.hub.client.room_queries import AskedRoom
 from housefly.messages import OrderKind
 from housefly.messages.words import literal
 from housefly.tasks.api.answers import SentenceAnswer
-from housefly.tasks.api.questions import BoardQuestion, Sentence, SetMode, TaskQuestion
+from housefly.tasks.api.questions import BoardQuestion, Sentence, SetMode, TakePhoto, TaskQuestion
 from housefly.tasks.api.values import ATTENDED, ReasonCode, TaskRequest, TaskStage, TaskStatus
+from housefly.tasks.engine.drone_state import DronePlace
 from housefly.tasks.intents.answer_tasks import words_of_answer
 from housefly.tasks.intents.answering import answer_intent
 from housefly.tasks.intents.intent import Intent, Language
@@ -24,7 +25,7 @@ from housefly.tasks.intents.names import Names, names_of
 from housefly.tasks.intents.not_understood import NotUnderstood
 from housefly.tasks.intents.phrases import Phrases, phrases
 from housefly.tasks.intents.recognizer import recognize, recognizer
-from housefly.tasks.service.drone_state import DronePlace
+from housefly.tasks.service.drone_named import drone_named
 
 _log = logging.getLogger(__name__)
 
@@ -53,14 +54,15 @@ class SentenceEffects:
 
     Attributes:
         request: asks for a service.
-        order: gives the pilot an order, in somebody's name; returns where the drone is.
+        order: gives an order, in somebody's name, to a drone or to all that it concerns; returns
+            where they are.
         act: does something with a task.
         ask: answers another question to the tasks.
         notice: keeps what somebody, an id, wants to be told; False when that is too much.
     """
 
     request: Callable[[TaskRequest], TaskStatus]
-    order: Callable[[OrderKind, str], DronePlace]
+    order: Callable[[OrderKind, str, str], DronePlace]
     act: TaskActing
     ask: Callable[[TaskQuestion], Any]
     notice: Callable[[Notice, str], bool]
@@ -76,6 +78,7 @@ class Sentences:
         names: of the room, until its memory tells more.
         own: folder with sentence files of one's own, or None.
         has_drone: whether a flight can be offered.
+        drones: their names; a sentence may name one.
     """
 
     def __init__(
@@ -87,14 +90,17 @@ class Sentences:
         own: Path | None = None,
         *,
         has_drone: bool = True,
+        drones: Iterable[str] = (),
     ) -> None:
-        self._has_drone = has_drone
+        self._has_drone, self._drones = has_drone, tuple(drones)
         self._room, self._do, self._wall, self._own = room, effects, wall, own
         self._names, self._names_at = names, float("-inf")
         self._lock = Lock()
 
     def answer(self, sentence: Sentence) -> SentenceAnswer:
         """Return what became of a sentence; raises TaskError when its task is refused."""
+        text, drone = drone_named(sentence.text, self._drones)
+        sentence = replace(sentence, text=text, drone=drone or sentence.drone)
         own = self._own_sentences(sentence.language)
         # STOP waits for no memory.
         is_stop = recognizer(sentence.language, own).is_only_stop(sentence.text)
@@ -126,7 +132,7 @@ class Sentences:
             code = ReasonCode.NOT_ALLOWED
             return replace(answer, words=literal(say(objection)), code=code)
         if reply.order is not None:
-            place = self._do.order(reply.order, _by(sentence))
+            place = self._do.order(reply.order, _by(sentence), sentence.drone)
             return replace(answer, words=literal(say.joined(reply.words, say(_PLACES[place]))))
         if reply.request is not None:
             return _asked(answer, self._do.request(_of(reply.request, sentence)), say)
@@ -145,7 +151,10 @@ class Sentences:
         if isinstance(reply.question, SetMode):
             self._do.ask(replace(reply.question, by=_by(sentence)))
         elif reply.question is not None:
-            found = self._do.ask(reply.question)
+            question = reply.question
+            if isinstance(question, TakePhoto):
+                question = replace(question, drone=sentence.drone)
+            found = self._do.ask(question)
             words = words_of_answer(meant, found, self._names, self._wall(), self._own)
             return replace(answer, words=literal(words))
         return answer
@@ -229,4 +238,5 @@ def _of(request: TaskRequest, sentence: Sentence) -> TaskRequest:
         surface=sentence.surface,
         confirm=sentence.confirm,
         owner=sentence.owner,
+        drone=sentence.drone,
     )

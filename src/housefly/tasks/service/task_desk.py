@@ -21,6 +21,7 @@ from housefly.tasks.api.values import (
 from housefly.tasks.document.library import bind
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.task_drones import TaskDrones
 from housefly.tasks.engine.task_engine import TaskEngine
 from housefly.tasks.engine.task_outlet import TaskOutlet, task_event
 from housefly.tasks.rules.mode_table import launch_permit
@@ -46,6 +47,7 @@ class TaskDesk:
         outlet: hears of events.
         store: keeps what people want to be told.
         wall: Unix time [s].
+        drones: of the site.
 
     Attributes:
         lock: guards the engine and the store.
@@ -60,7 +62,9 @@ class TaskDesk:
         outlet: TaskOutlet,
         store: TaskStore,
         wall: Callable[[], float],
+        drones: TaskDrones,
     ) -> None:
+        self._drones = drones
         self.lock = RLock()
         self.notices = Notices(store, self.lock, wall)
         self._library, self._engine, self._rules = library, engine, rules
@@ -76,6 +80,7 @@ class TaskDesk:
         Raises:
             TaskError: UNKNOWN_SERVICE, BAD_PARAMETER, MODE, or why the queue refuses it.
         """
+        self._drones.check(request.drone)
         task = self.bound(request.service, request.parameters)
         permit = launch_permit(
             self._rules.mode,

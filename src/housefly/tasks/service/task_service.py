@@ -14,12 +14,20 @@ from threading import Lock
 from typing import Any
 
 from housefly.errors import HouseflyError, TaskError
-from housefly.hub.client.room_queries import AskedRoom
-from housefly.messages import Order, OrderKind, Phase
-from housefly.messages.order_fault import NAME_LENGTH_MAX
-from housefly.messages.words import literal
-from housefly.tasks.api.answers import (
+from housefly.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_values import (
     ClipsAnswer,
+    ClipsQuestion,
+    DeleteClip,
+    KeepClip,
+    TakeSnapshot,
+)
+from housefly.hub.client.room_queries import AskedRoom
+from housefly.messages import Order, OrderKind
+from housefly.messages.order_fault import NAME_LENGTH_MAX
+from housefly.messages.words import Words, joined, literal
+from housefly.tasks.api.answers import (
     FiringsAnswer,
     ModeAnswer,
     RehearsalAnswer,
@@ -37,11 +45,8 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
-    ClipsQuestion,
     ContinueTask,
-    DeleteClip,
     DryRunQuestion,
-    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -58,14 +63,17 @@ from housefly.tasks.api.questions import (
 from housefly.tasks.api.values import ATTENDED, ReasonCode, RequestSurface, TaskRequest, TaskStatus
 from housefly.tasks.document.open_library import NO_DRONE, OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.engine.drone_state import (
+    DronePlace,
+    drone_place,
+    drone_words,
+)
 from housefly.tasks.engine.task_actions import TaskActions
+from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
 from housefly.tasks.engine.task_engine import TaskEngine
 from housefly.tasks.engine.task_outlet import TaskOutlet
 from housefly.tasks.engine.task_rehearsals import TaskRehearsals
-from housefly.tasks.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
-from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
-from housefly.tasks.execution.values import TakeSnapshot
 from housefly.tasks.intents.intent_reply import TaskAct
 from housefly.tasks.intents.names import Names
 from housefly.tasks.intents.stop_words import says_stop
@@ -75,13 +83,6 @@ from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import WebhookTrigger
 from housefly.tasks.scheduler.task_store import TaskStore
 from housefly.tasks.scheduler.values import DroneAvailability
-from housefly.tasks.service.drone_state import (
-    DronePlace,
-    TakeOffReadiness,
-    drone_availability,
-    drone_place,
-    drone_words,
-)
 from housefly.tasks.service.sentences import SentenceEffects, Sentences
 from housefly.tasks.service.task_desk import TaskDesk
 
@@ -106,9 +107,8 @@ class ServiceParts:
         store: of the queue and the history.
         rehearsals: in lock step.
         actions: does and tells.
-        inbox: the pilot's steps.
+        drones: their pilots' steps, and the recorders of their cameras.
         rules: with the mode of the house.
-        clips: recorder and index.
         room: the memory.
         outlet: orders and events go out here.
         names: of the room, until its memory tells more.
@@ -121,14 +121,23 @@ class ServiceParts:
     store: TaskStore
     rehearsals: TaskRehearsals
     actions: TaskActions
-    inbox: StepInbox
+    drones: TaskDrones
     rules: RuleService
-    clips: ClipRecorder
     room: AskedRoom
     outlet: TaskOutlet
     names: Names
     own_sentences: Path | None = None
     has_drone: bool = True
+
+    @property
+    def inbox(self) -> StepInbox:
+        """The steps of the first drone's pilot."""
+        return self.drones.first.inbox
+
+    @property
+    def clips(self) -> ClipRecorder:
+        """The first drone's recorder; the index is of all."""
+        return self.drones.first.clips
 
 
 class TaskService:
@@ -141,17 +150,21 @@ class TaskService:
 
     Attributes:
         desk: takes requests; the rules hear of triggers there.
-        readiness: what the pilot's pre-flight list says; whoever asks the pilot sets it.
     """
 
     def __init__(
         self, parts: ServiceParts, clock: Callable[[], float], wall: Callable[[], float]
     ) -> None:
-        self.readiness = TakeOffReadiness()
         self._parts, self._clock, self._wall = parts, clock, wall
         self._pace = _RequestRate(clock)
         self.desk = TaskDesk(
-            parts.library, parts.engine, parts.rules, parts.outlet, parts.store, wall
+            parts.library,
+            parts.engine,
+            parts.rules,
+            parts.outlet,
+            parts.store,
+            wall,
+            parts.drones,
         )
         effects = SentenceEffects(
             self.desk.request,
@@ -167,6 +180,7 @@ class TaskService:
             parts.names,
             parts.own_sentences,
             has_drone=parts.has_drone,
+            drones=parts.drones,
         )
         self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
             RequestTask: self._request,
@@ -205,22 +219,26 @@ class TaskService:
     def tick(self) -> None:
         """Do what is to be done now."""
         parts, now, unix = self._parts, self._clock(), self._wall()
-        drone = (
-            drone_availability(parts.inbox, self.readiness, now)
+        available = tuple(
+            drone.availability(now)
             if parts.has_drone
-            else DroneAvailability(False, literal(NO_DRONE))
+            else DroneAvailability(False, literal(NO_DRONE), drone.name)
+            for drone in parts.drones.values()
         )
         with self.desk.lock:
-            parts.engine.tick(drone, now, unix)
-            for news in parts.clips.tick(
-                now, unix, parts.inbox.fresh_status(now), parts.rules.mode
-            ):
-                if news.outcome not in KEPT:
-                    parts.engine.drop_clip(news.clip, news.words)
-                    continue
-                task = parts.actions.tell_clip(news.clip, unix)
-                words = news.words if news.outcome is ClipOutcome.CUT_OFF else ""
-                parts.engine.keep_clip(task, news.clip, words)
+            parts.engine.tick(available, now, unix)
+            for drone in parts.drones.values():
+                self._tick_clips(drone, now, unix)
+
+    def _tick_clips(self, drone: TaskDrone, now: float, unix: float) -> None:
+        parts, status = self._parts, drone.inbox.fresh_status(now)
+        for news in drone.clips.tick(now, unix, status, parts.rules.mode):
+            if news.outcome not in KEPT:
+                parts.engine.drop_clip(news.clip, news.words)
+                continue
+            task = parts.actions.tell_clip(drone, news.clip, unix)
+            words = news.words if news.outcome is ClipOutcome.CUT_OFF else ""
+            parts.engine.keep_clip(task, news.clip, words)
 
     def board(self) -> TaskBoard:
         """Return everything that a screen of the tasks shows."""
@@ -229,21 +247,29 @@ class TaskService:
             return TaskBoard(
                 self._wall(),
                 parts.rules.mode,
-                drone_words(parts.inbox, self.readiness, self._clock())
-                if parts.has_drone
-                else literal(NO_DRONE),
-                parts.clips.records,
+                self._drone_words() if parts.has_drone else literal(NO_DRONE),
+                any(drone.clips.records for drone in parts.drones.values()),
                 parts.engine.open,
                 parts.engine.ended,
                 self._notices(),
             )
 
+    def _drone_words(self) -> Words:
+        """Return what each drone does; the only one has no need of a name."""
+        drones, now = self._parts.drones, self._clock()
+        told = {one.name: drone_words(one.inbox, one.readiness, now) for one in drones.values()}
+        if len(told) == 1:
+            return told[drones.first.name]
+        named = [joined(": ", (literal(name), words)) for name, words in told.items()]
+        return joined("; ", named)
+
     def close(self, words: str) -> None:
         """End what runs, sending home what flies; then close clips and store."""
         parts = self._parts
         with self.desk.lock:
-            parts.engine.close(words, parts.inbox.is_airborne, self._clock(), self._wall())
-            parts.clips.close()
+            parts.engine.close(words, self._clock(), self._wall())
+            for drone in parts.drones.values():
+                drone.clips.close()
             parts.store.close()
 
     def _notices(self) -> tuple[str, ...]:
@@ -272,12 +298,15 @@ class TaskService:
             question.priority,
             question.deadline,
             question.owner,
+            question.drone,
         )
         return TasksAnswer((self.desk.request(request),))
 
     def _rehearse(self, question: RehearseTask) -> RehearsalAnswer:
         task = self.desk.bound(question.service, question.parameters)
-        return RehearsalAnswer(self._parts.rehearsals.now(task, question.surface))
+        self._parts.drones.check(question.drone)
+        report = self._parts.rehearsals.now(task, question.surface, question.drone)
+        return RehearsalAnswer(report)
 
     def _reply(self, question: ReplyToTask) -> TasksAnswer:
         with self.desk.lock:
@@ -341,9 +370,11 @@ class TaskService:
 
     def _photo(self, question: TakePhoto) -> ClipsAnswer:
         self._refuse_without_drone()
-        clips, step = self._parts.clips, self._parts.inbox.newest
-        looks = step is not None and step.outputs.phase is Phase.LOOKING
-        wanted = TakeSnapshot(step.outputs.goal_name if step is not None and looks else "")
+        drones = self._parts.drones
+        self._parts.drones.check(question.drone)
+        drone = drones.of(question.drone)
+        clips, step = drone.clips, drone.looking_step
+        wanted = TakeSnapshot(step.outputs.goal_name if step is not None else "")
         name = clips.snapshot(wanted, ClipOrigin(cause=question.by), question.at or None)
         clips.flush(_PHOTO_PATIENCE)
         try:
@@ -360,16 +391,26 @@ class TaskService:
         if not self._parts.has_drone:
             raise TaskError(NO_DRONE, ReasonCode.NO_DRONE.value)
 
-    def _order(self, kind: OrderKind, by: str) -> DronePlace:
-        """Give the pilot an order of a person, for which the tasks make way; return what is true.
+    def _order(self, kind: OrderKind, by: str, drone: str) -> DronePlace:
+        """Give an order of a person, for which the tasks make way; return what is true.
 
-        The order is not done yet then: the pilot tells what became of it.
+        The order is not done yet then: the pilot tells what became of it. Without a drone's name it
+        is for all; what is not STOP is for those that may be in the air.
         """
         self._refuse_without_drone()
-        now = self._clock()
-        sender, order_id = by[:NAME_LENGTH_MAX], token_hex(6)
-        self._parts.outlet.order(Order(kind, issued_at=now, sender=sender, id=order_id))
-        return drone_place(self._parts.inbox, now)
+        self._parts.drones.check(drone)
+        now, drones = self._clock(), self._parts.drones
+        places = {
+            name: drone_place(one.inbox, now) for name, one in drones.items() if drone in ("", name)
+        }
+        up = [name for name, place in places.items() if place is not DronePlace.GROUND]
+        for name in places if kind is OrderKind.STOP or not up else up:
+            sender, order_id = by[:NAME_LENGTH_MAX], token_hex(6)
+            order = Order(kind, issued_at=now, sender=sender, id=order_id)
+            self._parts.outlet.order(order, name)
+        found = set(places.values())
+        worst_first = (DronePlace.AIR, DronePlace.UNKNOWN, DronePlace.GROUND)
+        return next(place for place in worst_first if place in found)
 
     def _act(self, act: TaskAct, by: str, only_of: str = "") -> TaskStatus | None:
         """Cancel, pause or continue the task that flies, or is next; None when there is none."""

@@ -13,9 +13,9 @@ from housefly.messages import Obstacle
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.dijkstra import UNREACHED
 from housefly.room.grid import OccupancyGrid
+from housefly.room.level_camera import FRONT_CAMERA
 from housefly.room.reach import Mask
 from housefly.room.sight import in_sight
-from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.viewing_room import ReachableMap, ViewingRoom
 
 PLACE_EDGE = 0.6

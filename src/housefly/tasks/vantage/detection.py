@@ -15,7 +15,7 @@ from math import tan
 import numpy as np
 
 from housefly.numeric import FloatArray, elementwise
-from housefly.tasks.vantage.camera import FRONT_CAMERA
+from housefly.room.level_camera import FRONT_CAMERA
 
 _PICTURE_WIDTH = 640
 """Of the AR.Drone 2.0's front camera [pixels]."""

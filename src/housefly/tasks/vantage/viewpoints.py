@@ -15,10 +15,10 @@ from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
 from housefly.numeric import FloatArray, elementwise, norm
+from housefly.room.level_camera import FRONT_CAMERA
 from housefly.room.reach import Mask
 from housefly.room.sight import in_sight
 from housefly.tasks.api.values import ReasonCode
-from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.subject import Subject, SubjectKind
 from housefly.tasks.vantage.viewing_room import ReachableMap, ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint

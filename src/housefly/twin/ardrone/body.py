@@ -58,36 +58,37 @@ _ORANGE = "0.95 0.45 0.10 1"
 _BLADE = "0.75 0.78 0.82 0.35"
 
 
-def drone_body(config: DroneConfig, home: Vec2, home_yaw: float) -> str:
-    """Return the MJCF element of the drone standing on its pad.
+def drone_body(config: DroneConfig, home: Vec2, home_yaw: float, body: str = BODY) -> str:
+    """Return the MJCF element of a drone standing on its pad.
 
     Args:
         config: gives the outer size of the hull [m].
         home: where it stands, world xy [m].
         home_yaw: where it faces [rad].
+        body: its name in the model; the names of its parts begin with it.
     """
     orientation = quaternion_from_euler(0.0, 0.0, home_yaw)
     parts = [
         "<freejoint/>",
         f'<inertial pos="0 0 0" mass="{DRONE_MASS}" diaginertia="{_numbers(*INERTIA)}"/>',
-        *_hull(config.hull_length, config.hull_width),
+        *_hull(config.hull_length, config.hull_width, body),
         *_looks(),
-        *_cameras(),
+        *_cameras(body),
         *(
-            f'<site name="drone_marker_{n}" pos="{_numbers(*at)}" size="0.007" rgba="0.9 0.9 0.9'
+            f'<site name="{body}_marker_{n}" pos="{_numbers(*at)}" size="0.007" rgba="0.9 0.9 0.9'
             ' 1"/>'
             for n, at in enumerate(DRONE_MARKERS)
         ),
     ]
     start = _numbers(home[0], home[1], STANDING_HEIGHT)
     return (
-        f'<body name="{BODY}" pos="{start}" quat="{_numbers(*orientation)}">'
+        f'<body name="{body}" pos="{start}" quat="{_numbers(*orientation)}">'
         + "".join(parts)
         + "</body>"
     )
 
 
-def _hull(length: float, width: float) -> list[str]:
+def _hull(length: float, width: float, body: str) -> list[str]:
     """Approximate the foam ring by eight capsules round a plate, and the belly by a box."""
     foam = min(_FOAM_RADIUS, length / 4, width / 4)
     x, y = length / 2 - foam, width / 2 - foam
@@ -100,15 +101,16 @@ def _hull(length: float, width: float) -> list[str]:
         f'group="{HULL_GROUP}" mass="0" friction="0.6 0.005 0.0001" solref="0.02 1" rgba="{_FOAM}"'
     )
     ring = [
-        f'<geom name="drone_hull_{n}" type="capsule" size="{foam}"'
+        f'<geom name="{body}_hull_{n}" type="capsule" size="{foam}"'
         f' fromto="{_numbers(*a, 0.0, *b, 0.0)}" {solid}/>'
         for n, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True))
     ]
     plate = (
-        f'<geom name="drone_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, 0.02)}" {solid}/>'
+        f'<geom name="{body}_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, 0.02)}"'
+        f" {solid}/>"
     )
     belly = (
-        '<geom name="drone_belly" type="box"'
+        f'<geom name="{body}_belly" type="box"'
         f' size="{_numbers(min(_BELLY[0], x), min(_BELLY[1], y), _BELLY[2])}" {solid}/>'
     )
     return [*ring, plate, belly]
@@ -161,14 +163,20 @@ def _rod(start: Vec3, end: Vec3, radius: float, colour: str) -> str:
     )
 
 
-def _cameras() -> list[str]:
+def camera_name(camera: str, body: str = BODY) -> str:
+    """Return what one of a drone's cameras is called in the model."""
+    return camera if body == BODY else f"{body} {camera}"
+
+
+def _cameras(body: str) -> list[str]:
+    front, bottom = camera_name("front", body), camera_name("bottom", body)
     return [
         (
-            f'<camera name="front" pos="{_FRONT_CAMERA_X} 0 0" xyaxes="0 -1 0 0 0 1"'
+            f'<camera name="{front}" pos="{_FRONT_CAMERA_X} 0 0" xyaxes="0 -1 0 0 0 1"'
             f' fovy="{_vertical_degrees(FRONT_FIELD_OF_VIEW):.6g}"/>'
         ),
         (
-            f'<camera name="bottom" pos="0 0 -{STANDING_HEIGHT}" xyaxes="0 -1 0 1 0 0"'
+            f'<camera name="{bottom}" pos="0 0 -{STANDING_HEIGHT}" xyaxes="0 -1 0 1 0 0"'
             f' fovy="{_vertical_degrees(_BOTTOM_FIELD_OF_VIEW):.6g}"/>'
         ),
     ]

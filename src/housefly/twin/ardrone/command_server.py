@@ -14,7 +14,7 @@ from typing import Any
 from housefly.twin.address import PeerAddress
 from housefly.twin.ardrone.config_store import ConfigStore
 from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Deliver, Link
-from housefly.twin.contracts import TwinWorld
+from housefly.twin.contracts import TwinDrone
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import MulticonfigIds
 from housefly.wires.ardrone.conversions import stick_from_pcmd
@@ -27,7 +27,7 @@ class CommandServer(asyncio.DatagramProtocol):
     """Understands datagrams of commands from any source port.
 
     Args:
-        world: what flies.
+        drone: what flies.
         link: acknowledge bit, silence, counters.
         config: what CONFIG writes.
         send_config: called for ``CTRL 4`` and, with True, for ``CTRL 6``.
@@ -36,13 +36,13 @@ class CommandServer(asyncio.DatagramProtocol):
 
     def __init__(
         self,
-        world: TwinWorld,
+        drone: TwinDrone,
         link: Link,
         config: ConfigStore,
         send_config: Callable[[bool], None],
         uplink: Callable[[Deliver], Deliver] = UNFILTERED.uplink,
     ) -> None:
-        self._world = world
+        self._drone = drone
         self._link = link
         self._config = config
         self._send_config = send_config
@@ -55,7 +55,7 @@ class CommandServer(asyncio.DatagramProtocol):
             at.Ref: self._on_ref,
             at.Pcmd: self._on_move,
             at.PcmdMag: self._on_move_by_heading,
-            at.FlatTrim: lambda command: self._world.flat_trim(),
+            at.FlatTrim: lambda command: self._drone.flat_trim(),
             at.Config: self._on_config,
             at.ConfigIds: self._on_config_ids,
             at.Control: self._on_control,
@@ -92,7 +92,7 @@ class CommandServer(asyncio.DatagramProtocol):
                 counters.stale_commands += 1
 
     def _is_new(self, sequence: int) -> bool:
-        if self._link.silent_since(self._world.now, LINK_LOST_AFTER):
+        if self._link.silent_since(self._drone.now, LINK_LOST_AFTER):
             self._last_sequence = _NO_SEQUENCE
             self._emergency_held = False
         if sequence <= self._last_sequence and sequence != _FIRST_SEQUENCE:
@@ -101,8 +101,8 @@ class CommandServer(asyncio.DatagramProtocol):
         return True
 
     def _obey(self, command: at.AtCommand) -> None:
-        self._link.last_command_at = self._world.now
-        self._world.keep_alive()
+        self._link.last_command_at = self._drone.now
+        self._drone.keep_alive()
         action = self._actions.get(type(command))
         if action is not None:
             action(command)
@@ -110,22 +110,22 @@ class CommandServer(asyncio.DatagramProtocol):
     def _on_ref(self, command: at.Ref) -> None:
         emergency = at.RefBits.EMERGENCY in command.bits
         if emergency and not self._emergency_held:
-            self._world.toggle_emergency()
+            self._drone.toggle_emergency()
         self._emergency_held = emergency
         if at.RefBits.TAKE_OFF in command.bits:
-            self._world.request_take_off()
+            self._drone.request_take_off()
         else:
-            self._world.request_land()
+            self._drone.request_land()
 
     def _on_move(self, command: at.Pcmd) -> None:
-        self._world.set_stick(stick_from_pcmd(command))
+        self._drone.set_stick(stick_from_pcmd(command))
 
     def _on_move_by_heading(self, command: at.PcmdMag) -> None:
         """Take the sticks as of PCMD: the simulated drone has no client's heading to fly by."""
         self._on_move(at.Pcmd(command.flags, command.roll, command.pitch, command.gaz, command.yaw))
 
     def _on_led(self, command: at.Led) -> None:
-        self._world.play_leds(command.animation, command.frequency_hz, command.seconds)
+        self._drone.play_leds(command.animation, command.frequency_hz, command.seconds)
 
     def _on_config_ids(self, command: at.ConfigIds) -> None:
         self._ids = MulticonfigIds(command.session, command.user, command.application)

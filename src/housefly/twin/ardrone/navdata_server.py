@@ -13,7 +13,7 @@ from housefly.bus.rate import Rate
 from housefly.twin.address import PeerAddress
 from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Link, LinkFilters
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
-from housefly.twin.contracts import TwinWorld
+from housefly.twin.contracts import TwinDrone
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, REQUEST_MULTICAST, REQUEST_UNICAST
 
 _FULL_RATE_HZ = 200.0
@@ -27,12 +27,12 @@ class NavdataServer(asyncio.DatagramProtocol):
 
     def __init__(
         self,
-        world: TwinWorld,
+        drone: TwinDrone,
         link: Link,
         writer: NavdataWriter,
         filters: LinkFilters = UNFILTERED,
     ) -> None:
-        self._world = world
+        self._drone = drone
         self._reported, self._send = filters.reported, filters.downlink(self._transmit)
         self._link = link
         self._writer = writer
@@ -68,7 +68,7 @@ class NavdataServer(asyncio.DatagramProtocol):
             self._link.bootstrap = True
         self._lost_client = None
         self._link.client = addr
-        self._requested_at = self._world.now
+        self._requested_at = self._drone.now
 
     def error_received(self, exc: Exception) -> None:
         """Ignore a client that is gone; it may come back to the same port."""
@@ -101,7 +101,7 @@ class NavdataServer(asyncio.DatagramProtocol):
         if self._congested:
             link.counters.navdata_unsent += 1
             return
-        self._send(self._writer.packet(self._reported(self._world.onboard())))
+        self._send(self._writer.packet(self._reported(self._drone.onboard())))
 
     def _transmit(self, packet: bytes) -> None:
         if self._link.client is not None and self._transport is not None:
@@ -109,7 +109,7 @@ class NavdataServer(asyncio.DatagramProtocol):
             self._link.counters.navdata_sent += 1
 
     def _is_silent(self) -> bool:
-        now = self._world.now
+        now = self._drone.now
         return (
             self._link.silent_since(now, LINK_LOST_AFTER)
             and now - self._requested_at > LINK_LOST_AFTER

@@ -13,11 +13,14 @@ from math import exp, sqrt
 
 import numpy as np
 
+from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, Vec3, euler_from_quaternion, rotate, wrap_angle
 from housefly.twin.ardrone.body import STANDING_HEIGHT
 from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState, SensorReading
 
-FLOW_DELAY = 0.04
+_FLOW = airframe_named("ardrone").flow
+assert _FLOW is not None
+FLOW_DELAY = _FLOW.delay
 _SONAR_DIVIDER = 8
 """Control periods between two pings: 25 Hz."""
 
@@ -30,9 +33,7 @@ _TRIMMED_OFFSET = 0.0009
 """Attitude offset, one sigma at power-on and after a flat trim [rad]."""
 _LEAN_MIN = 0.005
 """A drone that leans less than this stands level [rad]."""
-_FLOW_NOISE = 0.02
-_FLOW_BIAS = 0.003
-_FLOW_BIAS_TIME = 10.0
+_FLOW_NOISE, _FLOW_BIAS, _FLOW_BIAS_TIME = _FLOW.noise, _FLOW.bias, _FLOW.bias_time
 """Optical flow: white noise and slowly wandering bias [m/s], correlation time of the bias [s]."""
 _CLIMB_NOISE = 0.01
 _SONAR_NOISE = 0.01

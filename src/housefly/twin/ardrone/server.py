@@ -17,17 +17,17 @@ from housefly.twin.ardrone.link import UNFILTERED, Counters, Link, LinkFilters
 from housefly.twin.ardrone.navdata_server import NavdataServer
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
 from housefly.twin.ardrone.video_server import PAVE_HEADER_SIZE, VideoServer
-from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinWorld
+from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinDrone
 from housefly.wires.ardrone import at
 
 _LED_KEY = "leds:leds_anim"
 
 
 class ArDroneServer:
-    """Serves one drone of a world; all calls belong to one asyncio loop.
+    """Serves one drone of the room; all calls belong to one asyncio loop.
 
     Args:
-        world: what flies.
+        drone: what flies.
         address: IP address whose four ports are taken.
         pave_header_size: 64, or 68 as some firmware sends.
         tells_vertical_speed: whether to fill navdata's vz; the real drone leaves it at 0.
@@ -40,7 +40,7 @@ class ArDroneServer:
 
     def __init__(
         self,
-        world: TwinWorld,
+        drone: TwinDrone,
         address: str = "127.0.0.1",
         *,
         pave_header_size: int = PAVE_HEADER_SIZE,
@@ -50,15 +50,15 @@ class ArDroneServer:
     ) -> None:
         check_address("drone.address", address, beyond_loopback)
         self._address = address
-        self._world = world
+        self._drone = drone
         self._link = Link()
         self._writer = NavdataWriter(self._link, tells_vertical_speed)
         self._config = ConfigStore(self._apply)
         self._control = ControlServer(self._config.describe, self._link.counters)
         self._commands = CommandServer(
-            world, self._link, self._config, self._control.answer, filters.uplink
+            drone, self._link, self._config, self._control.answer, filters.uplink
         )
-        self._navdata = NavdataServer(world, self._link, self._writer, filters)
+        self._navdata = NavdataServer(drone, self._link, self._writer, filters)
         self._video = VideoServer(self._link.counters, pave_header_size)
 
     @property
@@ -83,7 +83,7 @@ class ArDroneServer:
 
     async def start(self) -> None:
         """Open the four ports; raises LinkError when one of them cannot be had."""
-        self._world.set_limits(self._config.limits)
+        self._drone.set_limits(self._config.limits)
         try:
             await self._commands.start(self._address)
             await self._navdata.start(self._address)
@@ -111,10 +111,10 @@ class ArDroneServer:
         if key == "general:navdata_demo":
             self._link.bootstrap = False
         self._writer.demo = self._config.demo
-        self._world.set_limits(self._config.limits)
+        self._drone.set_limits(self._config.limits)
 
     def _play_leds(self, text: str) -> None:
         """Play what the newer form of AT*LED says: animation, float bits of Hz, seconds."""
         with contextlib.suppress(ValueError, WireError):
             animation, frequency, seconds = map(int, text.split(","))
-            self._world.play_leds(animation, at.bits_to_float(frequency), seconds)
+            self._drone.play_leds(animation, at.bits_to_float(frequency), seconds)

@@ -65,7 +65,7 @@ class CameraProcess:
 
     def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = ()) -> None:
         self.restarts = 0
-        self._scene = scene_mjcf(site, room, people)
+        self._scene = scene_mjcf(site, room, people, first=site.drone.name)
         self._rate_hz = site.twin.video_rate_hz
         self._clock = RealClock()
         self._handlers: list[Callable[[EncodedPicture], None]] = []

@@ -13,6 +13,8 @@ from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, FaultType
 
 START_MAX = 86_400.0
 """Latest start, and longest finite duration, of a fault [s]."""
+OF_THE_ROOM = frozenset({FaultComponent.LASER, FaultComponent.DEPTH, FaultComponent.DEVICES})
+"""What fails for all drones alike."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +28,7 @@ class Fault:
         duration: how long it lasts [s]; infinite for good.
         magnitude: its size in the unit of its type; None for the type's default.
         seed: of what is random about it.
+        drone: whom it befalls, "" for the first drone of the site.
 
     Raises:
         ConfigError: there is no such fault, or a value is out of its range.
@@ -38,6 +41,7 @@ class Fault:
     duration: float = inf
     magnitude: float | None = None
     seed: int = 1
+    drone: str = ""
 
     def __post_init__(self) -> None:
         known = self.type
@@ -51,6 +55,10 @@ class Fault:
             )
         if not 0 <= self.seed < 2**31:
             raise ConfigError("fault", f"seed is {self.seed}; allowed: 0 to {2**31 - 1}")
+        if self.drone and self.component in OF_THE_ROOM:
+            raise ConfigError(
+                "fault", f"{self.component.value} is the room's, not {self.drone}'s: leave it out"
+            )
         _check_magnitude(known, self.magnitude)
 
     @property
@@ -90,7 +98,8 @@ class Fault:
         size = "" if self.magnitude is None else "=" + repr(self.magnitude).removesuffix(".0")
         lasts = f"+{self.duration:.12g}s" if isfinite(self.duration) else ""
         seed = "" if self.seed == 1 else f"#{self.seed}"
-        return f"{self.type.name}@{self.start:.12g}s{lasts}{size}{seed}"
+        drone = f"{self.drone}: " if self.drone else ""
+        return f"{drone}{self.type.name}@{self.start:.12g}s{lasts}{size}{seed}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""All faults of one simulated room: hands every stream to what befalls it."""
+"""All faults of one drone and its room: hands every stream to what befalls it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import Protocol
 
 from housefly.config.site import Site
+from housefly.config.text import did_you_mean
 from housefly.errors import ConfigError
 from housefly.messages import DepthImage, Pose
 from housefly.twin.contracts import EncodedPicture, MocapFrame, OnboardState
@@ -22,7 +23,7 @@ from housefly.twin.faults.intruders import (
 from housefly.twin.faults.mocap_stream import MocapStream
 from housefly.twin.faults.onboard_stream import OnboardStream
 from housefly.twin.faults.parse import faults_of
-from housefly.twin.faults.physical import PhysicalFaults
+from housefly.twin.faults.physical import PhysicalFaults, TrueDrone
 from housefly.twin.faults.sensor_stream import (
     Scan,
     SensorStream,
@@ -35,8 +36,8 @@ from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
 
 
-class DisturbableWorld(IntruderWorld, Protocol):
-    """What physical faults and people in the way need of a world."""
+class DisturbableDrone(TrueDrone, Protocol):
+    """What physical faults need of a drone."""
 
     @property
     def now(self) -> float:
@@ -49,10 +50,10 @@ class DisturbableWorld(IntruderWorld, Protocol):
 
 
 class FaultInjector:
-    """The faults of a site, and those that are injected later.
+    """The faults of a site that befall one drone, and those that are injected later.
 
     Args:
-        site: whose ``[[faults]]``, tracking system and drone's body.
+        site: as the drone's own chain sees it: its ``[[faults]]``, tracking system, drone's body.
         where: lock step or wires: a fault that cannot be made there is refused.
         intruders: whether people and things may be put in the way by faults injected later; those
             of the site may always be.
@@ -67,6 +68,8 @@ class FaultInjector:
     def __init__(
         self, site: Site, where: Injection = Injection.LOCKSTEP, *, intruders: bool = False
     ) -> None:
+        self._names = site.drone_names or (site.drone.name,)
+        self._drone = site.drone.name if site.drone.name in self._names else self._names[0]
         of_site = faults_of(site)
         self._where = where
         self._has_intruders = intruders or any(map(puts_in_the_way, of_site.faults))
@@ -91,8 +94,15 @@ class FaultInjector:
         return PEOPLE_INTRUDERS if self._has_intruders else ()
 
     def inject(self, *faults: Fault) -> None:
-        """Add faults; raises ConfigError for one that cannot be made here."""
+        """Add those faults that are this drone's; raises ConfigError for one that cannot be."""
         for fault in faults:
+            if fault.drone and fault.drone not in self._names:
+                raise ConfigError(
+                    "fault",
+                    f"{fault}: there is no drone called {fault.drone!r}"
+                    f"{did_you_mean(fault.drone, self._names)} (there is:"
+                    f" {', '.join(self._names)})",
+                )
             if self._where not in fault.type.where:
                 possible = " or ".join(sorted(place.value for place in fault.type.where))
                 raise ConfigError(
@@ -105,18 +115,20 @@ class FaultInjector:
                     f"{fault} needs somebody to put in the way: name it in the site's [[faults]],"
                     " or make the room with intruders = True",
                 )
-        self.schedule = self.schedule.with_faults(faults)
+        self.schedule = self.schedule.with_faults(
+            fault for fault in faults if (fault.drone or self._names[0]) == self._drone
+        )
 
-    def act_on(self, world: DisturbableWorld) -> None:
-        """Disturb the drone, and move who is in the way, as it is now."""
-        self._intruders.note_pad(world)
+    def act_on(self, world: IntruderWorld, drone: DisturbableDrone) -> None:
+        """Disturb the drone, and move who is in its way, as it is now."""
+        self._intruders.note_pad(drone)
         if not self.schedule.faults:
             return
-        active = self.schedule.active(world.now)
-        disturbances = self._physical.changed(active, world)
+        active = self.schedule.active(drone.now)
+        disturbances = self._physical.changed(active, drone)
         if disturbances is not None:
-            world.disturb(disturbances)
-        self._intruders.update(active, world, world.now)
+            drone.disturb(disturbances)
+        self._intruders.update(active, world, drone, drone.now)
 
     def frames(self, frames: Iterable[MocapFrame], now: float) -> tuple[MocapFrame, ...]:
         """Return the frames of the tracking system that arrive by now [s]."""

@@ -14,6 +14,7 @@ from housefly.room.model import Room, Shape, Solid
 from housefly.twin.contracts import GroundTruth
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.free_floor import FreeFloor, along
+from housefly.twin.faults.physical import TrueDrone
 from housefly.twin.faults.vocabulary import FaultComponent
 from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
@@ -181,10 +182,6 @@ class IntruderWorld(Protocol):
         """What stands where."""
         ...
 
-    def truth(self) -> GroundTruth:
-        """Return the true state now."""
-        ...
-
     def put(self, name: str, place: Vec2 | None, yaw: float = 0.0) -> None:
         """Stand a movable thing on the floor; None removes it."""
         ...
@@ -208,36 +205,38 @@ class IntruderFaults:
         self._pad: Vec2 | None = None
         self._present: frozenset[tuple[FaultComponent, str]] = frozenset()
 
-    def note_pad(self, world: IntruderWorld) -> None:
+    def note_pad(self, drone: TrueDrone) -> None:
         """Remember where the drone first stood, which is its pad."""
         if self._pad is None:
-            self._pad = world.truth().pose.position[:2]
+            self._pad = drone.truth().pose.position[:2]
 
-    def update(self, active: tuple[Fault, ...], world: IntruderWorld, now: float) -> None:
-        """Put everybody where they are now [s]."""
+    def update(
+        self, active: tuple[Fault, ...], world: IntruderWorld, drone: TrueDrone, now: float
+    ) -> None:
+        """Put everybody where they are now [s], in the way of a drone."""
         present = set()
         for fault in filter(puts_in_the_way, active):
             name, entrance = _INTRUDERS[fault.component, fault.aspect]
-            if fault not in self._began and self._waits(fault, world):
+            if fault not in self._began and self._waits(fault, world, drone.truth()):
                 continue
-            walk = self._began.get(fault) or self._begun(fault, entrance, world)
+            walk = self._began.get(fault) or self._begun(fault, entrance, world, drone.truth())
             _put(world, fault.component, name, walk, walk.place(now - fault.start))
             present.add((fault.component, name))
         for component, name in self._present - present:
             _put(world, component, name, None, None)
         self._present = frozenset(present)
 
-    def _waits(self, fault: Fault, world: IntruderWorld) -> bool:
+    def _waits(self, fault: Fault, world: IntruderWorld, truth: GroundTruth) -> bool:
         """Return whether the drone is where somebody wants to be, or not yet above it."""
-        truth = world.truth()
         (x, y, z), (vx, vy, _) = truth.pose.position, truth.velocity
         if fault.aspect in _ROOM_BELOW:
             is_above = z > _ROOM_BELOW[fault.aspect] and hypot(vx, vy) < _HOVERS
             return not (is_above and FreeFloor(world.room).is_free((x, y)))
         return fault.aspect in _AT_PAD and distance((x, y), self._pad or (x, y)) < _PAD_FREE
 
-    def _begun(self, fault: Fault, entrance: _Entrance, world: IntruderWorld) -> StraightWalk:
-        truth = world.truth()
+    def _begun(
+        self, fault: Fault, entrance: _Entrance, world: IntruderWorld, truth: GroundTruth
+    ) -> StraightWalk:
         place = truth.pose.position[:2]
         met = Encounter(place, place if self._pad is None else self._pad, _ahead(truth))
         walk = self._began[fault] = entrance(fault, met, FreeFloor(world.room))

@@ -27,7 +27,8 @@ def parse_fault(text: str, key: str = "--fault") -> tuple[Fault, ...]:
 
     Args:
         text: ``ROW[/VARIANT][@START][+DURATION][#SEED]`` or
-            ``COMPONENT[.SIDE]:KIND[@START][+DURATION][=SIZE][#SEED]``; times in seconds.
+            ``COMPONENT[.SIDE]:KIND[@START][+DURATION][=SIZE][#SEED]``; times in seconds. In front
+            of it may stand the name of a drone and ``": "``.
         key: names the value in errors.
 
     Raises:
@@ -59,7 +60,8 @@ def _row_faults(found: re.Match[str]) -> tuple[Fault, ...]:
     faults = row_of(found["row"]).faults_of(found["variant"] or "")
     start, seed = _number(found["start"], 0.0), int(found["seed"] or 1)
     shifted = (
-        replace(fault.shifted(start), seed=seed + number) for number, fault in enumerate(faults)
+        replace(fault.shifted(start), seed=seed + number, drone=found["drone"] or "")
+        for number, fault in enumerate(faults)
     )
     if found["duration"] is None:
         return tuple(shifted)
@@ -76,6 +78,7 @@ def _single_fault(found: re.Match[str]) -> Fault:
         _number(found["duration"], inf),
         None if found["size"] is None else float(found["size"]),
         int(found["seed"] or 1),
+        found["drone"] or "",
     )
 
 

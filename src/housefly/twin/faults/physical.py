@@ -24,8 +24,8 @@ Disturb = Callable[[Disturbances, Fault, GroundTruth], Disturbances]
 """What disturbs so far, a fault, the true state when it began: what disturbs with it."""
 
 
-class TrueWorld(Protocol):
-    """What knows the truth."""
+class TrueDrone(Protocol):
+    """What knows where a drone is."""
 
     def truth(self) -> GroundTruth:
         """Return the true state now."""
@@ -39,7 +39,7 @@ class PhysicalFaults:
         self._active: tuple[Fault, ...] = ()
         self._began: dict[Fault, GroundTruth] = {}
 
-    def changed(self, active: tuple[Fault, ...], world: TrueWorld) -> Disturbances | None:
+    def changed(self, active: tuple[Fault, ...], drone: TrueDrone) -> Disturbances | None:
         """Return what disturbs from now on; None when that is what disturbed before."""
         physical = tuple(fault for fault in active if disturb_of(fault))
         if physical == self._active:
@@ -48,7 +48,7 @@ class PhysicalFaults:
         for fault in physical:
             disturb = disturb_of(fault)
             if disturb is not None:
-                began = self._began.setdefault(fault, world.truth())
+                began = self._began.setdefault(fault, drone.truth())
                 disturbances = disturb(disturbances, fault, began)
         return disturbances
 

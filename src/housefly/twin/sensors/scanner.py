@@ -183,7 +183,8 @@ def _data_without_movables(physics: Physics) -> Any:
     """Return the state of a room in which all that can move is far away."""
     data = mujoco.MjData(physics.model)
     data.mocap_pos[:] = AWAY_POSE.position
-    data.qpos[:3] = AWAY_POSE.position
+    for place in physics.model.jnt_qposadr.tolist():
+        data.qpos[place : place + 3] = AWAY_POSE.position
     mujoco.mj_kinematics(physics.model, data)
     return data
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import Request
-from starlette.responses import FileResponse, RedirectResponse, Response
+from starlette.responses import FileResponse, HTMLResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route
 
 from housefly.web.access.logins import Logins
@@ -26,12 +26,20 @@ from housefly.web.http.page_language import page_language
 STATIC_FOLDER = Path(__file__).parents[1] / "static"
 _PROOF = re.compile("[0-9a-f]{64}")
 _ALWAYS_NEW = {"cache-control": "no-store"}
+_LIST_OF_DRONES = (
+    '<link rel="stylesheet" href="/static/drones.css" />'
+    '<script type="module" src="/static/drones.js"></script>'
+)
 _CERTIFICATE_TYPE = "application/x-x509-ca-cert"
 """By this phones know that it is to be installed."""
 
 
 def page_routes(
-    auth: SessionAuth, logins: Logins | None, authority: bytes | None = None
+    auth: SessionAuth,
+    logins: Logins | None,
+    authority: bytes | None = None,
+    *,
+    several_drones: bool = False,
 ) -> list[BaseRoute]:
     """Return ``/``, ``/static``, ``/service-worker.js`` and ``/authority.crt``.
 
@@ -39,7 +47,11 @@ def page_routes(
         auth: the console's sessions.
         logins: with them a stranger is asked who he is.
         authority: the certificate that phones are to trust, in DER; None when there is none.
+        several_drones: whether the page lists them.
     """
+    page_text = (STATIC_FOLDER / "index.html").read_text(encoding="utf-8")
+    if several_drones:
+        page_text = page_text.replace("</head>", f"{_LIST_OF_DRONES}</head>", 1)
 
     async def index(request: Request) -> Response:
         if (offered := request.query_params.get("token")) is not None:
@@ -49,7 +61,7 @@ def page_routes(
                 return came_from_elsewhere(page_language(request), proof)
             page = login_page if logins and logins.is_open else no_session
             return page(page_language(request))
-        return FileResponse(STATIC_FOLDER / "index.html", headers=_ALWAYS_NEW)
+        return HTMLResponse(page_text, headers=_ALWAYS_NEW)
 
     async def service_worker(request: Request) -> Response:
         # At the root, for its scope is the folder that it comes from.

@@ -58,6 +58,7 @@ OPEN_FOLDERS = ("/static/",)
 ROLE_OF_PATH: dict[str, Role] = {
     "/socket": Role.WATCH,
     "/stop": Role.WATCH,
+    "/drones": Role.WATCH,
     "/video": Role.WATCH,
     "/video.mjpeg": Role.WATCH,
     "/coverage": Role.WATCH,
@@ -91,6 +92,7 @@ ROLE_OF_FOLDER: dict[str, Role] = {
 }
 ROLE_OF_CHANGE: dict[str, Role] = {
     "/stop": Role.WATCH,
+    "/land": Role.WATCH,
     "/edits": Role.ADMIN,
     "/bell": Role.ASK,
     "/edits/undo": Role.ADMIN,

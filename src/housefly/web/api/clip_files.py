@@ -19,8 +19,8 @@ from starlette.responses import FileResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from housefly.errors import HouseflyError, TaskError
+from housefly.evidence.clip_export import ClipExport, zipped
 from housefly.tasks.api.values import ReasonCode
-from housefly.tasks.evidence.clip_export import ClipExport, zipped
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.bearer import bears
 from housefly.web.access.session_auth import SessionAuth
@@ -33,7 +33,7 @@ _TYPES = {".mp4": "video/mp4", ".jpg": "image/jpeg"}
 
 
 class ClipBook(Protocol):
-    """What the server needs of ``tasks.evidence.clip_index.ClipIndex``."""
+    """What the server needs of ``evidence.clip_index.ClipIndex``."""
 
     def file(self, name: str) -> Path:
         """Return the file of a clip; raises TaskError when there is none."""

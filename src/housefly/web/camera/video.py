@@ -15,10 +15,10 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import DroneTopics
+from housefly.config.house_mode import HouseMode
+from housefly.evidence.live_blanker import LiveBlanker
 from housefly.messages import VideoFrame
-from housefly.tasks.api.values import HouseMode
-from housefly.tasks.evidence.live_blanker import LiveBlanker
 
 FRAME_HEADER = struct.Struct("<BBHHxxQd")
 _FORMAT_VERSION = 1
@@ -86,6 +86,7 @@ class VideoRelay:
         bus: where the frames come from.
         privacy: blanks the privacy zones; None where there are none.
         mode: tells the mode of the house, None while nobody knows; it decides which zones count.
+        topics: of the drone; None for those of the only one.
     """
 
     def __init__(
@@ -93,7 +94,9 @@ class VideoRelay:
         bus: Bus,
         privacy: LiveBlanker | None = None,
         mode: Callable[[], HouseMode | None] = lambda: None,
+        topics: DroneTopics | None = None,
     ) -> None:
+        self._topics = topics or DroneTopics()
         self._bus, self._mode = bus, mode
         self._privacy = privacy if privacy is not None and privacy.is_needed else None
         self._group: list[bytes] = []
@@ -108,8 +111,8 @@ class VideoRelay:
                     loop.call_soon_threadsafe(self._relay, shown)
 
         if self._privacy is not None:
-            self._bus.subscribe(STEP_TOPIC, self._privacy.moved)
-        self._bus.subscribe(VIDEO_TOPIC, received)
+            self._bus.subscribe(self._topics.step, self._privacy.moved)
+        self._bus.subscribe(self._topics.video, received)
 
     @contextmanager
     def subscribed(self) -> Iterator[FrameQueue]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Mapping
 from contextlib import suppress
 
 from starlette.requests import Request
@@ -15,24 +16,34 @@ from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol
 from housefly.web.access.session_watch import while_logged_in
 from housefly.web.camera.mjpeg import mjpeg_response
 from housefly.web.camera.video import FrameQueue, VideoRelay
+from housefly.web.http.drone_of_request import drone_of_request
 from housefly.web.http.error_pages import no_session
 from housefly.web.http.page_language import page_language
 from housefly.web.http.seats import Seats
 
 
-def video_routes(video: VideoRelay, auth: SessionAuth) -> list[BaseRoute]:
-    """Return ``/video`` and ``/video.mjpeg``."""
+def video_routes(videos: Mapping[str, VideoRelay], auth: SessionAuth) -> list[BaseRoute]:
+    """Return ``/video`` and ``/video.mjpeg``; a drone is named by ``?drone=``.
+
+    Args:
+        videos: by the names of the drones; "" is what is shown without a name.
+        auth: the console's sessions.
+    """
     seats = Seats()
 
     async def h264(websocket: WebSocket) -> None:
-        if session := await auth.admit(websocket):
+        video = videos.get(drone_of_request(websocket))
+        if video is None:
+            await websocket.close(1008, "there is no drone of this name")
+        elif session := await auth.admit(websocket):
             with seats.taken(session.owner) as seated:
                 async with while_logged_in(websocket, auth, session, Role.WATCH):
                     await _serve(websocket, video, seated=seated)
 
     async def jpeg(request: Request) -> Response:
         session = auth.session_of(request)
-        if session is None:
+        video = videos.get(drone_of_request(request))
+        if session is None or video is None:
             return no_session(page_language(request))
         return mjpeg_response(
             video, seats, session.owner, lambda: auth.renewed(session) is not None

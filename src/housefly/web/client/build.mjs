@@ -74,6 +74,8 @@ await build({
   chunkNames: "chunk-[name]-[hash]",
 });
 await build({ ...options, entryPoints: { app: "src/styles.css" } });
+await build({ ...options, entryPoints: { drones: "src/drones/drones.ts" } });
+await build({ ...options, entryPoints: { drones: "src/drones/drones.css" } });
 await build({ ...options, entryPoints: { "video-worker": "src/wire/video-worker.ts" } });
 await build({
   ...options,

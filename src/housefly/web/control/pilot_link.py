@@ -8,7 +8,7 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import ORDER_TOPIC, PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY
+from housefly.bus.topics import DroneTopics
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
@@ -24,11 +24,15 @@ class PilotLink:
 
     Args:
         bus: where orders and questions go.
+        topics: of its drone.
         stop: sends STOP on its own path; must return at once.
         clock: stamps the orders.
     """
 
-    def __init__(self, bus: Bus, stop: Callable[[], object], clock: Clock) -> None:
+    def __init__(
+        self, bus: Bus, topics: DroneTopics, stop: Callable[[], object], clock: Clock
+    ) -> None:
+        self._topics = topics
         self._bus, self._stop, self._clock = bus, stop, clock
         self._orders = ThreadPoolExecutor(1, "orders")
         self._questions = ThreadPoolExecutor(2, "questions")
@@ -57,15 +61,15 @@ class PilotLink:
 
     async def room(self) -> RoomView:
         """Ask for the room; raises LinkError or WireError."""
-        return from_json(RoomView, await self._ask(ROOM_QUERY, ""))
+        return from_json(RoomView, await self._ask(self._topics.room, ""))
 
     async def plan(self, request: PlanRequest) -> PlanAnswer:
         """Ask for a path; raises LinkError or WireError."""
-        return from_json(PlanAnswer, await self._ask(PLAN_QUERY, to_json(request)))
+        return from_json(PlanAnswer, await self._ask(self._topics.plan, to_json(request)))
 
     async def preflight(self) -> PreflightView:
         """Ask what the pre-flight checks found last; raises LinkError or WireError."""
-        return from_json(PreflightView, await self._ask(PREFLIGHT_QUERY, ""))
+        return from_json(PreflightView, await self._ask(self._topics.preflight, ""))
 
     def close(self) -> None:
         """Shut the threads down without waiting for answers."""
@@ -79,7 +83,7 @@ class PilotLink:
 
     def _publish(self, order: Order) -> str:
         try:
-            self._bus.publish(ORDER_TOPIC, order)
+            self._bus.publish(self._topics.order, order)
         except HouseflyError as error:
             _LOG.exception("the order to %s was lost", order.kind.value)
             return str(error)

@@ -75,7 +75,11 @@ _MAX_REFUSALS = 200
 
 
 class Console:
-    """All open browsers of one drone; everything happens on one asyncio loop."""
+    """All open browsers of one drone; everything happens on one asyncio loop.
+
+    Attributes:
+        stop_all: sends STOP to all drones of the room.
+    """
 
     def __init__(
         self,
@@ -87,7 +91,9 @@ class Console:
         tasks: TaskFeed | None = None,
         memory: ConsoleMemory | None = None,
         guest_address: str = "",
+        name: str = "",
     ) -> None:
+        self._name, self.stop_all = name, self.stop
         self.feed, self.link, self.tasks = feed, link, tasks
         self.room: RoomView | None = None
         self.preflight = PreflightView()
@@ -284,13 +290,19 @@ class Console:
         viewer.send(PongReply(message.sent, now))
 
     def _stop(self, viewer: Viewer, message: StopRequest) -> None:
-        self.stop(viewer.name, viewer.session.name)
+        self.stop_all(viewer.name, viewer.session.name)
         viewer.send(AcceptedReply(message.id))
 
     def stop(self, sender: str, session: str = "") -> None:
         """Send STOP."""
         if self._stop_button.press(sender):
             self._audit(sender, "STOP", session)
+
+    def order_calmly(self, kind: OrderKind, sender: str, session: str = "") -> None:
+        """Give an order that needs no control."""
+        request = OrderRequest("order", 0, kind)
+        self._audit(sender, order_in_words(request), session)
+        self.link.send(to_order(request, sender, self._clock.now()))
 
     def _order(self, viewer: Viewer, message: OrderRequest) -> None:
         if message.order is OrderKind.STOP:
@@ -395,7 +407,7 @@ class Console:
 
     def _record(self, who: str, session: str, what: str) -> None:
         if self._audit_log is not None:
-            self._audit_log.record(who, session, what)
+            self._audit_log.record(who, session, f"{self._name}: {what}" if self._name else what)
 
     def _refuse(self, viewer: Viewer, what: str, reason: Words, number: int = 0) -> None:
         """Write down that a message was refused, and answer why; 0 where its number is unknown."""

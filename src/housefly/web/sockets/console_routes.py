@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
+from pydantic import TypeAdapter
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route, WebSocketRoute
@@ -12,15 +13,24 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.web.access.session import Session
 from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol
+from housefly.web.http.drone_of_request import drone_of_request
+from housefly.web.http.responses import error_response, json_response
 from housefly.web.sockets.console import Console
+from housefly.web.sockets.consoles import Consoles, DronesView
 from housefly.web.viewers.viewer import Viewer
 
 
-def console_routes(console: Console, auth: SessionAuth) -> list[BaseRoute]:
-    """Return ``/socket`` and ``/stop``."""
+def console_routes(consoles: Consoles, auth: SessionAuth) -> list[BaseRoute]:
+    """Return ``/socket``, ``/stop``, ``/land`` and ``/drones``.
+
+    Each takes the name of a drone as ``?drone=``; without it STOP and landing are for all.
+    """
 
     async def socket(websocket: WebSocket) -> None:
-        if session := await auth.admit(websocket):
+        console = consoles.named(drone_of_request(websocket))
+        if console is None:
+            await websocket.close(1008, _NO_SUCH_DRONE)
+        elif session := await auth.admit(websocket):
             with console.seats.taken(session.owner) as seated:
                 await _serve(websocket, console, session, seated=seated)
 
@@ -28,12 +38,38 @@ def console_routes(console: Console, auth: SessionAuth) -> list[BaseRoute]:
         session = auth.session_of(request) if auth.is_own_page(request) else None
         if session is None:
             return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
-        console.stop(session.user or "a browser without a socket", session.name)
+        name = drone_of_request(request)
+        if consoles.named(name) is None:
+            name = ""  # rather all than none
+        consoles.stop(session.user or _NO_SOCKET, session.name, name)
         return JSONResponse({"stopped": True})
 
-    return [WebSocketRoute("/socket", socket), Route("/stop", stop, methods=["POST"])]
+    async def land(request: Request) -> Response:
+        session = auth.session_of(request) if auth.is_own_page(request) else None
+        if session is None:
+            return JSONResponse({"reason": "this page may not land the drone"}, status_code=403)
+        name = drone_of_request(request)
+        if consoles.named(name) is None:
+            return JSONResponse({"reason": _NO_SUCH_DRONE}, status_code=404)
+        consoles.land(session.user or _NO_SOCKET, session.name, name)
+        return JSONResponse({"landing": True})
+
+    async def drones(request: Request) -> Response:
+        if not auth.has_session(request):
+            return error_response(401, "this browser has no session")
+        return json_response(_DRONES.dump_json(consoles.view()))
+
+    return [
+        WebSocketRoute("/socket", socket),
+        Route("/stop", stop, methods=["POST"]),
+        Route("/land", land, methods=["POST"]),
+        Route("/drones", drones),
+    ]
 
 
+_DRONES: TypeAdapter[DronesView] = TypeAdapter(DronesView)
+_NO_SOCKET = "a browser without a socket"
+_NO_SUCH_DRONE = "there is no drone of this name"
 HELLO_TIMEOUT = 10.0
 """A socket that has not said hello by then [s] is closed."""
 

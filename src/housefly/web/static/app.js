@@ -1,1 +1,1 @@
-import"./chunk-chunk-X2RRVNL4.js";
+import"./chunk-chunk-IKDTSDSQ.js";

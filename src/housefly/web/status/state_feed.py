@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from math import dist, hypot, inf
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, DroneTopics
 from housefly.clock import Clock
 from housefly.config.airframe import Airframe
 from housefly.config.drone import DroneConfig
@@ -95,10 +95,11 @@ class StateFeed:
 
     def listen(self, bus: Bus) -> None:
         """Subscribe to the pilot; the bus closes the subscriptions."""
+        topics = DroneTopics(self.drone.name)
         bus.subscribe(FRAME_TOPIC, self._on_frame)
-        bus.subscribe(STEP_TOPIC, self._on_step)
-        bus.subscribe(LINK_TOPIC, self._on_link)
-        bus.subscribe(TRAJECTORY_TOPIC, self._on_trajectory)
+        bus.subscribe(topics.step, self._on_step)
+        bus.subscribe(topics.link, self._on_link)
+        bus.subscribe(topics.trajectory, self._on_trajectory)
 
     def log_event(self, severity: Severity, code: str, text: Words) -> None:
         """Add a line of the console's own to the event log."""

@@ -11,12 +11,12 @@ from dataclasses import replace
 from housefly.bus.bus import Bus
 from housefly.bus.topics import TASKS_QUERY
 from housefly.clock import Clock
+from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import BoardQuestion
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
-from housefly.tasks.api.values import HouseMode
 from housefly.web.messages.server_messages import TasksMessage
 
 _LOG = logging.getLogger(__name__)

@@ -14,6 +14,10 @@ _CLOSE_OPENED_ELSEWHERE = 4001
 """WebSocket close code; the client knows it."""
 
 
+UNNAMED = "a browser"
+"""What others see of a session that has no tab here."""
+
+
 class Viewers:
     """The open sockets, and the tabs that were open before.
 
@@ -74,7 +78,7 @@ class Viewers:
     def name_of_owner(self, owner: str) -> str:
         """Return the name that others see for an owner of a session, of any of its tabs."""
         names = (one.name for one in self.present() if one.session.owner == owner)
-        return next(names, "a browser")
+        return next(names, UNNAMED)
 
     def name_of_tab(self, owner: str, tab: str) -> str:
         """Return the name that others see for a tab of a session's owner."""

@@ -141,6 +141,7 @@ export const DE_TOLD: Templates = {
   "carry it to its pad": "zum Landeplatz tragen",
   "{why} ({found})": "{why} ({found})",
   "{why}; {more}": "{why}; {more}",
+  "{why}: {more}": "{why}: {more}",
   // why an order would come to nothing
   "Motors are cut: hold Reset first.": "Motoren sind aus: erst „Zurücksetzen“ halten.",
   "Stopped: hold Resume first.": "Angehalten: erst „Fortsetzen“ halten.",
@@ -374,6 +375,18 @@ export const DE_TOLD: Templates = {
   "put it on its pad; if it is there, compare the tracking system's origin with the map":
     "auf den Landeplatz stellen; steht sie dort, den Ursprung der Ortung mit der Karte " +
       "vergleichen",
+  "it has what others have": "sie hat, was andere haben",
+  "the drone lacks what others have": "der Drohne fehlt, was andere haben",
+  "steering by tilt": "Steuern durch Neigen",
+  "a camera": "eine Kamera",
+  "a hover of its own": "eigenes Schweben",
+  "its own height": "eigene Höhe",
+  "its own velocity": "eigene Geschwindigkeit",
+  "its own attitude": "eigene Lage",
+  "rules that need it do not count, and where tracking fails it sinks and lands":
+    "Regeln, die das brauchen, gelten nicht; fällt die Ortung aus, sinkt und landet sie",
+  "fly it where tracking is sure, and keep people away":
+    "nur fliegen, wo die Ortung sicher ist, und niemanden in die Nähe lassen",
   "a sensor sees people without markers": "ein Sensor sieht Personen ohne Marker",
   "people without markers are unseen": "Personen ohne Marker sieht sie nicht",
   "no sensor": "kein Sensor",
@@ -691,8 +704,11 @@ export const DE_TOLD: Templates = {
     "der Ultraschall zeigt überall etwas: Landung nach der Höhe der Ortung",
   "the end of where it may fly is ahead": "voraus endet der erlaubte Bereich",
   "the goal": "das Ziel",
+  "the last place of {who} is no longer kept clear":
+    "der letzte Ort von {who} wird nicht mehr freigehalten",
   "the order's {what}; allowed: {limit}": "Befehl: {what}; erlaubt: {limit}",
   "the orientation is not a unit quaternion": "die Lage ist kein Einheitsquaternion",
+  "the pad of {who} is there": "dort ist der Landeplatz von {who}",
   "the pilot failed ({name}): landing": "der Autopilot ist ausgefallen ({name}): sie landet",
   "the start": "der Start",
   "the way is free: going on": "der Weg ist frei: weiter",
@@ -731,6 +747,8 @@ export const DE_TOLD: Templates = {
     "{who} kommt näher, und zum Ausweichen ist kein Platz: sie landet hier",
   "{who} comes near: making way": "{who} kommt näher: sie weicht aus",
   "{who} comes near: the take-off is given up": "{who} kommt näher: Start abgebrochen",
+  "{who} flew and is not seen any more: its last place is kept clear":
+    "{who} flog und ist nicht mehr zu sehen: ihr letzter Ort bleibt frei",
   "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
     "{who} gibt zu viele Befehle: {n} in einer Sekunde abgelehnt (Grenze {m} je Sekunde)",
   "{who} is below": "{who} ist darunter",
@@ -879,19 +897,11 @@ export const DE_TOLD: Templates = {
     "sendet mehr als {n} Nachrichten je Sekunde; der Rest fällt weg",
   "silent for {n} s; it sends its state at least every {k} s":
     "schweigt seit {n} s; sendet sonst mindestens alle {k} s",
-  "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port right?":
-    "unter {name} antwortet etwas, aber kein MQTT-Broker ohne TLS; stimmt mqtt.port?",
   "speaks of more than {n} things": "meldet mehr als {n} Dinge",
-  "the MQTT broker at {name} answers, but no connection comes about ({error})":
-    "der MQTT-Broker unter {name} antwortet, doch keine Verbindung kommt zustande ({error})",
   "the MQTT broker at {name} refuses us ({error})":
     "der MQTT-Broker unter {name} weist uns ab ({error})",
   "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file":
     "der MQTT-Broker unter {name} weist uns ab; mqtt.username und mqtt.password_file prüfen",
-  ["the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks; " +
-    "update it (mosquitto from 1.6 on)"]:
-    "der MQTT-Broker unter {name} spricht MQTT {version}, nicht 5; bitte aktualisieren " +
-      "(mosquitto ab 1.6)",
   "the connection to {name} was lost": "die Verbindung zu {name} ging verloren",
   "the driver's process does not answer (its log: driver.log)":
     "der Prozess des Treibers antwortet nicht (Protokoll: driver.log)",
@@ -900,10 +910,6 @@ export const DE_TOLD: Templates = {
   "the drone is silent; is it switched on?": "die Drohne schweigt; ist sie eingeschaltet?",
   "the drone keeps {setting} = {kept} instead of {wanted}":
     "die Drohne behält {setting} = {kept} statt {wanted}",
-  ["the machine's clock was set back by {n} s; the memory counts on from before, so its times " +
-    "run ahead by that until Housefly is started again"]:
-    "die Uhr des Rechners wurde um {n} s zurückgestellt; bis zum Neustart gehen die Zeiten " +
-      "des Gedächtnisses um so viel vor",
   "the pilot is not heard": "der Autopilot schweigt",
   "the room's process does not answer (its log: room.log)":
     "der Prozess des Raums antwortet nicht (Protokoll: room.log)",
@@ -911,10 +917,6 @@ export const DE_TOLD: Templates = {
     "was unter {name} antwortet, spricht nicht {protocol} ({error})",
   "{name} sends more than {n} frames a second; the rest is dropped":
     "{name} sendet mehr als {n} Bilder je Sekunde; der Rest fällt weg",
-  ["{name} streams to the multicast group {group}, but nothing arrives at {own}; let firewall " +
-    "and switch pass it, or choose unicast in Motive"]:
-    "{name} sendet an die Multicast-Gruppe {group}, doch bei {own} kommt nichts an; in " +
-      "Firewall und Switch freigeben oder in Motive Unicast wählen",
   "{name} streams with y up; choose z up in the tracking software":
     "{name} sendet mit y nach oben; in der Ortungssoftware z nach oben wählen",
   "{name}: no depth images": "{name}: keine Tiefenbilder",
@@ -946,8 +948,6 @@ export const DE_TOLD: Templates = {
     "dauert {time} und braucht {p} % der Ladung; über den Heimweg hinaus sind {q} % übrig",
   "it was cancelled": "wurde abgebrochen",
   "it would land {d} m from the pad": "sie würde {d} m neben dem Landeplatz landen",
-  "its answers lead to more than {n} ways: too many to rehearse":
-    "die Antworten ergeben mehr als {n} Wege: zu viele zum Proben",
   "its deadline is over already": "die Frist ist schon vorbei",
   "nobody is seen": "niemand ist zu sehen",
   "nobody said yes in time": "niemand hat rechtzeitig Ja gesagt",
@@ -971,9 +971,6 @@ export const DE_TOLD: Templates = {
   "the queue was full, it made way": "die Warteschlange war voll, anderes ging vor",
   "the queue was full, it made way for '{title}'":
     "die Warteschlange war voll, „{title}“ ging vor",
-  "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
-    "die Probe war nach {n} s nicht fertig: der Rechner ist ausgelastet, oder die Aufgabe " +
-      "hat viele Wege",
   "the tasks have just begun": "die Aufgaben haben eben begonnen",
   "{n} before it": "{n} davor",
   "{n} tasks of {who} wait already; answer or cancel one":

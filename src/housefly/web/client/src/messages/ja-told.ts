@@ -129,6 +129,7 @@ export const JA_TOLD: Templates = {
   "carry it to its pad": "パッドまで運んでください",
   "{why} ({found})": "{why}（{found}）",
   "{why}; {more}": "{why}。{more}",
+  "{why}: {more}": "{why}：{more}",
   // why an order would come to nothing
   "Motors are cut: hold Reset first.":
     "モーター遮断済みです。先に「リセット」を長押ししてください。",
@@ -336,6 +337,18 @@ export const JA_TOLD: Templates = {
     "実際にパッドにあるなら位置計測と地図がずれていて、壁の位置も違います",
   "put it on its pad; if it is there, compare the tracking system's origin with the map":
     "パッドに置いてください。すでにあるなら、位置計測の原点を地図と比べてください",
+  "it has what others have": "ほかの機体にある機能がそろっています",
+  "the drone lacks what others have": "ほかの機体にある機能がありません",
+  "steering by tilt": "傾きでの操縦",
+  "a camera": "カメラ",
+  "a hover of its own": "自律ホバリング",
+  "its own height": "自身の高度",
+  "its own velocity": "自身の速度",
+  "its own attitude": "自身の姿勢",
+  "rules that need it do not count, and where tracking fails it sinks and lands":
+    "それを使う規則は働かず、位置計測が途切れると降下して着陸します",
+  "fly it where tracking is sure, and keep people away":
+    "位置計測が確かな所でだけ飛ばし、人を近づけないでください",
   "a sensor sees people without markers": "目印のない人もセンサーで見えます",
   "people without markers are unseen": "目印のない人は見えません",
   "no sensor": "センサーなし",
@@ -632,8 +645,10 @@ export const JA_TOLD: Templates = {
     "超音波がどこでも反応しています。位置計測の高さで着陸します",
   "the end of where it may fly is ahead": "前方は飛行できる範囲の端です",
   "the goal": "目的地",
+  "the last place of {who} is no longer kept clear": "{who} の最後の位置はもう空けていません",
   "the order's {what}; allowed: {limit}": "指示：{what}。許容範囲：{limit}",
   "the orientation is not a unit quaternion": "姿勢が単位四元数ではありません",
+  "the pad of {who} is there": "{who} の発着台があります",
   "the pilot failed ({name}): landing": "操縦プログラムが異常終了しました（{name}）。着陸します",
   "the start": "現在地",
   "the way is free: going on": "経路が空きました。続けます",
@@ -672,6 +687,8 @@ export const JA_TOLD: Templates = {
     "{who} が近づいていますが、よける場所がないため、ここに着陸します",
   "{who} comes near: making way": "{who} が近づいているため、よけます",
   "{who} comes near: the take-off is given up": "{who} が近づいたため、離陸を中止しました",
+  "{who} flew and is not seen any more: its last place is kept clear":
+    "飛行中の {who} が見えなくなりました。最後の位置を空けておきます",
   "{who} gives too many orders: {n} were refused in a second (limit {m} a second)":
     "{who} の指示が多すぎます：1 秒間に {n}件を拒否しました（上限 {m}件）",
   "{who} is below": "{who} が下にいます",
@@ -813,19 +830,11 @@ export const JA_TOLD: Templates = {
     "毎秒{n}件を超えて送信しています。残りは捨てます",
   "silent for {n} s; it sends its state at least every {k} s":
     "{n}秒間応答なし。通常は{k}秒以内ごとに送信します",
-  "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port right?":
-    "{name}の応答は、TLSなしのMQTTブローカーのものではありません。mqtt.portは正しいですか",
   "speaks of more than {n} things": "{n}個を超える物を報告しています",
-  "the MQTT broker at {name} answers, but no connection comes about ({error})":
-    "{name}のMQTTブローカーは応答しますが、接続できません（{error}）",
   "the MQTT broker at {name} refuses us ({error})":
     "{name}のMQTTブローカーに拒否されました（{error}）",
   "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file":
     "{name}のMQTTブローカーに拒否されました。mqtt.usernameとmqtt.password_fileを確認してください",
-  ["the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks; " +
-    "update it (mosquitto from 1.6 on)"]:
-    "{name}のMQTTブローカーはMQTT {version}で、5ではありません。更新してください（mosquitto " +
-      "1.6以降）",
   "the connection to {name} was lost": "{name}との接続が切れました",
   "the driver's process does not answer (its log: driver.log)":
     "ドライバーのプロセスが応答しません（記録：driver.log）",
@@ -833,9 +842,6 @@ export const JA_TOLD: Templates = {
   "the drone is silent; is it switched on?": "ドローンから応答がありません。電源は入っていますか",
   "the drone keeps {setting} = {kept} instead of {wanted}":
     "ドローンの{setting}が{wanted}ではなく{kept}のままです",
-  ["the machine's clock was set back by {n} s; the memory counts on from before, so its times " +
-    "run ahead by that until Housefly is started again"]:
-    "パソコンの時計が{n}秒戻されました。再起動するまで、記録の時刻はその分進みます",
   "the pilot is not heard": "自動操縦の応答がありません",
   "the room's process does not answer (its log: room.log)":
     "部屋のプロセスが応答しません（記録：room.log）",
@@ -843,9 +849,6 @@ export const JA_TOLD: Templates = {
     "{name}の応答は{protocol}ではありません（{error}）",
   "{name} sends more than {n} frames a second; the rest is dropped":
     "{name}は毎秒{n}件を超えて送信しています。残りは捨てます",
-  ["{name} streams to the multicast group {group}, but nothing arrives at {own}; let firewall " +
-    "and switch pass it, or choose unicast in Motive"]:
-    "{name}は{group}へ送信していますが、{own}に届きません。ネットワークの設定を直すか、Motiveでユニキャストを選んでください",
   "{name} streams with y up; choose z up in the tracking software":
     "{name}はy軸が上です。計測ソフトでz軸を上にしてください",
   "{name}: no depth images": "{name}：深度画像がありません",
@@ -876,8 +879,6 @@ export const JA_TOLD: Templates = {
     "{time}、電池{p}%が必要ですが、帰りの分を除くと残り{q}%です",
   "it was cancelled": "中止されました",
   "it would land {d} m from the pad": "パッドから{d} m離れて着陸します",
-  "its answers lead to more than {n} ways: too many to rehearse":
-    "答えによる経路が{n}通りを超え、試算できません",
   "its deadline is over already": "期限を過ぎています",
   "nobody is seen": "誰も見えません",
   "nobody said yes in time": "期限までに承認がありませんでした",
@@ -898,8 +899,6 @@ export const JA_TOLD: Templates = {
   "the program ended while it ran": "実行中にプログラムが終了しました",
   "the queue was full, it made way": "順番待ちがいっぱいで外れました",
   "the queue was full, it made way for '{title}'": "順番待ちがいっぱいで、「{title}」に譲りました",
-  "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
-    "試算が{n}秒で終わりません。パソコンの負荷が高いか、経路が多すぎます",
   "the tasks have just begun": "用事の管理が始まったばかりです",
   "{n} before it": "前に{n}件",
   "{n} tasks of {who} wait already; answer or cancel one":

@@ -456,6 +456,7 @@ export interface TaskStatus {
   took_off_at: number | null;
   flown: number | null;
   recording: string;
+  drone: string;
 }
 
 export interface TaskBoard {

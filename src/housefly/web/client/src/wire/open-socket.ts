@@ -1,9 +1,13 @@
 import { proof } from "./session";
 
-/** The address of a WebSocket at a path of this server; the proof travels as a subprotocol. */
+/**
+ * The address of a WebSocket at a path of this server; the proof travels as a subprotocol, and the
+ * drone that this page shows as in its own address.
+ */
 export function socketAddress(path: string): [address: string, protocols: string[]] {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
-  return [`${scheme}://${location.host}${path}`, ["housefly", `proof.${proof()}`]];
+  const address = `${scheme}://${location.host}${path}${location.search}`;
+  return [address, ["housefly", `proof.${proof()}`]];
 }
 
 /** Open a WebSocket at a path of this server. */

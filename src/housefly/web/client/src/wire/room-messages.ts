@@ -320,6 +320,19 @@ export interface FlightReplay {
   notes: FlightNote[];
 }
 
+export interface DroneView {
+  name: string;
+  headline: Said;
+  may_be_airborne: boolean;
+  stopped: boolean;
+  battery: number | null;
+  control: string;
+}
+
+export interface DronesView {
+  drones: DroneView[];
+}
+
 export interface News {
   at: number;
   things: PlacedThing[];
@@ -343,6 +356,7 @@ export type RoomAnswer =
   | EditsView
   | BellView
   | FlightsView
-  | FlightReplay;
+  | FlightReplay
+  | DronesView;
 
 export type RoomNews = News;

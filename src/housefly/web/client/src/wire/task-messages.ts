@@ -116,6 +116,7 @@ export interface TaskStatus {
   took_off_at: number | null;
   flown: number | null;
   recording: string;
+  drone: string;
 }
 
 export interface TasksAnswer {
@@ -172,6 +173,7 @@ export interface TaskRequest {
   priority: Priority;
   deadline: number | null;
   owner: string;
+  drone: string;
 }
 
 export interface SentenceAnswer {

@@ -1,0 +1,149 @@
+"""Flies a service with each of several drones at once over real wires: all processes, real time."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from math import inf, isfinite
+from pathlib import Path
+
+import numpy as np
+
+from housefly.app.launcher import Launcher, processes_of
+from housefly.app.new_runtime import new_runtime
+from housefly.app.readiness import Readiness
+from housefly.bus.topics import DroneTopics
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.errors import LinkError
+from housefly.lab.lockstep.service_monitor import ServiceMonitor
+from housefly.lab.lockstep.simulation import sites_of_drones
+from housefly.messages import Order, PilotStep
+from housefly.record.truth import TRUTH_FILE, judged_outcome, read_truth
+from housefly.sites.loaded_site import LoadedSite
+from scores.fleet_flight import FlownService
+
+_READY_TIMEOUT = 90.0
+"""All processes answer within this [s]."""
+_SETTLING_TIME = 3.0
+"""How long the drones stand before they are ordered anything [s]."""
+
+
+@dataclass
+class _Heard:
+    """What one pilot published since its order."""
+
+    monitor: ServiceMonitor
+    steps: list[PilotStep] = field(default_factory=list)
+    late: list[float] = field(default_factory=list)
+
+    def take(self, step: PilotStep) -> None:
+        """Follow the service by a step; those of before the order do not count."""
+        self.late.append(step.inputs.late)
+        if step.now >= self.monitor.started_at and not self.monitor.outcome:
+            self.monitor = self.monitor.updated(step)
+
+
+@dataclass(frozen=True, slots=True)
+class WiredServices:
+    """What became of the services.
+
+    Attributes:
+        flown: by the drone's name.
+        late: 99th percentile of how late the pilots' steps began [s], by the drone's name.
+    """
+
+    flown: dict[str, FlownService]
+    late: dict[str, float]
+
+
+def fly_services_over_wires(
+    loaded: LoadedSite, orders: Mapping[str, Order], after: Mapping[str, float], patience: float
+) -> WiredServices:
+    """Fly the services that are ordered by all processes of a site, and judge them by the truth.
+
+    Args:
+        loaded: a site with several drones.
+        orders: what each drone flies.
+        after: how much later than the first each is ordered [s].
+        patience: how long the whole may take [s].
+
+    Raises:
+        LinkError: a process does not answer.
+    """
+    homes = {name: own.room.home for name, own in sites_of_drones(loaded).items()}
+    with tempfile.TemporaryDirectory() as at:
+        folder = Path(at)
+        runtime = new_runtime(loaded.site, folder)
+        truth_file = folder / TRUTH_FILE
+        processes = processes_of(runtime, truth_file=truth_file)
+        with Launcher(runtime, folder, processes) as launcher:
+            with ZenohBus(connect=runtime.bus) as bus:
+                missing = Readiness(runtime.site(), bus, web=False, video=False).wait(
+                    _READY_TIMEOUT
+                )
+                if missing:
+                    raise LinkError(missing)
+                heard = _flown(bus, orders, after, homes, patience)
+            launcher.stop()
+        return WiredServices(
+            {
+                name: _judged(one, truth_file.with_stem(f"{truth_file.stem}-{name}"), homes[name])
+                for name, one in heard.items()
+            },
+            {name: float(np.percentile(one.late, 99)) for name, one in heard.items()},
+        )
+
+
+def _flown(
+    bus: ZenohBus,
+    orders: Mapping[str, Order],
+    after: Mapping[str, float],
+    homes: Mapping[str, tuple[float, float]],
+    patience: float,
+) -> dict[str, _Heard]:
+    began = time.monotonic() + _SETTLING_TIME
+    due = {name: began + after.get(name, 0.0) for name in orders}
+    heard = {
+        name: _Heard(ServiceMonitor(due[name], homes[name], patience, grace=5.0)) for name in orders
+    }
+    listening = [bus.subscribe(DroneTopics(name).step, heard[name].take) for name in orders]
+    ordered: set[str] = set()
+    while not all(one.monitor.outcome for one in heard.values()):
+        now = time.monotonic()
+        for name, at in due.items():
+            if now >= at and name not in ordered:
+                ordered.add(name)
+                bus.publish(DroneTopics(name).order, replace(orders[name], issued_at=now))
+        if now > began + patience:
+            break
+        time.sleep(0.01)
+    time.sleep(1.0)
+    for one in listening:
+        one.close()
+    return heard
+
+
+def _judged(heard: _Heard, path: Path, home: tuple[float, float]) -> FlownService:
+    truth = read_truth(path)
+    assert truth is not None, path
+    contacts = tuple(one for one in truth.contacts if one.motors_turned)
+    x, y, _ = truth.position[-1]
+    off_pad = float(np.hypot(x - home[0], y - home[1]))
+    outcome = judged_outcome(heard.monitor.outcome or "not done", contacts, off_pad)
+    flying = truth.time[truth.airborne]
+    return FlownService(
+        outcome,
+        float(flying[-1] - flying[0]) if len(flying) else 0.0,
+        contacts,
+        _nearest_drone(path),
+        min((one for one in truth.person[truth.airborne].tolist() if isfinite(one)), default=inf),
+    )
+
+
+def _nearest_drone(path: Path) -> float:
+    """Return how near the hull came to another's in the air [m]."""
+    samples = (json.loads(line) for line in path.read_text().splitlines() if '"airborne"' in line)
+    return min((one["drone"] for one in samples if one["airborne"] and one["drone"]), default=inf)

@@ -1,0 +1,63 @@
+"""Privacy in pictures: zones blank and faces blurred, before disk and screen."""
+
+from __future__ import annotations
+
+from housefly.evidence.face_blur import FaceBlur
+from housefly.evidence.picture_codec import Picture, PictureDecoder, PictureEncoder
+from housefly.evidence.picture_cover import EVERYTHING, FilmedFrame, PictureCover
+from housefly.messages import VideoFrame
+
+BLANK = (24, 26, 30)
+"""Colour of what is blank (RGB)."""
+
+
+class FrameBlanker:
+    """Decodes, blanks and encodes a stream, picture by picture.
+
+    Args:
+        faces: what blurs faces, or None.
+
+    Attributes:
+        has_blanked: whether anything was blanked so far.
+    """
+
+    def __init__(self, faces: FaceBlur | None = None) -> None:
+        self.has_blanked = False
+        self._faces = faces
+        self._decoder = PictureDecoder()
+        self._encoder: PictureEncoder | None = None
+
+    def filtered(self, filmed: FilmedFrame) -> VideoFrame | None:
+        """Return the frame that may be shown and kept; None when it cannot be decoded.
+
+        Frames must come in order, each of them.
+        """
+        picture = self.picture(filmed)
+        if picture is None:
+            return None
+        size = picture.shape[1], picture.shape[0]
+        if self._encoder is None or self._encoder.size != size:
+            self._encoder = PictureEncoder(*size)
+        return self._encoder.encode(picture, filmed.frame)
+
+    def picture(self, filmed: FilmedFrame) -> Picture | None:
+        """Return the picture that may be shown and kept; None when it cannot be decoded."""
+        decoded = self._decoder.decode(filmed.frame)
+        if decoded is None:
+            return None
+        shown = decoded if self._faces is None else self._faces.blurred(decoded)
+        if filmed.cover.is_empty:
+            return shown
+        self.has_blanked = True
+        size = filmed.frame.width, filmed.frame.height
+        # A cover is made for the size that the drone tells.
+        is_told = size == (shown.shape[1], shown.shape[0])
+        return blanked_picture(shown, filmed.cover if is_told else EVERYTHING)
+
+
+def blanked_picture(picture: Picture, cover: PictureCover) -> Picture:
+    """Return a picture with everything blank that must be."""
+    height, width = picture.shape[:2]
+    blank = picture.copy()
+    blank[cover.mask(width, height)] = BLANK
+    return blank

@@ -1,0 +1,56 @@
+"""What serves a simulated drone on its wire, by model; an installed package brings its own."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Protocol
+
+from housefly.config.airframe import installed_models
+from housefly.errors import ConfigError
+from housefly.twin.address import check_address
+from housefly.twin.ardrone.link import LinkFilters
+from housefly.twin.ardrone.server import ArDroneServer
+from housefly.twin.contracts import TwinDrone
+
+
+class DroneServer(Protocol):
+    """The drone's side of its wire; made of the simulated drone and the address to answer at."""
+
+    async def start(self) -> None:
+        """Open the wire; raises LinkError when a port cannot be had."""
+        ...
+
+    async def stop(self) -> None:
+        """Close it."""
+        ...
+
+
+SERVERS = {"ardrone": ArDroneServer}
+"""What serves each of our own models."""
+
+
+def server_of(
+    kind: str, drone: TwinDrone, address: str, *, beyond_loopback: bool, filters: LinkFilters
+) -> DroneServer:
+    """Return what serves a drone of a model, not yet started.
+
+    Args:
+        kind: its model.
+        drone: what flies.
+        address: IP address to answer at.
+        beyond_loopback: allow an address that other machines can reach.
+        filters: what stands between client and drone; only our own servers have them.
+
+    Raises:
+        ConfigError: an address that is not loopback, without ``beyond_loopback``; a model whose
+            wire nothing simulates.
+    """
+    if kind in SERVERS:
+        return SERVERS[kind](drone, address, beyond_loopback=beyond_loopback, filters=filters)
+    if kind not in installed_models():
+        raise ConfigError(
+            "drone.kind", f"is {kind!r}: nothing simulates its wire; it flies in lock step only"
+        )
+    check_address("drone.address", address, beyond_loopback)
+    server: DroneServer = import_module(f"{installed_models()[kind]}.twin").Server(drone, address)
+    return server
