@@ -14,7 +14,7 @@ from housefly.bus.reconnect import connection_lost
 from housefly.config.devices import MqttConfig
 from housefly.config.text import read_text_file
 from housefly.errors import ConfigError
-from housefly.messages.words import Words
+from housefly.messages.words import Words, literal
 
 MQTT_ERRORS = (aiomqtt.MqttError, OSError, UnicodeError)
 """What a connection may raise; UnicodeError comes from a malformed broker name."""
@@ -102,22 +102,15 @@ async def mqtt_problem(error: Exception, config: MqttConfig, was_connected: bool
             name=at,
         )
     if speaks == _MQTT_5:
-        return Words(
-            "the MQTT broker at {name} answers, but no connection comes about ({error})",
-            name=at,
-            error=str(error),
-        )
+        return literal(f"the MQTT broker at {at} answers, but no connection comes about ({error})")
     if speaks:
-        return Words(
-            "the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks;"
-            " update it (mosquitto from 1.6 on)",
-            name=at,
-            version=speaks,
+        return literal(
+            f"the MQTT broker at {at} speaks MQTT {speaks} and not MQTT 5, which Housefly speaks;"
+            " update it (mosquitto from 1.6 on)"
         )
-    return Words(
-        "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port"
-        " right?",
-        name=at,
+    return literal(
+        f"something answers at {at}, but not as an MQTT broker without TLS does;"
+        " is mqtt.port right?"
     )
 
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from threading import Lock
 
-from housefly.messages.words import Words, figure
+from housefly.messages.words import literal
 from housefly.sensors.contracts import SensorHealth
 
 STEP = 1.0
@@ -56,9 +56,8 @@ class WallClock:
         self.offset()
         if not self.set_back:
             return ()
-        problem = Words(
-            "the machine's clock was set back by {n} s; the memory counts on from before, so its"
-            " times run ahead by that until Housefly is started again",
-            n=figure(self.set_back, ".0f"),
+        problem = literal(
+            f"the machine's clock was set back by {self.set_back:.0f} s; the memory counts on from"
+            " before, so its times run ahead by that until Housefly is started again"
         )
         return (SensorHealth("clock", "clock", "the machine's clock", False, problem=problem),)

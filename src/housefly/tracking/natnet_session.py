@@ -8,7 +8,7 @@ from collections.abc import Callable
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, WireError
-from housefly.messages.words import UNSAID, Words, figure
+from housefly.messages.words import UNSAID, Words, figure, literal
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.datagrams import DatagramReceiver, SocketAddress, multicast_receiver
@@ -112,12 +112,10 @@ class NatNetSession:
                 other=self._other_host,
             )
         if self._info is not None and self._info.multicast:
-            return Words(
-                "{name} streams to the multicast group {group}, but nothing arrives at {own}; let"
-                " firewall and switch pass it, or choose unicast in Motive",
-                name=self._where,
-                group=f"{self._info.group}:{self._info.data_port}",
-                own=self._interface,
+            return literal(
+                f"{self._where} streams to the multicast group"
+                f" {self._info.group}:{self._info.data_port}, but nothing arrives at"
+                f" {self._interface}; let firewall and switch pass it, or choose unicast in Motive"
             )
         return Words(
             "connected to {name}, but nothing new arrives; is {what} live, not paused?",

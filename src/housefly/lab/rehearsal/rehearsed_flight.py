@@ -109,10 +109,9 @@ class RehearsedSite:
             report = RehearsalReport(
                 False,
                 ReasonCode.NOT_READY,
-                Words(
-                    "the rehearsal was not done after {n} s: this machine is busy, or the task has"
-                    " many ways",
-                    n=figure(limit, ".0f"),
+                literal(
+                    f"the rehearsal was not done after {limit:.0f} s: this machine is busy, or"
+                    " the task has many ways"
                 ),
             )
         return replace(report, took=time.monotonic() - began)
@@ -172,9 +171,8 @@ class RehearsedSite:
                 return replace(report, words=words)
             branches.append(branch)
         if len(branches) > BRANCHES_MAX:
-            words = Words(
-                "its answers lead to more than {n} ways: too many to rehearse",
-                n=figure(BRANCHES_MAX),
+            words = literal(
+                f"its answers lead to more than {BRANCHES_MAX} ways: too many to rehearse"
             )
             return RehearsalReport(False, ReasonCode.TOO_LONG, words)
         if all(branch.fails_by_itself for branch in branches):

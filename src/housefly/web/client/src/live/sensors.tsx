@@ -1,9 +1,10 @@
 import { useEffect } from "preact/hooks";
 import { milliseconds } from "../format";
-import type { SensorAnswer } from "../wire/room-messages";
+import type { Said, SensorAnswer } from "../wire/room-messages";
 import { sensors, trouble, wantsSensors } from "./store";
 import { ago } from "./words";
-import { t, tongue, translated } from "../messages/language";
+import { t, translated } from "../messages/language";
+import { Told } from "../messages/told";
 
 type Health = "well" | "warning" | "fault";
 
@@ -47,13 +48,19 @@ export function Sensors() {
             <span class="mark">{memory === ALL_KEPT ? MARK.well : MARK.warning}</span>
             <span>{t("memory")}</span>
             <span class="quiet">{memory === ALL_KEPT && translated(memory)}</span>
-            {memory !== ALL_KEPT && <em lang={tongue(translated(memory))}>{translated(memory)}</em>}
+            {memory !== ALL_KEPT && saying(memory)}
           </li>
         )}
       </ul>
     </section>
   );
 }
+
+const saying = (said: Said) => (
+  <em>
+    <Told words={translated(said)} />
+  </em>
+);
 
 function Row({ one }: { one: SensorAnswer }) {
   const state = health(one);
@@ -67,7 +74,7 @@ function Row({ one }: { one: SensorAnswer }) {
         {one.rate_hz >= 0.5 ? `${Math.round(one.rate_hz)} Hz · ` : ""}
         {heard(one.age)}
       </span>
-      {one.problem && <em lang={tongue(translated(one.problem))}>{translated(one.problem)}</em>}
+      {one.problem && saying(one.problem)}
     </li>
   );
 }

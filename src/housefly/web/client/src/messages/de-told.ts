@@ -897,19 +897,11 @@ export const DE_TOLD: Templates = {
     "sendet mehr als {n} Nachrichten je Sekunde; der Rest fällt weg",
   "silent for {n} s; it sends its state at least every {k} s":
     "schweigt seit {n} s; sendet sonst mindestens alle {k} s",
-  "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port right?":
-    "unter {name} antwortet etwas, aber kein MQTT-Broker ohne TLS; stimmt mqtt.port?",
   "speaks of more than {n} things": "meldet mehr als {n} Dinge",
-  "the MQTT broker at {name} answers, but no connection comes about ({error})":
-    "der MQTT-Broker unter {name} antwortet, doch keine Verbindung kommt zustande ({error})",
   "the MQTT broker at {name} refuses us ({error})":
     "der MQTT-Broker unter {name} weist uns ab ({error})",
   "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file":
     "der MQTT-Broker unter {name} weist uns ab; mqtt.username und mqtt.password_file prüfen",
-  ["the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks; " +
-    "update it (mosquitto from 1.6 on)"]:
-    "der MQTT-Broker unter {name} spricht MQTT {version}, nicht 5; bitte aktualisieren " +
-      "(mosquitto ab 1.6)",
   "the connection to {name} was lost": "die Verbindung zu {name} ging verloren",
   "the driver's process does not answer (its log: driver.log)":
     "der Prozess des Treibers antwortet nicht (Protokoll: driver.log)",
@@ -918,10 +910,6 @@ export const DE_TOLD: Templates = {
   "the drone is silent; is it switched on?": "die Drohne schweigt; ist sie eingeschaltet?",
   "the drone keeps {setting} = {kept} instead of {wanted}":
     "die Drohne behält {setting} = {kept} statt {wanted}",
-  ["the machine's clock was set back by {n} s; the memory counts on from before, so its times " +
-    "run ahead by that until Housefly is started again"]:
-    "die Uhr des Rechners wurde um {n} s zurückgestellt; bis zum Neustart gehen die Zeiten " +
-      "des Gedächtnisses um so viel vor",
   "the pilot is not heard": "der Autopilot schweigt",
   "the room's process does not answer (its log: room.log)":
     "der Prozess des Raums antwortet nicht (Protokoll: room.log)",
@@ -929,10 +917,6 @@ export const DE_TOLD: Templates = {
     "was unter {name} antwortet, spricht nicht {protocol} ({error})",
   "{name} sends more than {n} frames a second; the rest is dropped":
     "{name} sendet mehr als {n} Bilder je Sekunde; der Rest fällt weg",
-  ["{name} streams to the multicast group {group}, but nothing arrives at {own}; let firewall " +
-    "and switch pass it, or choose unicast in Motive"]:
-    "{name} sendet an die Multicast-Gruppe {group}, doch bei {own} kommt nichts an; in " +
-      "Firewall und Switch freigeben oder in Motive Unicast wählen",
   "{name} streams with y up; choose z up in the tracking software":
     "{name} sendet mit y nach oben; in der Ortungssoftware z nach oben wählen",
   "{name}: no depth images": "{name}: keine Tiefenbilder",
@@ -964,8 +948,6 @@ export const DE_TOLD: Templates = {
     "dauert {time} und braucht {p} % der Ladung; über den Heimweg hinaus sind {q} % übrig",
   "it was cancelled": "wurde abgebrochen",
   "it would land {d} m from the pad": "sie würde {d} m neben dem Landeplatz landen",
-  "its answers lead to more than {n} ways: too many to rehearse":
-    "die Antworten ergeben mehr als {n} Wege: zu viele zum Proben",
   "its deadline is over already": "die Frist ist schon vorbei",
   "nobody is seen": "niemand ist zu sehen",
   "nobody said yes in time": "niemand hat rechtzeitig Ja gesagt",
@@ -989,9 +971,6 @@ export const DE_TOLD: Templates = {
   "the queue was full, it made way": "die Warteschlange war voll, anderes ging vor",
   "the queue was full, it made way for '{title}'":
     "die Warteschlange war voll, „{title}“ ging vor",
-  "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
-    "die Probe war nach {n} s nicht fertig: der Rechner ist ausgelastet, oder die Aufgabe " +
-      "hat viele Wege",
   "the tasks have just begun": "die Aufgaben haben eben begonnen",
   "{n} before it": "{n} davor",
   "{n} tasks of {who} wait already; answer or cancel one":

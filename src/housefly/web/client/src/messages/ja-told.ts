@@ -830,19 +830,11 @@ export const JA_TOLD: Templates = {
     "毎秒{n}件を超えて送信しています。残りは捨てます",
   "silent for {n} s; it sends its state at least every {k} s":
     "{n}秒間応答なし。通常は{k}秒以内ごとに送信します",
-  "something answers at {name}, but not as an MQTT broker without TLS does; is mqtt.port right?":
-    "{name}の応答は、TLSなしのMQTTブローカーのものではありません。mqtt.portは正しいですか",
   "speaks of more than {n} things": "{n}個を超える物を報告しています",
-  "the MQTT broker at {name} answers, but no connection comes about ({error})":
-    "{name}のMQTTブローカーは応答しますが、接続できません（{error}）",
   "the MQTT broker at {name} refuses us ({error})":
     "{name}のMQTTブローカーに拒否されました（{error}）",
   "the MQTT broker at {name} refuses us; check mqtt.username and mqtt.password_file":
     "{name}のMQTTブローカーに拒否されました。mqtt.usernameとmqtt.password_fileを確認してください",
-  ["the MQTT broker at {name} speaks MQTT {version} and not MQTT 5, which Housefly speaks; " +
-    "update it (mosquitto from 1.6 on)"]:
-    "{name}のMQTTブローカーはMQTT {version}で、5ではありません。更新してください（mosquitto " +
-      "1.6以降）",
   "the connection to {name} was lost": "{name}との接続が切れました",
   "the driver's process does not answer (its log: driver.log)":
     "ドライバーのプロセスが応答しません（記録：driver.log）",
@@ -850,9 +842,6 @@ export const JA_TOLD: Templates = {
   "the drone is silent; is it switched on?": "ドローンから応答がありません。電源は入っていますか",
   "the drone keeps {setting} = {kept} instead of {wanted}":
     "ドローンの{setting}が{wanted}ではなく{kept}のままです",
-  ["the machine's clock was set back by {n} s; the memory counts on from before, so its times " +
-    "run ahead by that until Housefly is started again"]:
-    "パソコンの時計が{n}秒戻されました。再起動するまで、記録の時刻はその分進みます",
   "the pilot is not heard": "自動操縦の応答がありません",
   "the room's process does not answer (its log: room.log)":
     "部屋のプロセスが応答しません（記録：room.log）",
@@ -860,9 +849,6 @@ export const JA_TOLD: Templates = {
     "{name}の応答は{protocol}ではありません（{error}）",
   "{name} sends more than {n} frames a second; the rest is dropped":
     "{name}は毎秒{n}件を超えて送信しています。残りは捨てます",
-  ["{name} streams to the multicast group {group}, but nothing arrives at {own}; let firewall " +
-    "and switch pass it, or choose unicast in Motive"]:
-    "{name}は{group}へ送信していますが、{own}に届きません。ネットワークの設定を直すか、Motiveでユニキャストを選んでください",
   "{name} streams with y up; choose z up in the tracking software":
     "{name}はy軸が上です。計測ソフトでz軸を上にしてください",
   "{name}: no depth images": "{name}：深度画像がありません",
@@ -893,8 +879,6 @@ export const JA_TOLD: Templates = {
     "{time}、電池{p}%が必要ですが、帰りの分を除くと残り{q}%です",
   "it was cancelled": "中止されました",
   "it would land {d} m from the pad": "パッドから{d} m離れて着陸します",
-  "its answers lead to more than {n} ways: too many to rehearse":
-    "答えによる経路が{n}通りを超え、試算できません",
   "its deadline is over already": "期限を過ぎています",
   "nobody is seen": "誰も見えません",
   "nobody said yes in time": "期限までに承認がありませんでした",
@@ -915,8 +899,6 @@ export const JA_TOLD: Templates = {
   "the program ended while it ran": "実行中にプログラムが終了しました",
   "the queue was full, it made way": "順番待ちがいっぱいで外れました",
   "the queue was full, it made way for '{title}'": "順番待ちがいっぱいで、「{title}」に譲りました",
-  "the rehearsal was not done after {n} s: this machine is busy, or the task has many ways":
-    "試算が{n}秒で終わりません。パソコンの負荷が高いか、経路が多すぎます",
   "the tasks have just begun": "用事の管理が始まったばかりです",
   "{n} before it": "前に{n}件",
   "{n} tasks of {who} wait already; answer or cancel one":
