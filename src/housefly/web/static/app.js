@@ -1,1 +1,1 @@
-import"./chunk-chunk-5TUTTVL3.js";
+import"./chunk-chunk-AZZP6CBB.js";
