@@ -35,6 +35,7 @@ def on_step(step: housefly.PilotStep) -> None:
 
 flight = housefly.fly("entrance", site, lockstep=False, on_step=on_step)
 summary = flight.summary
-print(f"{flight.outcome}: true rms error {summary.rms_error_m:.3f} m, {summary.contacts} touched")
+error = f"{summary.rms_error_m:.3f} m" if summary.rms_error_m is not None else "not measured"
+print(f"{flight.outcome}: true rms error {error}, {summary.contacts} touched")
 print(f"replayed: {flight.replay().difference or 'the same to the last bit'}")
 flight.close()
