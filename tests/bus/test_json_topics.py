@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from housefly.bus.codec import decoded, encoded
 from housefly.bus.topics import Topic
+from housefly.config.house_mode import HouseMode
 from housefly.errors import WireError
 from housefly.hub.api.answers import (
     EventAnswer,
@@ -23,7 +24,6 @@ from housefly.hub.api.answers import (
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
-from housefly.tasks.api.values import HouseMode
 
 TOPICS = (ROOM_NEWS_TOPIC, TASK_NEWS_TOPIC)
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
