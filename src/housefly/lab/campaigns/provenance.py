@@ -46,7 +46,7 @@ def versions() -> dict[str, str]:
 
 
 def processor() -> str:
-    """Return the kind of processor: those of one kind fly the same bits (architecture.md)."""
+    """Return the kind of processor: those of one kind fly the same bits (same-bits.md)."""
     features = llvm.get_host_cpu_features()
     if features.get("avx2") and features.get("fma"):
         return "x86-64 with AVX2 and FMA"
