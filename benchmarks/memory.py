@@ -119,7 +119,7 @@ def hub() -> list[float]:
         room = Room(read_site("bsen"), Path(folder) / "room.db")
         used = sampled(room.tick)
         print(
-            f"{room.taken:,} taken, {room.told:,} news, store: {room.memory.writer.report()}",
+            f"{room.taken:,} taken, {room.told:,} news, store: {room.memory.writer.report() or 'all is kept'}",
             file=sys.stderr,
         )
         assert not room.memory.writer.dropped()

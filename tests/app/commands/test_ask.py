@@ -93,7 +93,7 @@ def test_what_a_device_says_is_text_and_neither_a_style_nor_the_end_of_the_comma
 
     class Room:
         def ask(self, question: object) -> SensorsAnswer:
-            return SensorsAnswer((sensor,), "all is kept")
+            return SensorsAnswer((sensor,), "")
 
     @contextmanager
     def room(options: object) -> Iterator[Room]:

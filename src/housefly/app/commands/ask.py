@@ -148,7 +148,7 @@ def _sensors(options: Namespace) -> int:
         plain_console.print(table)
     else:
         plain_console.print("sensors are heard only while a room runs")
-    plain_console.print(f"memory: {answer.memory}")
+    plain_console.print(f"memory: {answer.memory or 'all is kept'}")
     ill = [one for one in answer.sensors if one.problem or not one.connected]
     if ill and (load := machine_load()).is_too_high:
         plain_console.print(f"likely cause: {load.note}: {load.words}; {OVERLOAD_REMEDY}")

@@ -187,7 +187,7 @@ class SensorAnswer:
 
 @dataclass(frozen=True, slots=True)
 class SensorsAnswer:
-    """How every sensor does, and what the memory itself has to say."""
+    """How every sensor does, and what is wrong with the memory itself; "" when all is kept."""
 
     sensors: tuple[SensorAnswer, ...]
     memory: str

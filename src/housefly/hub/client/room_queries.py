@@ -104,7 +104,7 @@ class RoomQueries(ABC):
         return answer.sensors
 
     def memory(self) -> str:
-        """Return the state of the room's memory in words."""
+        """Return what is wrong with the room's memory, in words; "" when all is kept."""
         answer: SensorsAnswer = self.ask(SensorsQuestion())
         return answer.memory
 

@@ -61,7 +61,7 @@ class StoreWriter:
             self._count(_rows_in(values), _STOPPED)
 
     def report(self) -> str:
-        """Return the state in words, for example "all is kept".
+        """Return what is wrong, in words; "" when all is kept.
 
         Says what was dropped in the last minute and why, and what waits and why.
         """
@@ -71,7 +71,7 @@ class StoreWriter:
             f"{waiting:,} rows wait: {self._reason}".replace(",", " ") if self._reason else "",
             *self._notices,
         ]
-        return "; ".join(part for part in parts if part) or "all is kept"
+        return "; ".join(part for part in parts if part)
 
     def dropped(self) -> Dropped:
         """Return how many rows were dropped since the start."""

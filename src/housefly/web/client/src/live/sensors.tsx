@@ -10,9 +10,6 @@ type Health = "well" | "warning" | "fault";
 
 const MARK: Record<Health, string> = { well: "✓", warning: "△", fault: "✕" };
 
-/** What the memory says of itself when nothing is wrong with it. */
-const ALL_KEPT = "all is kept";
-
 /** Every sensor: how often it speaks, when it last did, and what is wrong, in words. */
 export function Sensors() {
   useEffect(() => {
@@ -43,12 +40,12 @@ export function Sensors() {
           .map((one) => (
             <Row key={one.sensor} one={one} />
           ))}
-        {memory && (
-          <li data-health={memory === ALL_KEPT ? "well" : "warning"}>
-            <span class="mark">{memory === ALL_KEPT ? MARK.well : MARK.warning}</span>
+        {memory !== undefined && (
+          <li data-health={memory ? "warning" : "well"}>
+            <span class="mark">{memory ? MARK.warning : MARK.well}</span>
             <span>{t("memory")}</span>
-            <span class="quiet">{memory === ALL_KEPT && translated(memory)}</span>
-            {memory !== ALL_KEPT && saying(memory)}
+            <span class="quiet">{memory ? "" : t("all is kept")}</span>
+            {memory && saying(memory)}
           </li>
         )}
       </ul>

@@ -495,7 +495,6 @@ export const DE_TOLD: Templates = {
   "with your role clips can be watched, not taken away together":
     "mit Ihrer Rolle lassen sich Clips ansehen, nicht gemeinsam speichern",
   // the room and the tasks
-  "all is kept": "alles wird aufbewahrt",
   "bell pressed": "Türklingel gedrückt",
   "bell": "Türklingel",
   "person present": "Person anwesend",

@@ -177,6 +177,7 @@ const texts: Speech["texts"] = {
   "none heard yet": "noch keiner gehört",
   "{n} of {all} needs a look|{n} of {all} need a look":
     "{n} von {all} braucht einen Blick|{n} von {all} brauchen einen Blick",
+  "all is kept": "alles wird aufbewahrt",
   "all {n} are well": "alle {n} in Ordnung",
   "memory": "Gedächtnis",
   "never heard": "nie gehört",

@@ -443,7 +443,6 @@ export const JA_TOLD: Templates = {
   "the line to the server broke": "サーバーとの通信が切れました",
   "with your role clips can be watched, not taken away together": "あなたの役割では、動画は見られますが、まとめて保存できません",
   // the room and the tasks
-  "all is kept": "すべて保存されています",
   "bell pressed": "呼び鈴が押されました",
   "bell": "呼び鈴",
   "person present": "人がいます",

@@ -171,6 +171,7 @@ const texts: Speech["texts"] = {
   "Sensors": "センサー",
   "none heard yet": "まだ受信なし",
   "{n} of {all} needs a look|{n} of {all} need a look": "{all}個中 {n}個を確認してください",
+  "all is kept": "すべて保存されています",
   "all {n} are well": "{n}個すべて良好",
   "memory": "記憶",
   "never heard": "受信なし",
