@@ -118,10 +118,8 @@ def hub() -> list[float]:
     with tempfile.TemporaryDirectory() as folder:
         room = Room(read_site("bsen"), Path(folder) / "room.db")
         used = sampled(room.tick)
-        print(
-            f"{room.taken:,} taken, {room.told:,} news, store: {room.memory.writer.report() or 'all is kept'}",
-            file=sys.stderr,
-        )
+        kept = room.memory.writer.report() or "all is kept"
+        print(f"{room.taken:,} taken, {room.told:,} news, store: {kept}", file=sys.stderr)
         assert not room.memory.writer.dropped()
         room.memory.close()
     return used
