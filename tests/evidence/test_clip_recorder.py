@@ -435,7 +435,7 @@ from pathlib import Path
 from filming import video
 from housefly.config.tasks import TasksConfig
 from housefly.messages import DroneStatus
-from housefly.tasks.api.values import HouseMode
+from housefly.config.house_mode import HouseMode
 from housefly.evidence.clip_news import ClipOrigin
 from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.values import StartClip

@@ -13,6 +13,7 @@ from drafts import whole_draft
 from PIL import Image
 
 from housefly.errors import HouseflyError
+from housefly.messages.words import UNSAID, Words
 from housefly.room.draft.alignment import rigid_fit
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
@@ -108,12 +109,12 @@ def missing_sentences() -> set[str]:
 def heard_sentences() -> set[str]:
     """Return what a live test of the tracking system says."""
     body = HeardBody("ardrone", (1.5, 2.5, 0.05), 0.3, 90.0, 0.001)
-    heard = Heard("10.0.0.5:801", 100.0, (body,), "")
+    heard = Heard("10.0.0.5:801", 100.0, (body,), UNSAID)
     several = (
         heard,
-        replace(heard, rate_hz=9.0, problem="the line broke"),
+        replace(heard, rate_hz=9.0, problem=Words("the line broke")),
         replace(heard, bodies=()),
-        Heard("10.0.0.5:801", 0.0, (), "nothing came from 10.0.0.5:801"),
+        Heard("10.0.0.5:801", 0.0, (), Words("nothing came from {name}", name="10.0.0.5:801")),
     )
     names = ("ardrone", "other")
     return {words for one in several for name in names for words in heard_words(one, name)}

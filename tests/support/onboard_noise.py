@@ -29,6 +29,9 @@ LONG_LEG = 8.0
 """The drone goes to and fro, as long each way [s]."""
 
 
+_BEGUN = odometry_begun(FLOW)
+
+
 @njit
 def _flown(
     seed: int,
@@ -42,7 +45,7 @@ def _flown(
     rows: TrackRing,
 ) -> tuple[float, float, float]:
     np.random.seed(seed)
-    odometry, windows = odometry_begun(FLOW), EMPTY_WINDOWS
+    odometry, windows = _BEGUN, EMPTY_WINDOWS
     bias_x, bias_y, x, next_at = 0.0, 0.0, 0.0, 0.0
     worst, told, landed = 0.0, np.inf, np.inf
     keep = np.exp(-TICK / FLOW.bias_time)

@@ -82,12 +82,16 @@ OVERFLOWING = """(() => [...document.querySelectorAll(
 )()"""
 
 
+_SHORT = 5
+"""How long such a name is."""
+
+
 def short(english: str) -> str:
     """Return the name that the build gives a template, as ``client/src/messages/short.ts``."""
     number, digits = 0, ""
     for letter in english:
         number = ((number ^ ord(letter)) * 0x1000193) & 0xFFFFFFFF
-    while number:
+    for _ in range(_SHORT):
         number, digit = divmod(number, 36)
         digits = "0123456789abcdefghijklmnopqrstuvwxyz"[digit] + digits
     return digits

@@ -16,6 +16,7 @@ from housefly.lab.experiments.cases import PARAMETERS, cases
 from housefly.lab.experiments.engine import fly_many, fly_recorded, fly_traced
 from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.trace import TRACE
+from housefly.pilot.control.forms import FormCode
 
 PATH = FlightPlan(Task.PATH, ((0.0, 0.0), (1.5, 0.0), (1.5, 1.0)), 12.0)
 STEP = FlightPlan(Task.STEP, ((0.0, 0.0), (0.5, 0.3)), 15.0)
@@ -194,6 +195,16 @@ LATENT = {
 """
 
 
+OF_PLACES = {
+    "pull": 4.0,
+    "model_pull": 4.0,
+    "stiffness": 4.0,
+    "model_stiffness": 4.0,
+    "form_speed_max": 0.3,
+}
+"""Columns of a drone that flies to places by itself, and what one is like."""
+
+
 @pytest.mark.parametrize(
     "name", [parameter.name for parameter in PARAMETERS if parameter.name not in LATENT]
 )
@@ -205,9 +216,11 @@ def test_every_column_has_an_effect(name: str) -> None:
         "pose_age_land": 0.5,
         "seed": np.arange(8),
     }
+    if name == "form" or name in OF_PLACES:
+        bad |= OF_PLACES | {"form": FormCode.POSITION}
     drones = cases(Site(), 8, **bad)
     others = drones.copy()
-    others[name] = others[name] * 1.07 + 0.013
+    others[name] = FormCode.VELOCITY if name == "form" else others[name] * 1.07 + 0.013
     assert fly_many(drones, PATH).tobytes() != fly_many(others, PATH).tobytes()
 
 

@@ -5,6 +5,8 @@ Each of these touched furniture while the drone waited for 2 s, as it does by it
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from housefly.lab.lockstep import lockstep_room
@@ -29,5 +31,8 @@ def test_a_drone_that_lands_after_a_second_of_silence_stays_off_the_furniture(
 def test_the_same_drone_as_it_comes_from_its_maker_does_harm(
     flight: TrialKey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(lockstep_room, "COM_WATCHDOG_TIME", 2)
+    limits = lockstep_room.onboard_limits
+    monkeypatch.setattr(
+        lockstep_room, "onboard_limits", lambda site: replace(limits(site), silence=2.0)
+    )
     assert any(words.startswith("I1") for words in fly_trial(flight).violations)

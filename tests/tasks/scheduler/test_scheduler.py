@@ -433,7 +433,7 @@ def test_two_drones_fly_two_tasks_at_once_and_the_third_waits_for_whichever_is_f
     assert decisions == (StartTask(1), StartTask(2))
     assert drones_of(scheduler) == {"red": "look", "blue": "patrol"}
     words = waiting_words(scheduler, RED, BLUE)
-    assert words == {3: "'Look' has red; 'Patrol' has blue"}
+    assert words == {3: "red: 'Look' has the drone; blue: 'Patrol' has the drone"}
     scheduler, decisions = scheduler.ticked(2.0, (RunReport(2, TaskStage.DONE),), RED, BLUE)
     assert StartTask(3) in decisions and drones_of(scheduler) == {"red": "look", "blue": "visit"}
 

@@ -185,7 +185,9 @@ async def test_the_twin_films_as_the_faults_have_it(
         )
         film, twin = Film(), Twin(site, make_room())
         with pytest.raises(TimeoutError):
-            await asyncio.wait_for(twin._drones[0]._film(film), 0.6)
+            served = twin._drones[0]
+            assert served._filmed is not None
+            await asyncio.wait_for(served._film(film, served._filmed), 0.6)
         return film.poses
 
     true, (slow, *others), (aside, *_) = (

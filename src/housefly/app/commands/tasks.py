@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import time
 from argparse import ArgumentParser, Namespace
@@ -14,6 +15,8 @@ from housefly.app.commands.offline_tasks import answer_offline, kept_tasks, ship
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.terminal import plain_console
+from housefly.config.drone import NAME_PATTERN
+from housefly.config.text import shortened
 from housefly.errors import ConfigError, LinkError
 
 if TYPE_CHECKING:
@@ -52,8 +55,19 @@ def _add_ask_arguments(parser: ArgumentParser) -> None:
     )
 
 
+def _check_drone(name: str) -> None:
+    """Raise ConfigError for what is no name of a drone; whether there is one, the room knows."""
+    if name and re.fullmatch(NAME_PATTERN, name) is None:
+        raise ConfigError(
+            "--drone",
+            f"is {shortened(name, 40)!r}; allowed: a name of [[drones]] in the site file: a-z, 0-9,"
+            " - and _, a letter first",
+        )
+
+
 def _ask(options: Namespace) -> int:
     """Say a sentence; print its answer, and the task that it starts until it ends."""
+    _check_drone(options.drone)
     from housefly.app.task_progress import follow
     from housefly.tasks.api.questions import Sentence
     from housefly.tasks.api.values import RequestSurface, TaskStage
