@@ -51,7 +51,7 @@ def _flown(
     keep = np.exp(-TICK / FLOW.bias_time)
     drive = FLOW.bias * np.sqrt(1.0 - keep * keep)
     past = np.zeros(4)
-    tolerance = OdometryTolerance(0.002, max(0.001, abs(flow_scale - 1.0)))
+    tolerance = OdometryTolerance(0.002, max(0.001, abs(flow_scale - 1.0)), FLOW)
     for tick in range(1, int(seconds / TICK)):
         at = tick * TICK
         wanted = speed if at % (2.0 * LONG_LEG) < LONG_LEG else -speed

@@ -1,1 +1,1 @@
-import"./chunk-chunk-AZZP6CBB.js";
+import"./chunk-chunk-3JDQFTOK.js";

@@ -165,6 +165,7 @@ export const EN = [
   "Sensors",
   "none heard yet",
   "{n} of {all} needs a look|{n} of {all} need a look",
+  "all is kept",
   "all {n} are well",
   "memory",
   "never heard",
