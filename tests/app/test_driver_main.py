@@ -81,7 +81,7 @@ class Run:
 
     def hovers_at(self, place: str) -> bool:
         """Return whether it rests where it was sent."""
-        now, (x, y) = self.room.now, self.room.loaded.room.place(place).position
+        now, (x, y) = self.room.now, self.room.loaded.room.place(place).viewpoint
         return hypot(now.x - x, now.y - y) < 0.1 and now.speed < 0.05
 
 
