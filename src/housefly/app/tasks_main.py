@@ -43,9 +43,8 @@ from housefly.hub.api.pilot_queries_json import from_json
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
-from housefly.lab.rehearsal.drone_rehearsers import DroneRehearsers
 from housefly.lab.rehearsal.rehearsal_ahead import tasks_ahead
-from housefly.lab.rehearsal.rehearser import Rehearser
+from housefly.lab.rehearsal.rehearser import DroneRehearsers, Rehearser
 from housefly.lab.rehearsal.room_now import RoomNow, room_now
 from housefly.messages import RecordingNews, VideoFrame
 from housefly.messages.words import UNSAID, Words

@@ -11,7 +11,7 @@ import pytest_asyncio
 from fake_room import example_room
 
 from housefly.messages import DroneStatus, OrderKind, Phase
-from housefly.web.control.nudges import LATE_MAX
+from housefly.web.control.orders import LATE_MAX
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
 

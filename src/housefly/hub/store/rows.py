@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from math import isfinite
 
 from housefly.geometry import Quaternion, Vec3
+from housefly.hub.situations.hysteresis import NOT_KNOWN, UNKNOWN
 from housefly.hub.store.database import Row
-from housefly.hub.store.old_facts import renewed
 from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Covariance, Facts, Observation, RoomEvent
 from housefly.messages.words import from_tree, with_trees
@@ -64,7 +64,7 @@ def sample_from_row(row: Row) -> Observation:
         covariance=_covariance(covariance),
         inside=inside,
         valid=bool(valid),
-        facts=renewed(_facts(facts)),
+        facts=_renewed(_facts(facts)),
     )
 
 
@@ -87,7 +87,7 @@ def row_of_event(event: RoomEvent) -> Row:
 def event_from_row(row: Row) -> RoomEvent:
     """Return an event from the columns ``EVENT_COLUMNS``."""
     at, kind, thing, source, cause, confidence, facts = row
-    return RoomEvent(kind, thing, at, source, cause, confidence, renewed(_facts(facts)))
+    return RoomEvent(kind, thing, at, source, cause, confidence, _renewed(_facts(facts)))
 
 
 def row_of_thing(thing: Thing) -> Row:
@@ -148,3 +148,24 @@ def _facts(text: str) -> Facts:
     return tuple(
         (name, from_tree(value) if isinstance(value, list) else value) for name, value in read
     )
+
+
+def _renewed(facts: Facts) -> Facts:
+    """Return facts with those that stood only in a sentence of 0.2.0.
+
+    The sources of an event's evidence ("bed: load 58 kg; last seen beside bed"), that an end only
+    says that its situation is unknown, and which key of a device was refused ("open is 'ajar'").
+    """
+    known = dict(facts)
+    if "refused" in known and "refused_key" not in known:
+        facts = (*facts, ("refused_key", str(known["refused"]).partition(" ")[0]))
+    if "evidence" in known and "sources" not in known:
+        facts = (*facts, ("sources", ",".join(_sources_in(str(known["evidence"])))))
+    if known.get("because") == NOT_KNOWN and UNKNOWN not in facts:
+        facts = (*facts, UNKNOWN)
+    return facts
+
+
+def _sources_in(evidence: str) -> tuple[str, ...]:
+    heads = (part.partition(":") for part in evidence.split("; "))
+    return tuple(dict.fromkeys(head for head, colon, _ in heads if colon and " " not in head))

@@ -10,11 +10,12 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
 from multiprocessing.connection import Connection
+from threading import Lock
 from typing import Any
 
 from housefly.errors import HouseflyError
@@ -245,3 +246,40 @@ class _Worker:
 
 def _not_ready(words: str) -> RehearsalReport:
     return RehearsalReport(False, ReasonCode.NOT_READY, literal(words))
+
+
+class DroneRehearsers:
+    """Hands each rehearsal to the worker of its drone; thread-safe.
+
+    Args:
+        starts: start the rehearsals of a drone, by its name; at least one.
+    """
+
+    def __init__(self, starts: Mapping[str, Callable[[], Rehearser]]) -> None:
+        self._starts, self._lock = starts, Lock()
+        self._first = next(iter(starts))
+        self._running: dict[str, Rehearser] = {}
+
+    def start(self) -> None:
+        """Start the first drone's worker, so that its first rehearsal need not wait."""
+        self._of(self._first)
+
+    def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
+        """Begin a rehearsal with a drone, "" for the first, in the room as it is now."""
+        return self._of(drone or self._first).rehearse(task)
+
+    def rehearse_ahead(self, tasks: Sequence[BoundTask]) -> None:
+        """Rehearse what may be asked for at any moment, with the first drone; see ``Rehearser``."""
+        self._of(self._first).rehearse_ahead(tasks)
+
+    def close(self) -> None:
+        """End all workers."""
+        with self._lock:
+            for rehearser in self._running.values():
+                rehearser.close()
+
+    def _of(self, drone: str) -> Rehearser:
+        with self._lock:
+            if drone not in self._running:
+                self._running[drone] = self._starts[drone]()
+            return self._running[drone]

@@ -7,14 +7,15 @@ from collections.abc import Callable
 from housefly.config.airframe import Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
-from housefly.messages.flight import Event, Order, OrderAnswer
+from housefly.messages.event_code import EventCode
+from housefly.messages.flight import Event, Order, OrderAnswer, Severity
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
+from housefly.messages.words import Words
 from housefly.pilot.behavior.blind_landing import BlindLanding
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.faster_way import FasterWayMonitor
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
-from housefly.pilot.behavior.lost_drones import LostDronesMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
@@ -26,6 +27,42 @@ from housefly.pilot.behavior.priorities import PRIORITIES, Situation, Watch
 from housefly.pilot.behavior.proposal import NOTHING, Look, Monitor
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
 from housefly.pilot.behavior.steered_landing import BlindPlan
+
+
+class LostDronesMonitor:
+    """Tells what a navigator finds out about the other drones."""
+
+    def __init__(self, navigator: Navigator) -> None:
+        self._navigator = navigator
+        self._told: tuple[str, ...] = ()
+
+    def step(self, now: float) -> list[Event]:
+        """Return what is new at a time [s]."""
+        lost, told = self._navigator.lost_drones, self._told
+        self._told = lost
+        gone = [
+            Event(
+                now,
+                Severity.WARNING,
+                EventCode.DRONE_LOST,
+                Words(
+                    "{who} flew and is not seen any more: its last place is kept clear", who=name
+                ),
+            )
+            for name in lost
+            if name not in told
+        ]
+        back = [
+            Event(
+                now,
+                Severity.INFO,
+                EventCode.DRONE_SEEN,
+                Words("the last place of {who} is no longer kept clear", who=name),
+            )
+            for name in told
+            if name not in lost
+        ]
+        return [*gone, *back]
 
 
 class MissionManager:

@@ -1,4 +1,4 @@
-"""A browser's request as an order for the pilot: what it needs, and its words in the log."""
+"""A browser's request or nudge as an order for the pilot: what it needs, its words in the log."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from housefly.messages import Order, OrderKind
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.messages.words import UNSAID, Words, literal
 from housefly.room.model import unknown_place
-from housefly.web.messages.client_messages import OrderRequest
+from housefly.web.messages.client_messages import NudgeRequest, OrderRequest
 
 ORDERS_WITHOUT_CONTROL = frozenset({OrderKind.STOP, OrderKind.LAND})
 """Orders that need no control: they only make the drone safer."""
@@ -69,3 +69,17 @@ def order_in_words(request: OrderRequest) -> str:
 
 def _within(point: tuple[float, float], bounds: tuple[float, float, float, float]) -> bool:
     return bounds[0] <= point[0] <= bounds[2] and bounds[1] <= point[1] <= bounds[3]
+
+
+LATE_MAX = 0.3
+"""A nudge that was held up for longer is nothing [s]; the pilot gives it up after the same time."""
+NEW_TIME = 2.0
+"""A nudge so long after the last one begins anew [s]: one line of the log."""
+
+
+def nudge_order(request: NudgeRequest, sender: str, given_at: float) -> Order:
+    """Return the order that goes on the bus, given at a time of ours [s]."""
+    by = sender[:NAME_LENGTH_MAX]
+    return Order(
+        OrderKind.NUDGE, issued_at=given_at, sender=by, velocity=request.velocity, id=token_hex(6)
+    )

@@ -22,10 +22,12 @@ from housefly.web.access.roles import Role, role_for_message, role_objection
 from housefly.web.access.session_auth import SessionAuth
 from housefly.web.access.session_watch import CLOSE_SESSION_OVER
 from housefly.web.control.control_lease import ControlLease
-from housefly.web.control.nudges import LATE_MAX, NEW_TIME, nudge_order
 from housefly.web.control.orders import (
+    LATE_MAX,
+    NEW_TIME,
     ORDER_WORDS,
     ORDERS_WITHOUT_CONTROL,
+    nudge_order,
     order_in_words,
     order_objection,
     to_order,
