@@ -15,8 +15,6 @@ from housefly.app.commands.offline_tasks import answer_offline, kept_tasks, ship
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.terminal import plain_console
-from housefly.config.drone import NAME_PATTERN
-from housefly.config.text import shortened
 from housefly.errors import ConfigError, LinkError
 
 if TYPE_CHECKING:
@@ -57,6 +55,9 @@ def _add_ask_arguments(parser: ArgumentParser) -> None:
 
 def _check_drone(name: str) -> None:
     """Raise ConfigError for what is no name of a drone; whether there is one, the room knows."""
+    from housefly.config.drone import NAME_PATTERN
+    from housefly.config.text import shortened
+
     if name and re.fullmatch(NAME_PATTERN, name) is None:
         raise ConfigError(
             "--drone",
