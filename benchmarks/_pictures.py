@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from camera import PICTURES, RATE_HZ, SCENE, pose
-from housefly.twin.ardrone.body import PICTURE_SIZE
 from housefly.twin.camera.encoder import Encoder
 from housefly.twin.camera.messages import PictureRequest
 from housefly.twin.camera.view import CameraView
 from housefly.twin.contracts import DroneCamera
+from housefly.twin.quadrotor.body import PICTURE_SIZE
 
 
 def flight_pictures() -> list[tuple[bytes, bool]]:

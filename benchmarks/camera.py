@@ -20,12 +20,12 @@ from housefly.geometry import quaternion_from_euler
 from housefly.messages import Pose
 from housefly.room.files import load_room
 from housefly.room.mjcf import room_to_mjcf
-from housefly.twin.ardrone.body import PICTURE_SIZE, drone_body
 from housefly.twin.camera.encoder import Encoder
 from housefly.twin.camera.messages import PictureRequest
 from housefly.twin.camera.process import CameraProcess
 from housefly.twin.camera.view import SUPERSAMPLING, CameraView
 from housefly.twin.contracts import DroneCamera, EncodedPicture
+from housefly.twin.quadrotor.body import PICTURE_SIZE, drone_body
 
 RATE_HZ = 30.0
 PICTURES = 240

@@ -19,8 +19,8 @@ from _run import table
 from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
-from housefly.twin.ardrone.body import DRONE_MASS
 from housefly.twin.disturbance import NEUTRAL, Disturbances, Payload
+from housefly.twin.quadrotor.body import DRONE_MASS
 
 BEGINS_AT, SCORED_AFTER, HOVER_TIME = 3.0, 5.0, 12.0
 LAND_AT, LAND_LIMIT = 10.0, 30.0

@@ -19,10 +19,10 @@ from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
+from housefly.messages.stick import Stick
 from housefly.sites.loaded_site import LoadedSite, open_site, read_site
 from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 RUNS = int(sys.argv[1]) if len(sys.argv) > 1 else 100
 REPEATS = 6

@@ -10,12 +10,12 @@ from collections.abc import Callable
 import mujoco
 
 from housefly.config.site import Site, changed
+from housefly.messages.stick import Stick
 from housefly.room.files import load_room
 from housefly.room.model import Room
 from housefly.twin.physics import _SUBSTEPS, Physics
 from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 SECONDS = 20.0
 STEP = 0.01

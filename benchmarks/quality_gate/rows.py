@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from housefly.twin.ardrone.body import DRONE_MASS
 from housefly.twin.disturbance import Disturbances, Payload
+from housefly.twin.quadrotor.body import DRONE_MASS
 from quality_gate.errands import (
     BSEN_ERRANDS,
     DOOR_ERRANDS,

@@ -12,8 +12,8 @@ import pytest
 from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
-from housefly.twin.ardrone.body import DRONE_MASS
 from housefly.twin.disturbance import NEUTRAL, Disturbances, Payload
+from housefly.twin.quadrotor.body import DRONE_MASS
 
 AS_ONCE = {
     "estimation__disturbance_wander": 0.2,

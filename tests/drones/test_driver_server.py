@@ -28,8 +28,8 @@ from housefly.drones.driver_server import DriverServer
 from housefly.drones.remote_drone import RemoteDrone
 from housefly.errors import LinkError
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, VideoFrame
+from housefly.messages.stick import Stick
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.wires.ardrone.conversions import Stick
 
 pytestmark = pytest.mark.wire
 

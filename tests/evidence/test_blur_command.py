@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from housefly.config.drone import DroneConfig
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, HouseflyError
 from housefly.evidence.blur_command import BlurCommand
@@ -68,6 +69,8 @@ def test_a_program_that_gives_no_picture_back_is_named(words: str) -> None:
 def test_a_program_that_is_not_there_lets_nothing_be_recorded(tmp_path: Path, wrong: str) -> None:
     with pytest.raises(ConfigError, match="blur_command"):
         BlurCommand(wrong)
-    recorder = ClipRecorder(tmp_path, TasksConfig(blur_faces=True, blur_command=wrong))
+    recorder = ClipRecorder(
+        tmp_path, TasksConfig(blur_faces=True, blur_command=wrong), DroneConfig()
+    )
     assert "nothing is recorded" in recorder.problem and "blur_command" in recorder.problem
     recorder.close()

@@ -27,6 +27,7 @@ from housefly.evidence.zone_projection import ZoneProjector
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, VideoFrame
 from housefly.room.files import load_room
+from housefly.room.level_camera import LevelCamera
 from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.video_server import VideoServer
 from housefly.twin.camera.process import CameraProcess
@@ -129,7 +130,9 @@ async def test_a_clip_of_the_twin_has_the_five_seconds_before_and_the_zone_blank
     shown = pictures(private.index.file(names[1]))
     assert len(shown) == len(times)
     # Where the door's lower half is in the last picture, whichever of the last poses it shows.
-    still = ZoneProjector((DOOR.model_copy(update={"z_min": 0.3, "z_max": 0.6}),), 0.0)
+    still = ZoneProjector(
+        (DOOR.model_copy(update={"z_min": 0.3, "z_max": 0.6}),), LevelCamera.of(None), 0.0
+    )
     last = CameraPose(0.0, pose.position, pose.orientation)
     mask = still.cover((last,), 640, 360).mask(640, 360)
     assert mask.sum() > 5000

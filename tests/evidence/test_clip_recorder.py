@@ -23,6 +23,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
+from housefly.config.drone import DroneConfig
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.errors import HouseflyError, MissingPartError, TaskError
@@ -46,7 +47,7 @@ AHEAD = CameraPose(0.0, (0.0, 0.0, 1.0), (1.0, 0.0, 0.0, 0.0))
 
 @pytest.fixture
 def recorder(tmp_path: Path) -> Iterator[ClipRecorder]:
-    made = ClipRecorder(tmp_path / "clips", TasksConfig())
+    made = ClipRecorder(tmp_path / "clips", TasksConfig(), DroneConfig())
     yield made
     made.close()
 
@@ -160,7 +161,7 @@ def test_only_what_was_filmed_in_flight_for_a_task_is_ever_on_the_disk(
     filmed: list[int] = []
     frames, may_film = iter(film()), False
     with tempfile.TemporaryDirectory() as folder:
-        recorder = ClipRecorder(Path(folder), TasksConfig(clip_before=1.0))
+        recorder = ClipRecorder(Path(folder), TasksConfig(clip_before=1.0), DroneConfig())
         for count, status, mode, action in events:
             for frame in [frame for _, frame in zip(range(count), frames, strict=False)]:
                 at = frame.received_at
@@ -272,7 +273,7 @@ def test_a_mode_that_forbids_recording_says_so(recorder: ClipRecorder) -> None:
 
 
 def test_a_forgotten_clip_ends(tmp_path: Path) -> None:
-    recorder = ClipRecorder(tmp_path, TasksConfig(clip_longest=2.0))
+    recorder = ClipRecorder(tmp_path, TasksConfig(clip_longest=2.0), DroneConfig())
     films(recorder, 1.0)
     name = recorder.start(StartClip(), VISITOR)
     films(recorder, 5.0, 101.0, first=15)
@@ -328,7 +329,7 @@ def test_no_snapshot_is_made_of_an_old_picture(recorder: ClipRecorder) -> None:
 def test_a_zone_is_blank_in_clip_and_snapshot_and_everything_while_the_pose_is_unknown(
     tmp_path: Path,
 ) -> None:
-    recorder = ClipRecorder(tmp_path, TasksConfig(privacy_zones=(ZONE,)))
+    recorder = ClipRecorder(tmp_path, TasksConfig(privacy_zones=(ZONE,)), DroneConfig())
     films(recorder, 2.0)
     clip = recorder.start(StartClip(), VISITOR)
     films(recorder, 2.0, 102.0, first=30, pose=AHEAD)
@@ -342,13 +343,13 @@ def test_a_zone_is_blank_in_clip_and_snapshot_and_everything_while_the_pose_is_u
     for picture in (*shown[40:], newest):
         assert np.abs(picture[100:125, 80:240].astype(int) - BLANK).max() < 20
         assert picture[:60].mean() > 90, "what is above the zone is seen"
-    index = ClipRecorder(tmp_path, TasksConfig()).index
+    index = ClipRecorder(tmp_path, TasksConfig(), DroneConfig()).index
     assert all(info.blanked for info in index.find(ClipsQuestion()).clips)
 
 
 def test_a_zone_of_the_night_counts_in_the_night(tmp_path: Path) -> None:
     zone = ZONE.model_copy(update={"modes": ("night",)})
-    recorder = ClipRecorder(tmp_path, TasksConfig(privacy_zones=(zone,)))
+    recorder = ClipRecorder(tmp_path, TasksConfig(privacy_zones=(zone,)), DroneConfig())
     films(recorder, 1.0, pose=AHEAD)
     clip = recorder.start(StartClip(), VISITOR)
     films(recorder, 1.0, 101.0, mode=HouseMode.NIGHT, first=15, pose=AHEAD)
@@ -359,7 +360,7 @@ def test_a_zone_of_the_night_counts_in_the_night(tmp_path: Path) -> None:
 
 
 def test_faces_are_not_recorded_unblurred_when_what_finds_them_is_missing(tmp_path: Path) -> None:
-    recorder = ClipRecorder(tmp_path, TasksConfig(blur_faces=True))
+    recorder = ClipRecorder(tmp_path, TasksConfig(blur_faces=True), DroneConfig())
     films(recorder, 1.0)
     for ask in (
         lambda: recorder.start(StartClip(), VISITOR),
@@ -402,7 +403,9 @@ class BrokenBlur:
 
 
 def test_when_faces_cannot_be_looked_for_any_more_the_clip_ends_there(tmp_path: Path) -> None:
-    recorder = ClipRecorder(tmp_path, TasksConfig(blur_faces=True), face_blur=BrokenBlur)
+    recorder = ClipRecorder(
+        tmp_path, TasksConfig(blur_faces=True), DroneConfig(), face_blur=BrokenBlur
+    )
     films(recorder, 1.0)
     name = recorder.start(StartClip(), VISITOR)
     assert recorder.flush()
@@ -414,7 +417,9 @@ def test_when_faces_cannot_be_looked_for_any_more_the_clip_ends_there(tmp_path: 
 
 
 def test_faces_are_blurred_before_clip_and_snapshot_reach_the_disk(tmp_path: Path) -> None:
-    recorder = ClipRecorder(tmp_path, TasksConfig(blur_faces=True), face_blur=RightHalf)
+    recorder = ClipRecorder(
+        tmp_path, TasksConfig(blur_faces=True), DroneConfig(), face_blur=RightHalf
+    )
     films(recorder, 1.0)
     clip = recorder.start(StartClip(), VISITOR)
     snapshot = recorder.snapshot(TakeSnapshot(), VISITOR)
@@ -433,6 +438,7 @@ import resource, sys
 sys.path.insert(0, "tests/support")
 from pathlib import Path
 from filming import video
+from housefly.config.drone import DroneConfig
 from housefly.config.tasks import TasksConfig
 from housefly.messages import DroneStatus
 from housefly.config.house_mode import HouseMode
@@ -440,7 +446,7 @@ from housefly.evidence.clip_news import ClipOrigin
 from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.values import StartClip
 
-recorder = ClipRecorder(Path(sys.argv[1]), TasksConfig())
+recorder = ClipRecorder(Path(sys.argv[1]), TasksConfig(), DroneConfig())
 if limit := int(sys.argv[2]):
     resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 def tick(at):
@@ -473,7 +479,7 @@ def test_a_clip_that_kill_9_cut_off_is_finished_at_the_next_start(tmp_path: Path
     assert died.returncode == -signal.SIGKILL, died.stderr
     (part,) = files(tmp_path)
     assert part.name.endswith(".mp4.part")
-    recorder = ClipRecorder(tmp_path, TasksConfig())
+    recorder = ClipRecorder(tmp_path, TasksConfig(), DroneConfig())
     assert recorder.flush()
     (found,) = recorder.index.find(ClipsQuestion()).clips
     (path,) = files(tmp_path)
@@ -502,7 +508,7 @@ def test_a_full_disk_ends_the_clip_is_told_and_nothing_else_fails(tmp_path: Path
     assert "ClipOutcome.CUT_OFF" in told.stdout, "and it is kept"
     assert told.stdout.rstrip().endswith("False")
     assert [path.suffix for path in files(tmp_path)] == [".mp4"], "a clip, as far as it came"
-    recorder = ClipRecorder(tmp_path, TasksConfig())
+    recorder = ClipRecorder(tmp_path, TasksConfig(), DroneConfig())
     assert recorder.flush()
     (found,) = recorder.index.find(ClipsQuestion()).clips
     assert pictures(recorder.index.file(found.id)), "what was written before can be watched"

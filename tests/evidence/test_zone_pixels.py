@@ -14,13 +14,16 @@ from numpy.typing import NDArray
 from PIL import Image, ImageFilter
 
 from housefly.config.house_mode import HouseMode
+from housefly.config.site import Site
 from housefly.config.tasks import PrivacyZone
 from housefly.evidence.camera_pose import CameraPose
 from housefly.evidence.frame_blanker import BLANK, blanked_picture
 from housefly.evidence.zone_projection import ZoneProjector, private_zones
 from housefly.geometry import Quaternion, Vec3, quaternion_from_euler, quaternion_product, rotate
 from housefly.messages import Pose
-from housefly.room.level_camera import FRONT_CAMERA
+from housefly.room.level_camera import LevelCamera
+
+FRONT_CAMERA = LevelCamera.of(Site().drone.airframe.capabilities.camera)
 
 BED = PrivacyZone(
     name="bed", polygon=((9.2, 1.9), (11.2, 1.9), (11.2, 3.5), (9.2, 3.5)), z_min=0.0, z_max=1.2
@@ -148,7 +151,7 @@ def test_every_pixel_that_shows_a_zone_is_blank_and_nothing_far_beside_it(
     zone: PrivacyZone,
 ) -> None:
     poses, colours, depths = views()
-    projector = ZoneProjector((zone,), MARGIN)
+    projector = ZoneProjector((zone,), FRONT_CAMERA, MARGIN)
     seen = whole = 0
     for pose, colour, depth in zip(poses, colours, depths, strict=True):
         cover = projector.cover((believed(pose),), WIDTH, HEIGHT)
@@ -176,7 +179,7 @@ def test_a_pose_that_is_wrong_within_its_bounds_shows_no_pixel_of_a_zone(
     """The position is off by margin and three deviations [m], the attitude by two degrees."""
     poses, _, depths = views()
     rng = np.random.default_rng(5)
-    projector = ZoneProjector((BED, CORNER), margin)
+    projector = ZoneProjector((BED, CORNER), FRONT_CAMERA, margin)
     std = (shift - margin) / 3 if shift else 0.0
     for pose, depth in zip(poses, depths, strict=True):
         shown = shows_zone(pose, depth, BED) | shows_zone(pose, depth, CORNER)
@@ -196,7 +199,7 @@ def test_a_picture_late_by_any_part_of_the_latency_shows_no_pixel_of_a_zone() ->
     """The drone turns by a radian and moves by half a metre while the picture is on its way."""
     poses, _, depths = views()
     rng = np.random.default_rng(6)
-    projector = ZoneProjector((BED, CORNER), MARGIN)
+    projector = ZoneProjector((BED, CORNER), FRONT_CAMERA, MARGIN)
     for pose, depth in zip(poses, depths, strict=True):
         shown = shows_zone(pose, depth, BED) | shows_zone(pose, depth, CORNER)
         way, turning, real = rng.uniform(-0.5, 0.5, 3), rng.uniform(-1, 1), rng.uniform(0, 1)
@@ -209,21 +212,28 @@ def test_a_picture_late_by_any_part_of_the_latency_shows_no_pixel_of_a_zone() ->
 
 
 def test_without_a_pose_or_from_inside_a_zone_everything_is_blank() -> None:
-    projector = ZoneProjector((BED,), MARGIN)
+    projector = ZoneProjector((BED,), FRONT_CAMERA, MARGIN)
     assert projector.cover((), WIDTH, HEIGHT).mask(WIDTH, HEIGHT).all()
     inside = CameraPose(0.0, (10.0, 2.5, 1.0), (1.0, 0.0, 0.0, 0.0))
     assert projector.cover((inside,), WIDTH, HEIGHT).is_whole
     beside = CameraPose(0.0, (10.0, 2.5, 2.0), (1.0, 0.0, 0.0, 0.0))
     assert not projector.cover((beside,), WIDTH, HEIGHT).is_whole
-    assert ZoneProjector(()).cover((), WIDTH, HEIGHT).is_empty
+    assert ZoneProjector((), FRONT_CAMERA).cover((), WIDTH, HEIGHT).is_empty
 
 
 def test_the_camera_of_the_zones_is_that_of_the_twin() -> None:
-    from housefly.twin.ardrone.body import FRONT_FIELD_OF_VIEW, PICTURE_SIZE
+    from housefly.twin.quadrotor.body import FRONT_FIELD_OF_VIEW, PICTURE_SIZE
 
     assert (WIDTH, HEIGHT) == PICTURE_SIZE
     assert FRONT_CAMERA.width == pytest.approx(FRONT_FIELD_OF_VIEW)
     assert FRONT_CAMERA.ahead == pytest.approx(0.21)
+
+
+def test_the_lens_of_another_drone_shows_zones_that_a_narrow_one_does_not() -> None:
+    narrow, wide = (LevelCamera(lens, 0.6 * lens, 0.1, 640) for lens in (0.6, 2.0))
+    aside = CameraPose(0.0, (9.0, 6.0, 1.0), (1.0, 0.0, 0.0, 0.0))
+    covers = [ZoneProjector((BED,), lens).cover((aside,), WIDTH, HEIGHT) for lens in (narrow, wide)]
+    assert [cover.mask(WIDTH, HEIGHT).any() for cover in covers] == [False, True]
 
 
 def test_a_zone_is_private_always_or_in_the_modes_that_it_names() -> None:

@@ -17,6 +17,7 @@ from pathlib import Path
 import av
 from filming import SIZE, number_of, striped
 
+from housefly.config.drone import DroneConfig
 from housefly.config.edits import Edits, NoFlyZone
 from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
@@ -179,7 +180,7 @@ def _rules_kept(folder: Path) -> int:
 
 
 def _clips(folder: Path) -> Write:
-    recorder = ClipRecorder(folder, TasksConfig())
+    recorder = ClipRecorder(folder, TasksConfig(), DroneConfig())
     encoder = Encoder(*SIZE, CLIP_RATE_HZ, group=CLIP_GROUP)
 
     def write(number: int) -> None:
@@ -194,7 +195,7 @@ def _clips(folder: Path) -> Write:
 
 
 def _clips_kept(folder: Path) -> int:
-    recorder = ClipRecorder(folder, TasksConfig())
+    recorder = ClipRecorder(folder, TasksConfig(), DroneConfig())
     try:
         assert recorder.flush()
         clips = recorder.index.find(ClipsQuestion(limit=100)).clips

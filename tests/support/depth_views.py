@@ -51,7 +51,7 @@ def _render(file: Path, rows: list[list[float]]) -> None:
 
     from housefly.config.site import Site
     from housefly.room.files import load_room
-    from housefly.twin.ardrone.body import BODY, HULL_GROUP, VISUAL_GROUP
+    from housefly.twin.quadrotor.body import BODY, HULL_GROUP, VISUAL_GROUP
     from housefly.twin.scene_mjcf import scene_mjcf
 
     model = mujoco.MjModel.from_xml_string(scene_mjcf(Site(), load_room("bsen")))

@@ -11,7 +11,7 @@ from math import cos, sin, tan
 
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, wrap_angle
 from housefly.messages import Pose
-from housefly.twin.ardrone.leds import Leds
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import (
     FlightState,
     GroundTruth,
@@ -19,7 +19,7 @@ from housefly.twin.contracts import (
     OnboardLimits,
     OnboardState,
 )
-from housefly.wires.ardrone.conversions import Stick
+from housefly.twin.quadrotor.leds import Leds
 
 _STEP = 0.005
 _DRAG = 0.58

@@ -11,10 +11,10 @@ from empty_hall import empty_hall
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec3, quaternion_from_euler
+from housefly.messages.stick import Stick
 from housefly.room.model import Room, Shape, Solid, TrackingCamera
 from housefly.twin.contracts import FlightState
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 
 @dataclass

@@ -15,13 +15,13 @@ from housefly.config.site import Site, changed, site_from_file
 from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
 from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Action, Command, Setpoint
+from housefly.messages.stick import Stick
 from housefly.pilot.site_parameters import pilot_parameters
 from housefly.twin.command_delay import (
     reaction_delay,
     sending_delay,
     simulated_command_delay,
 )
-from housefly.wires.ardrone.conversions import Stick
 
 LINK = airframe_named("ardrone").link
 _LOOKS = 10

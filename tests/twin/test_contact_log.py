@@ -7,15 +7,15 @@ from collections.abc import Callable
 import pytest
 
 from housefly.config.site import Site, changed
+from housefly.messages.stick import Stick
 from housefly.room.model import Room, Shape, Solid
-from housefly.twin.ardrone.body import STANDING_HEIGHT
 from housefly.twin.contact_log import Contact
 from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
 from housefly.twin.people.state import Posture
+from housefly.twin.quadrotor.body import STANDING_HEIGHT
 from housefly.twin.solids import SolidKind
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 MakeRoom = Callable[..., Room]
 MakeWorld = Callable[..., SimulatedWorld]

@@ -8,6 +8,7 @@ from math import inf, nan
 import pytest
 
 from housefly.errors import ConfigError
+from housefly.messages.stick import Stick
 from housefly.twin.disturbance import (
     CeilingFan,
     Disturbances,
@@ -19,7 +20,6 @@ from housefly.twin.disturbance import (
     Tether,
 )
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 

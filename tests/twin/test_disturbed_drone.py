@@ -8,7 +8,7 @@ from statistics import fmean
 import pytest
 
 from housefly.geometry import Vec3, distance
-from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import FlightState
 from housefly.twin.disturbance import (
     CeilingFan,
@@ -20,8 +20,8 @@ from housefly.twin.disturbance import (
     SensorFaults,
     Tether,
 )
+from housefly.twin.quadrotor.battery import CUT_OFF_VOLTAGE
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 

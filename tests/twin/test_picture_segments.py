@@ -9,7 +9,7 @@ import pytest
 from housefly.config.site import Site
 from housefly.room.bsen import bsen
 from housefly.room.model import Place, Room, Shape, Solid
-from housefly.twin.ardrone.body import FRONT_FIELD_OF_VIEW
+from housefly.twin.quadrotor.body import FRONT_FIELD_OF_VIEW
 from housefly.twin.world import SimulatedWorld
 
 

@@ -9,6 +9,7 @@ import pytest
 
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError, WireError
+from housefly.messages.stick import Stick
 from housefly.room.model import Room
 from housefly.twin.contracts import FlightState, TwinDrone
 from housefly.twin.faults.injector import FaultInjector
@@ -16,7 +17,6 @@ from housefly.twin.hands import CarryOrder
 from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.solids import SolidKind
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 MakeRoom = Callable[..., Room]
 DRONES = (

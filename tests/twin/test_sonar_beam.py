@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from housefly.config.site import Site
 from housefly.room.files import load_room
 from housefly.room.model import Room, Shape, Solid
-from housefly.twin.ardrone.body import STANDING_HEIGHT
 from housefly.twin.contracts import FlightState
 from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
 from housefly.twin.people.state import Posture
+from housefly.twin.quadrotor.body import STANDING_HEIGHT
 from housefly.twin.sonar_beam import SonarBeam
 from housefly.twin.world import SimulatedWorld
 

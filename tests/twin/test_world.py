@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from housefly.geometry import distance, quaternion_from_euler
 from housefly.messages import Pose
+from housefly.messages.stick import Stick
 from housefly.room.model import Room, Shape, Solid
 from housefly.twin.contracts import FlightState, TwinWorld
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 

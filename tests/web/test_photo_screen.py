@@ -19,6 +19,7 @@ from playwright.async_api import Browser, Page, expect
 from stand_in_tasks import StandInTasks
 
 from housefly.bus.topics import DroneTopics
+from housefly.config.drone import DroneConfig
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
 from housefly.evidence.clip_news import ClipOrigin
@@ -69,7 +70,7 @@ class Darkroom:
 
 @pytest_asyncio.fixture(loop_scope="session")
 async def darkroom(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Darkroom]:
-    recorder = ClipRecorder(tmp_path / "clips", TasksConfig())
+    recorder = ClipRecorder(tmp_path / "clips", TasksConfig(), DroneConfig())
     async with serving(loopback, clips=recorder.index) as console:
         room = Darkroom(console, StandInTasks(console.bus.join()), recorder)
         room.tasks.keep_evidence(recorder.index)

@@ -55,7 +55,7 @@ async def watched(
 ) -> list[NDArray[np.uint8]]:
     """Return what a browser sees of two seconds of video."""
     bus = LocalBus()
-    relay = VideoRelay(bus, LiveBlanker(TasksConfig(privacy_zones=zones)), mode)
+    relay = VideoRelay(bus, LiveBlanker(TasksConfig(privacy_zones=zones), None), mode)
     relay.listen(asyncio.get_running_loop())
     messages: list[bytes] = []
     with relay.subscribed() as queue:

@@ -113,8 +113,9 @@ def task_service(
 
 
 def _drone(site: Site, name: str, room: LiveTaskRoom) -> TaskDrone:
-    body = site.for_drone(name).tracking.body
-    return TaskDrone(name, body, room, ClipRecorder(clips_folder(site), site.tasks))
+    own = site.for_drone(name)
+    recorder = ClipRecorder(clips_folder(site), site.tasks, own.drone)
+    return TaskDrone(name, own.tracking.body, room, recorder)
 
 
 def _rules(config: TasksConfig) -> tuple[tuple[Rule, ...], str]:

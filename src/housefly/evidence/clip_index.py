@@ -170,4 +170,5 @@ class ClipIndex:
             keep_until=self._retention.keep_until(row),
             blanked=row.blanked,
             cut_off=row.cut_off,
+            drone=row.drone,
         )

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from housefly.config.drone import DroneConfig
 from housefly.config.house_mode import HouseMode, may_record
 from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError, TaskError
@@ -34,6 +35,7 @@ from housefly.evidence.writer_thread import WriterThread
 from housefly.evidence.zone_projection import zone_projectors
 from housefly.messages import DroneStatus, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.room.level_camera import LevelCamera
 
 _LOG = logging.getLogger(__name__)
 _WAITING_MAX = 900
@@ -55,6 +57,7 @@ class ClipRecorder:
     Args:
         folder: of the clips (``config.state.clips_folder``); made if missing, mode 0700.
         config: seconds before, how long and how much is kept, privacy zones.
+        drone: whose camera it is.
         face_blur: makes what blurs faces, where ``config.blur_faces`` asks for it; None makes what
             the site names.
 
@@ -69,11 +72,12 @@ class ClipRecorder:
         self,
         folder: Path,
         config: TasksConfig,
+        drone: DroneConfig,
         face_blur: Callable[[], FaceBlur] | None = None,
     ) -> None:
         self.index = ClipIndex(folder, config)
-        self._folder, self._config = folder, config
-        self._zones = zone_projectors(config)
+        self._folder, self._config, self._drone = folder, config, drone.name
+        self._zones = zone_projectors(config, LevelCamera.of(drone.airframe.capabilities.camera))
         self._new_face_blur = face_blur or (lambda: face_blur_of(config))
         self._faces: FaceBlur | None = None
         self._lock = threading.RLock()
@@ -166,7 +170,7 @@ class ClipRecorder:
             before = self._ring.frames(min(action.before, self._config.clip_before))
             began = before[0].frame.received_at if before else self._now
             row = replace(
-                new_clip_row("clip", self._unix_of(began), origin),
+                new_clip_row("clip", self._unix_of(began), origin, self._drone),
                 place=action.place,
                 thing=action.thing,
                 people=action.people,
@@ -204,8 +208,9 @@ class ClipRecorder:
                 frames = self._shown(at)
             elif not frames or self._now - frames[-1].frame.received_at > _STATUS_AGE_MAX:
                 raise TaskError("no picture comes from the camera", ClipRefusal.NOT_NOW.value)
+            shown_at = frames[-1].frame.received_at
             row = replace(
-                new_clip_row("snapshot", self._unix_of(frames[-1].frame.received_at), origin),
+                new_clip_row("snapshot", self._unix_of(shown_at), origin, self._drone),
                 place=action.place,
                 thing=action.thing,
                 people=action.people,

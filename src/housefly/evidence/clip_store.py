@@ -29,7 +29,7 @@ CREATE TABLE IF NOT EXISTS clips (
   place TEXT NOT NULL, thing TEXT NOT NULL, people TEXT NOT NULL, cause TEXT NOT NULL,
   began_at REAL NOT NULL, duration REAL NOT NULL, size INTEGER NOT NULL,
   kept INTEGER NOT NULL, blanked INTEGER NOT NULL, whole INTEGER NOT NULL,
-  cut_off INTEGER NOT NULL DEFAULT 0);
+  cut_off INTEGER NOT NULL DEFAULT 0, drone TEXT NOT NULL DEFAULT '');
 CREATE INDEX IF NOT EXISTS clips_by_time ON clips (began_at);
 CREATE TABLE IF NOT EXISTS views (
   clip TEXT NOT NULL, at REAL NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL);
@@ -37,8 +37,8 @@ CREATE INDEX IF NOT EXISTS views_by_clip ON views (clip, at);
 CREATE TABLE IF NOT EXISTS clock (
   one INTEGER PRIMARY KEY CHECK (one = 1), believed REAL NOT NULL, doubted REAL);
 """
-_ADD_CUT_OFF = "ALTER TABLE clips ADD COLUMN cut_off INTEGER NOT NULL DEFAULT 0"
-"""For an index that an earlier version made."""
+_ADDED = {"cut_off": "INTEGER NOT NULL DEFAULT 0", "drone": "TEXT NOT NULL DEFAULT ''"}
+"""Columns that an index of an earlier version lacks."""
 SUFFIXES = {"clip": CLIP_SUFFIX, "snapshot": SNAPSHOT_SUFFIX}
 """Kinds of evidence and how their files end."""
 
@@ -55,6 +55,7 @@ class ClipRow:
         blanked: whether part of it was blanked.
         whole: False while it is being written.
         cut_off: whether its end is missing.
+        drone: that filmed it.
     """
 
     id: str
@@ -72,6 +73,7 @@ class ClipRow:
     blanked: bool = False
     whole: bool = False
     cut_off: bool = False
+    drone: str = ""
 
     @property
     def file_name(self) -> str:
@@ -79,7 +81,7 @@ class ClipRow:
         return self.id + SUFFIXES[self.kind]
 
 
-def new_clip_row(kind: str, began_at: float, origin: ClipOrigin) -> ClipRow:
+def new_clip_row(kind: str, began_at: float, origin: ClipOrigin, drone: str = "") -> ClipRow:
     """Return a row with an id of its own, which begins with the time and tells nothing else."""
     stamp = time.strftime("%Y%m%d-%H%M%S", time.gmtime(began_at))
     return ClipRow(
@@ -92,6 +94,7 @@ def new_clip_row(kind: str, began_at: float, origin: ClipOrigin) -> ClipRow:
         people=(),
         cause=origin.cause,
         began_at=began_at,
+        drone=drone,
     )
 
 
@@ -136,10 +139,10 @@ class ClipTable:
         values = (
             *(row.id, row.kind, row.task, row.service, row.place, row.thing),
             *(json.dumps(row.people), row.cause, row.began_at, row.duration, row.size),
-            *(row.kept, row.blanked, row.whole, row.cut_off),
+            *(row.kept, row.blanked, row.whole, row.cut_off, row.drone),
         )
         with self._written() as database:
-            database.execute(f"REPLACE INTO clips VALUES ({','.join('?' * 15)})", values)
+            database.execute(f"REPLACE INTO clips VALUES ({','.join('?' * 16)})", values)
 
     def remove(self, name: str) -> None:
         """Forget a row; who watched it is remembered; raises StoreError."""
@@ -228,8 +231,10 @@ def _connected(file: Path) -> sqlite3.Connection:
         database.execute("PRAGMA journal_mode = WAL")
         database.executescript(_SCHEMA)
         columns = database.execute("SELECT name FROM pragma_table_info('clips')").fetchall()
-        if "cut_off" not in {column["name"] for column in columns}:
-            database.execute(_ADD_CUT_OFF)
+        has = {column["name"] for column in columns}
+        for name, kind in _ADDED.items():
+            if name not in has:
+                database.execute(f"ALTER TABLE clips ADD COLUMN {name} {kind}")
         _check(database)
     except sqlite3.Error:
         database.close()

@@ -99,6 +99,7 @@ class ClipInfo:
         keep_until: when it is deleted [Unix time, s]; None is kept until somebody deletes it.
         blanked: whether part of it was blanked for privacy.
         cut_off: whether its end is missing, as after a crash or on a full disk.
+        drone: that filmed it; "" of one that an earlier version kept.
     """
 
     id: str
@@ -115,6 +116,7 @@ class ClipInfo:
     keep_until: float | None = None
     blanked: bool = False
     cut_off: bool = False
+    drone: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 
+from housefly.config.capabilities import OnboardCamera
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
 from housefly.evidence.camera_pose import CameraTrack, camera_pose_of
@@ -12,6 +13,7 @@ from housefly.evidence.picture_cover import FilmedFrame
 from housefly.evidence.picture_lateness import PictureLateness
 from housefly.evidence.zone_projection import zone_projectors
 from housefly.messages import PilotStep, VideoFrame
+from housefly.room.level_camera import LevelCamera
 
 
 class LiveBlanker:
@@ -22,11 +24,17 @@ class LiveBlanker:
 
     Args:
         config: the zones of the site, with the modes of the house in which each counts.
+        camera: of the drone.
         mode: of the house; until ``set_mode`` says otherwise.
     """
 
-    def __init__(self, config: TasksConfig, mode: HouseMode | None = None) -> None:
-        self._zones = zone_projectors(config)
+    def __init__(
+        self,
+        config: TasksConfig,
+        camera: OnboardCamera | None,
+        mode: HouseMode | None = None,
+    ) -> None:
+        self._zones = zone_projectors(config, LevelCamera.of(camera))
         self._mode = mode
         self._track, self._blanker = CameraTrack(), FrameBlanker()
         self._lateness = PictureLateness()

@@ -21,7 +21,7 @@ from housefly.evidence.picture_cover import EVERYTHING, NOTHING, PictureCover
 from housefly.evidence.polygon_pieces import ConvexPolygon, convex_pieces, corners_at
 from housefly.geometry import Vec3, rotate
 from housefly.numeric import FloatArray
-from housefly.room.level_camera import FRONT_CAMERA, LevelCamera
+from housefly.room.level_camera import LevelCamera
 
 ATTITUDE_ERROR = radians(2.0)
 """Attitude, mount and lens may be wrong by this [rad]."""
@@ -39,15 +39,15 @@ class ZoneProjector:
 
     Args:
         zones: of the room.
-        margin: by which each is grown, besides what the pose is known to be wrong by [m].
         camera: of the drone.
+        margin: by which each is grown, besides what the pose is known to be wrong by [m].
     """
 
     def __init__(
         self,
         zones: tuple[PrivacyZone, ...],
+        camera: LevelCamera,
         margin: float = 0.1,
-        camera: LevelCamera = FRONT_CAMERA,
     ) -> None:
         self._pieces = tuple(
             _Piece.of(polygon, zone) for zone in zones for polygon in convex_pieces(zone.polygon)
@@ -80,12 +80,14 @@ class ZoneProjector:
         return PictureCover(polygons=tuple(part for points in shown if (part := lens.part(points))))
 
 
-def zone_projectors(config: TasksConfig) -> dict[HouseMode | None, ZoneProjector]:
+def zone_projectors(
+    config: TasksConfig, camera: LevelCamera
+) -> dict[HouseMode | None, ZoneProjector]:
     """Return what projects the zones of each mode of the house; under None, all of them."""
     zones, margin = config.privacy_zones, config.privacy_margin
-    projectors: dict[HouseMode | None, ZoneProjector] = {None: ZoneProjector(zones, margin)}
+    projectors: dict[HouseMode | None, ZoneProjector] = {None: ZoneProjector(zones, camera, margin)}
     for mode in HouseMode:
-        projectors[mode] = ZoneProjector(private_zones(mode, zones), margin)
+        projectors[mode] = ZoneProjector(private_zones(mode, zones), camera, margin)
     return projectors
 
 

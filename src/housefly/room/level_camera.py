@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import radians, tan
+from typing import Self
 
 import numpy as np
 
+from housefly.config.capabilities import OnboardCamera
 from housefly.numeric import FloatArray
 from housefly.room.reach import Mask
 
@@ -19,11 +21,20 @@ class LevelCamera:
         width: horizontal field of view [rad].
         height: vertical field of view [rad].
         ahead: how far before the drone's middle it sits [m].
+        pixels: width of a picture [px].
     """
 
     width: float
     height: float
     ahead: float
+    pixels: int
+
+    @classmethod
+    def of(cls, camera: OnboardCamera | None) -> Self:
+        """Return a drone's camera; one without any faces things as if it had a usual one."""
+        if camera is None:
+            return cls(radians(69.0), radians(42.3), 0.21, 640)
+        return cls(camera.field_of_view, camera.field_of_view_up, camera.ahead, camera.width)
 
     def eyes(self, places: FloatArray, look_at: FloatArray) -> FloatArray:
         """Return where the camera is when the drone faces a point.
@@ -62,7 +73,3 @@ class LevelCamera:
             & (np.abs(rays[:, :, 2]) <= depth * tan(self.height / 2)),
             dtype=np.bool_,
         )
-
-
-FRONT_CAMERA = LevelCamera(radians(69.0), radians(42.3), 0.21)
-"""The AR.Drone 2.0's: 640 x 360 pixels of the calibrated lens."""

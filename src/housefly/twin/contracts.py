@@ -1,8 +1,8 @@
 """What the twin's servers may ask of the simulated world.
 
 ``twin.world`` implements ``TwinWorld``, ``twin.simulated_drone`` ``TwinDrone``; the servers and
-lock step use them. World frame and body frame (forward, left, up) as everywhere; native AR.Drone
-signs live only in ``wires.ardrone`` and the server.
+lock step use them. World frame and body frame (forward, left, up) as everywhere; a
+model's own signs live in its wire and its server.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Protocol
 
 from housefly.geometry import Vec3
 from housefly.messages import AnySetpoint, Pose
-from housefly.wires.ardrone.conversions import Stick
+from housefly.messages.stick import Stick
 
 AWAY_Z = -30.0
 """Height at which bodies wait that are not in the room [m]."""

@@ -1,7 +1,7 @@
 """What disturbs the simulated drone: air, load, motors, battery, sensors; neutral by default.
 
 Neutral values leave every number of a flight as it is without them, bit for bit. What a value does
-stands in ``twin.external_forces``, ``twin.ardrone.motors`` and ``twin.ardrone.sensor_faults``.
+stands in ``twin.external_forces``, ``twin.quadrotor.motors`` and ``twin.quadrotor.sensor_faults``.
 """
 
 from __future__ import annotations

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from housefly.config.site import Site
-from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, Battery
-from housefly.twin.ardrone.motors import achieved_wrench
-from housefly.twin.ardrone.sensor_faults import FaultySensors
 from housefly.twin.disturbance import NEUTRAL, Disturbances
 from housefly.twin.drone_body import DroneBody
 from housefly.twin.external_forces import ExternalForces
+from housefly.twin.quadrotor.battery import CUT_OFF_VOLTAGE, Battery
+from housefly.twin.quadrotor.motors import achieved_wrench
+from housefly.twin.quadrotor.sensor_faults import FaultySensors
 from housefly.twin.simulated_body import MOTORS_OFF, BodyState, SensorReading, Wrench
 
 _STRONG = (1.0, 1.0, 1.0, 1.0)

@@ -12,10 +12,10 @@ from typing import Any
 from housefly.config.drone import DroneConfig
 from housefly.geometry import Quaternion, Vec3, rotate
 from housefly.numeric import running_sum
-from housefly.twin.ardrone.body import DRONE_MASS, INERTIA, STANDING_HEIGHT
 from housefly.twin.disturbance import Payload
 from housefly.twin.external_forces import ExternalForce
 from housefly.twin.mujoco_engine import mujoco
+from housefly.twin.quadrotor.body import DRONE_MASS, INERTIA, STANDING_HEIGHT
 from housefly.twin.simulated_body import BodyState, Wrench
 
 _GROUND_EFFECT = 0.02

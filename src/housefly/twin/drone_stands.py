@@ -8,7 +8,7 @@ from housefly.config.drone import DroneConfig
 from housefly.config.site import Site
 from housefly.geometry import Vec2
 from housefly.room.model import Room
-from housefly.twin.ardrone.body import BODY
+from housefly.twin.quadrotor.body import BODY
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,13 +10,13 @@ from housefly.config.site import Site
 from housefly.geometry import Vec3, rotate
 from housefly.messages import Pose
 from housefly.numeric import FloatArray
-from housefly.twin.ardrone.body import DRONE_MARKERS
 from housefly.twin.drone_body import DroneBody
 from housefly.twin.mocap.cameras import MocapCameras
 from housefly.twin.movable import Movable, marker_positions
 from housefly.twin.people.scene_player import ScenePlayer
 from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
+from housefly.twin.quadrotor.body import DRONE_MARKERS
 
 _HEAD: tuple[Vec3, ...] = ((0.1, 0.02, 0.0), (0.0, 0.1, 0.01), (-0.1, 0.0, 0.0), (0.0, -0.09, 0.0))
 """Markers of a person, relative to the top of the head [m]."""

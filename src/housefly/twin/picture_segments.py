@@ -11,10 +11,10 @@ from math import radians, tan
 import numpy as np
 
 from housefly.numeric import FloatArray
-from housefly.twin.ardrone.body import PICTURE_SIZE, camera_name
 from housefly.twin.contracts import DroneCamera
 from housefly.twin.drone_body import DroneBody
 from housefly.twin.mujoco_engine import mujoco
+from housefly.twin.quadrotor.body import PICTURE_SIZE, camera_name
 from housefly.twin.solids import SolidOwner
 
 _COLUMNS, _ROWS = 64, 36

@@ -19,8 +19,8 @@ from housefly.messages import (
     Setpoint,
     Telemetry,
 )
+from housefly.messages.stick import Maxima, Stick, stick_from_setpoint
 from housefly.twin.contracts import FlightState, OnboardLimits, OnboardState, TwinDrone
-from housefly.wires.ardrone.conversions import Maxima, Stick, pcmd_from_setpoint, stick_from_pcmd
 
 FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
     FlightState.LANDED: DroneStatus.LANDED,
@@ -97,7 +97,7 @@ class Obedience:
             case Action.HOVER, _:
                 drone.set_stick(Stick())
             case Action.FLY, Setpoint() as tilted:
-                drone.set_stick(stick_from_pcmd(pcmd_from_setpoint(tilted, self._maxima)))
+                drone.set_stick(stick_from_setpoint(tilted, self._maxima))
             case Action.FLY, asked:
                 drone.steer(asked)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from housefly.config.site import Site
 from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Room
-from housefly.twin.ardrone.body import drone_body
 from housefly.twin.drone_stands import drone_stands
 from housefly.twin.movable import Movable, movable_body
 from housefly.twin.people.bodies import people_bodies
 from housefly.twin.people.script import PersonScript
+from housefly.twin.quadrotor.body import drone_body
 
 CEILING = "solid ceiling"
 """Name of the geom that stops the drone below the ceiling; no ray and no camera sees it."""

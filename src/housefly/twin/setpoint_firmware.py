@@ -21,11 +21,11 @@ from housefly.messages import (
     SetpointForm,
     VelocitySetpoint,
 )
-from housefly.twin.ardrone.firmware import Firmware
-from housefly.twin.ardrone.inner_loops import LoopReferences
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import FlightState
+from housefly.twin.quadrotor.firmware import Firmware
+from housefly.twin.quadrotor.inner_loops import LoopReferences
 from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading, Wrench
-from housefly.wires.ardrone.conversions import Stick
 
 _POSE_SHARE = 0.3
 """Share of what a pose differs by from what the drone reckons that it takes over."""

@@ -10,12 +10,7 @@ import numpy as np
 from housefly.errors import WireError
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, yaw_of
 from housefly.messages import AnySetpoint, Pose
-from housefly.twin.ardrone.battery import Battery, BatteryGauge
-from housefly.twin.ardrone.body import DRONE_MASS, STANDING_HEIGHT
-from housefly.twin.ardrone.firmware import WATCHDOG_AFTER
-from housefly.twin.ardrone.leds import Leds
-from housefly.twin.ardrone.motors import motor_duties
-from housefly.twin.ardrone.onboard_sensors import OnboardSensors
+from housefly.messages.stick import Stick
 from housefly.twin.clearance import UNBOUNDED, Clearance
 from housefly.twin.command_delay import simulated_command_delay
 from housefly.twin.contact_log import Contact
@@ -26,10 +21,15 @@ from housefly.twin.drone_body import DroneBody
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.encounters import Encounters
 from housefly.twin.hands import Carry, CarryOrder
+from housefly.twin.quadrotor.battery import Battery, BatteryGauge
+from housefly.twin.quadrotor.body import DRONE_MASS, STANDING_HEIGHT
+from housefly.twin.quadrotor.firmware import WATCHDOG_AFTER
+from housefly.twin.quadrotor.leds import Leds
+from housefly.twin.quadrotor.motors import motor_duties
+from housefly.twin.quadrotor.onboard_sensors import OnboardSensors
 from housefly.twin.setpoint_firmware import firmware_of
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, Wrench
 from housefly.twin.sonar_beam import SonarBeam
-from housefly.wires.ardrone.conversions import Stick
 
 WORLD_ROUNDING = 1e-9
 """Times nearer to each other than this are one [s]."""

@@ -13,6 +13,7 @@ from housefly.config.site import Site
 from housefly.errors import WireError
 from housefly.geometry import Vec2, Vec3
 from housefly.messages import AnySetpoint, DepthImage, Pose
+from housefly.messages.stick import Stick
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
 from housefly.twin.clearance import UNBOUNDED, Clearance
@@ -37,7 +38,6 @@ from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
 from housefly.twin.simulated_body import CONTROL_PERIOD
 from housefly.twin.simulated_drone import WORLD_ROUNDING, SimulatedDrone
-from housefly.wires.ardrone.conversions import Stick
 
 _SENSING_KEY = 5077
 """Keeps the sensors of the second and further drones apart from all other noise of a seed."""

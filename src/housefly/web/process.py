@@ -227,7 +227,7 @@ def _drones(site: Site, folder: Path, stop: dict[str, StopSender]) -> tuple[Cons
                 partial(_sent, stop[name]),
                 ConsoleMemory(folder.joinpath(*beside)),
                 flights_folder(site).joinpath(*beside),
-                LiveBlanker(site.tasks),
+                LiveBlanker(site.tasks, own.drone.airframe.capabilities.camera),
             )
         )
     return tuple(found)

@@ -50,14 +50,15 @@ def filmed(index: ClipIndex, folder: Path, **known: object) -> str:
 def test_clips_are_listed_by_what_they_show(
     index: ClipIndex, folder: Path, capsys: Capture
 ) -> None:
-    name = filmed(index, folder, place="entrance", people=("anna",), cut_off=True)
+    known = {"place": "entrance", "people": ("anna",), "drone": "kestrel"}
+    name = filmed(index, folder, cut_off=True, **known)
     added(index, folder, clip(time.time() - 30.0, "snapshot", thing="cup"))
     assert main(["clips", "list"]) == 0
     assert len(capsys.readouterr().out.splitlines()) == 2
     assert main(["clips", "list", "--person", "Anna", "--since", "1h"]) == 0
     (line,) = capsys.readouterr().out.splitlines()
     assert line.startswith(name)
-    assert "clip, 1 s: anna, entrance  (look, task 3; until" in line
+    assert "clip, 1 s: anna, entrance  (look, task 3, kestrel; until" in line
     assert "cut off" in line
     assert main(["clips", "list", "--thing", "book"]) == 0
     assert (

@@ -23,9 +23,10 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.messages.sensing import REPORT_AGE_MAX
+from housefly.messages.stick import Maxima
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import PRESS_TIME_MAX, TRIM_TIME, CommandEncoder
-from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
+from housefly.wires.ardrone.conversions import stick_from_pcmd
 
 AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 ARDRONE = airframe_named("ardrone")

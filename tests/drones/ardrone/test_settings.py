@@ -12,8 +12,8 @@ from housefly.drones.ardrone.settings import (
     setting_mismatches,
     wanted_settings,
 )
+from housefly.messages.stick import Maxima
 from housefly.wires.ardrone.config import encode_dump, format_value, key_named, parse_dump
-from housefly.wires.ardrone.conversions import Maxima
 
 LIMITS = LimitsConfig(
     tilt_max=0.15, vertical_speed_max=0.5, climb_command_max=0.0, yaw_rate_max=1.0, height_max=2.5

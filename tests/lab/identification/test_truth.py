@@ -20,8 +20,8 @@ from housefly.lab.identification.result import Identified
 from housefly.lab.identification.samples import Samples
 from housefly.lab.identification.truth import missed_constants, simulated_truth
 from housefly.pilot.control.model import Constants
-from housefly.twin.ardrone.body import INERTIA
-from housefly.twin.ardrone.inner_loops import InnerLoops, LoopReferences
+from housefly.twin.quadrotor.body import INERTIA
+from housefly.twin.quadrotor.inner_loops import InnerLoops, LoopReferences
 from housefly.twin.simulated_body import SensorReading
 
 

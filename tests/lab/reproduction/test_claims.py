@@ -18,7 +18,7 @@ from housefly.lab.reproduction.streams import LATENCIES
 from housefly.lab.reproduction.trial_list import TRIALS
 from housefly.lab.reproduction.trials import fly_trials
 from housefly.pilot.estimation.estimator_state import EstimatorKind
-from housefly.twin.ardrone.battery import Battery
+from housefly.twin.quadrotor.battery import Battery
 
 BY_KEY = {claim.key: claim for claim in CLAIMS}
 

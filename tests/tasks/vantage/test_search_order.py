@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.numeric import FloatArray
+from housefly.room.level_camera import LevelCamera
 from housefly.tasks.vantage.search_belief import SearchBelief
 from housefly.tasks.vantage.search_order import (
     LOOKS_MAX,
@@ -133,10 +134,12 @@ def test_what_is_no_belief_is_refused() -> None:
 
 
 def test_a_thing_is_noticed_near_and_hardly_from_afar() -> None:
-    near, half, far = detection_probability(np.array([1.0, 5.9, 12.0]))
+    near, half, far = detection_probability(LevelCamera.of(None), np.array([1.0, 5.9, 12.0]))
     assert near == pytest.approx(0.9, abs=0.01)
     assert half == pytest.approx(0.45, abs=0.03), "four line pairs: half of all observers"
     assert far < 0.1
-    falling = detection_probability(np.linspace(0.2, 15.0, 100))
+    falling = detection_probability(LevelCamera.of(None), np.linspace(0.2, 15.0, 100))
     assert np.all(np.diff(falling) <= 1e-12)
-    assert np.all(detection_probability(np.linspace(0.5, 9.0, 20), 0.3) >= 0.5 * 0.9)
+    assert np.all(
+        detection_probability(LevelCamera.of(None), np.linspace(0.5, 9.0, 20), 0.3) >= 0.5 * 0.9
+    )

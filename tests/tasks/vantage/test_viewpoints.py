@@ -20,7 +20,7 @@ from housefly.pilot.assembly import make_pilot
 from housefly.pilot.planning.column import StaticColumns
 from housefly.room.coverage import seen_by
 from housefly.room.distance import half_diagonal
-from housefly.room.level_camera import FRONT_CAMERA
+from housefly.room.level_camera import LevelCamera
 from housefly.room.sight import hiding_rows, in_sight
 from housefly.room.tracked import solids_of
 from housefly.sites.loaded_site import LoadedSite, load_site
@@ -35,7 +35,9 @@ from housefly.tasks.vantage.subject import (
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
 from housefly.tasks.vantage.viewpoints import find_viewpoint
-from housefly.twin.ardrone.body import FRONT_FIELD_OF_VIEW, PICTURE_SIZE
+from housefly.twin.quadrotor.body import FRONT_FIELD_OF_VIEW, PICTURE_SIZE
+
+FRONT_CAMERA = LevelCamera.of(Site().drone.airframe.capabilities.camera)
 
 THINGS = ("refrigerator", "smart shelf", "tv", "bed", "work desk", "sofa table", "tree")
 

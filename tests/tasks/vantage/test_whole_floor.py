@@ -9,8 +9,9 @@ import numpy as np
 from hypothesis import Phase, given, settings
 from small_rooms import box, small_viewing_rooms, viewing_room
 
+from housefly.config.site import Site
 from housefly.geometry import Vec2, heading_to
-from housefly.room.level_camera import FRONT_CAMERA
+from housefly.room.level_camera import LevelCamera
 from housefly.room.model import Solid
 from housefly.tasks.vantage.camera_views import HEADINGS, VIEW_RANGE, camera_views
 from housefly.tasks.vantage.patrol import (
@@ -21,6 +22,8 @@ from housefly.tasks.vantage.patrol import (
     visible_floor,
 )
 from housefly.tasks.vantage.viewing_room import ViewingRoom
+
+FRONT_CAMERA = LevelCamera.of(Site().drone.airframe.capabilities.camera)
 
 PHASES = (Phase.explicit, Phase.reuse, Phase.generate)
 """A failure is told as it was found: making it smaller takes minutes."""

@@ -7,12 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kinematic_world import KinematicWorld
 
+from housefly.messages.stick import Stick
 from housefly.twin.ardrone.command_server import CommandServer
 from housefly.twin.ardrone.config_store import ConfigStore
 from housefly.twin.ardrone.link import Link
 from housefly.twin.contracts import FlightState
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.conversions import Stick
 
 
 class Desk:

@@ -62,11 +62,17 @@ def _list(options: Namespace) -> int:
 
 
 def clip_line(clip: ClipInfo, now: float) -> str:
-    """Return one clip: id, when, how long, what it shows, for what, how long it is kept."""
+    """Return one clip: id, when, how long, what it shows, for what, how long it is kept.
+
+    The drone that filmed it is named where a site names its drones.
+    """
+    from housefly.config.drone import DRONE_NAME
+
     length = f", {clip.duration:.0f} s" if clip.kind == "clip" else ""
     shown = ", ".join(name for name in (*clip.people, clip.thing, clip.place) if name)
     until = "kept" if clip.keep_until is None else f"until {clock_time(clip.keep_until, now)}"
     asked = f"{clip.service}, task {clip.task}" if clip.task else "nobody knows for what"
+    asked += f", {clip.drone}" if clip.drone not in ("", DRONE_NAME) else ""
     marks = "; cut off" * clip.cut_off + "; partly blank" * clip.blanked
     when = clock_time(clip.began_at, now)
     return f"{clip.id}  {when}  {clip.kind}{length}: {shown or '?'}  ({asked}; {until}{marks})"

@@ -6,9 +6,9 @@ import asyncio
 from pathlib import Path
 
 from housefly.lab.frames.plan import CarryPlan, CarryStep
-from housefly.twin.ardrone.body import STANDING_HEIGHT
 from housefly.twin.hands import CarryOrder
 from housefly.twin.hands_link import send_carry
+from housefly.twin.quadrotor.body import STANDING_HEIGHT
 
 _CARRY_TIME = 1.5
 _WAIT = 1.7

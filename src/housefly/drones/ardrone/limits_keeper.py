@@ -21,8 +21,8 @@ from housefly.drones.ardrone.settings import (
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.errors import LinkError
 from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.messages.stick import Maxima
 from housefly.messages.words import UNSAID, Words, error_words
-from housefly.wires.ardrone.conversions import Maxima
 from housefly.wires.ardrone.navdata import StateBits
 
 _PAUSE = 1.0

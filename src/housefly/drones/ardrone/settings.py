@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isclose
 
 from housefly.config.limits import LimitsConfig
+from housefly.messages.stick import Maxima
 from housefly.messages.words import Words
 from housefly.wires.ardrone.config import (
     COM_WATCHDOG_TIME,
@@ -13,7 +14,6 @@ from housefly.wires.ardrone.config import (
     VideoChannel,
     VideoCodec,
 )
-from housefly.wires.ardrone.conversions import Maxima
 
 _FREE_FLIGHT = 0
 _NO_DETECTION = 3

@@ -7,11 +7,12 @@ from typing import Any, Protocol
 from housefly.config.site import Site
 from housefly.messages import Command, Telemetry
 from housefly.messages.steering import Instruction
+from housefly.messages.stick import Maxima
 from housefly.twin.contracts import OnboardLimits, TwinDrone
 from housefly.twin.plain_drone import Obedience
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import CommandEncoder
-from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
+from housefly.wires.ardrone.conversions import stick_from_pcmd
 
 
 class LockstepWire(Protocol):

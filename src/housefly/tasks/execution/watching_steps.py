@@ -9,7 +9,7 @@ from housefly.config.people import PeopleConfig
 from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.messages import Order, OrderKind
-from housefly.room.level_camera import FRONT_CAMERA
+from housefly.room.level_camera import LevelCamera
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import (
     ARRIVED_WITHIN,
@@ -34,8 +34,8 @@ COMFORT_DISTANCE = PeopleConfig().comfort_distance + PeopleConfig().body_radius
 """No step asks to hover nearer to where somebody stands [m]; the pilot keeps its own distance."""
 TURN_FROM = 0.25
 """Who is so far beside the middle of the picture is turned to [rad]."""
-PICTURE_EDGE = FRONT_CAMERA.width / 2.0
-"""From the middle of the picture to its edge [rad]."""
+PICTURE_EDGE = LevelCamera.of(None).width / 2.0
+"""From the middle of a usual picture to its edge [rad]."""
 
 
 class Sweep(FlightStep):

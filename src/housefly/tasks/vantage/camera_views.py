@@ -13,7 +13,6 @@ from housefly.messages import Obstacle
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.dijkstra import UNREACHED
 from housefly.room.grid import OccupancyGrid
-from housefly.room.level_camera import FRONT_CAMERA
 from housefly.room.reach import Mask
 from housefly.room.sight import in_sight
 from housefly.tasks.vantage.viewing_room import ReachableMap, ViewingRoom
@@ -89,8 +88,8 @@ def shown_from(
     for row, (place, heading) in enumerate(zip(places.tolist(), headings.tolist(), strict=True)):
         here = np.array([[*place, viewing.height]])
         ahead = here[0] + (cos(heading), sin(heading), 0.0)
-        eye = FRONT_CAMERA.eyes(here, ahead)
-        framed = FRONT_CAMERA.frames(eye, ahead, points)[0]
+        eye = viewing.camera.eyes(here, ahead)
+        framed = viewing.camera.frames(eye, ahead, points)[0]
         at = place[0], place[1]
         if at not in clear:
             near = np.hypot(*(points[:, :2] - np.array(at)).T) <= VIEW_RANGE

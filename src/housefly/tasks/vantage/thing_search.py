@@ -14,7 +14,7 @@ from housefly.messages import Obstacle
 from housefly.numeric import FloatArray, elementwise
 from housefly.pilot.planning.dijkstra import UNREACHED, distances
 from housefly.room.grid import Cell
-from housefly.room.level_camera import FRONT_CAMERA
+from housefly.room.level_camera import LevelCamera
 from housefly.tasks.vantage.camera_views import camera_views
 from housefly.tasks.vantage.search_belief import SearchBelief
 from housefly.tasks.vantage.search_order import chosen_looks, soonest_order
@@ -27,8 +27,6 @@ _NAMED = 0.15
 """A place that a look is for has at least this share of what it may find."""
 _PLACES_NAMED = 2
 
-_PICTURE_WIDTH = 640
-"""Of the AR.Drone 2.0's front camera [pixels]."""
 _HALF_RECOGNISED = 4.0
 """Line pairs across a target with which half of all observers recognise it (Johnson 1958)."""
 _ATTENTION = 0.9
@@ -101,7 +99,9 @@ class ThingSearch:
         self._first, self._now = belief, belief
         self._views = camera_views(viewing, there, belief.points, known)
         self._detection = np.zeros(self._views.shown.shape)
-        self._detection[self._views.shown] = detection_probability(self._distances())
+        self._detection[self._views.shown] = detection_probability(
+            viewing.camera, self._distances()
+        )
         self._missed = np.ones(len(belief.points))
         self._unanswered = np.ones(len(belief.points))
 
@@ -212,17 +212,20 @@ def _point(row: FloatArray) -> Vec2:
     return x, y
 
 
-def detection_probability(distances: FloatArray, size: float = _THING_SIZE) -> FloatArray:
+def detection_probability(
+    camera: LevelCamera, distances: FloatArray, size: float = _THING_SIZE
+) -> FloatArray:
     """Return the probability that a thing in the picture is noticed, by its distance.
 
     Args:
+        camera: of the drone.
         distances: from the camera [m], any shape.
         size: of the thing [m].
 
     Returns:
         The same shape, 0 to 1, falling with the distance.
     """
-    per_metre = _PICTURE_WIDTH / (2.0 * tan(FRONT_CAMERA.width / 2.0))
+    per_metre = camera.pixels / (2.0 * tan(camera.width / 2.0))
     pairs = 0.5 * size * per_metre / np.maximum(distances, 0.1) / _HALF_RECOGNISED
     raised = elementwise(math.pow, pairs, 2.7 + 0.7 * pairs)
     result: FloatArray = _ATTENTION * raised / (1.0 + raised)

@@ -23,6 +23,7 @@ from housefly.pilot.planning.people_map import HULL_MARGIN
 from housefly.room.coverage import seen_by
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, CellIndex, OccupancyGrid, inflation
+from housefly.room.level_camera import LevelCamera
 from housefly.room.model import Room
 from housefly.room.reach import Mask
 from housefly.room.sight import hiding_rows, upright_row
@@ -99,10 +100,14 @@ class ViewingRoom:
         site: distances kept, flight height.
         room: its solids and tracking cameras.
         grid: its map.
+
+    Attributes:
+        camera: the drone's.
     """
 
     def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
         self.site, self.room = site, room
+        self.camera = LevelCamera.of(site.drone.airframe.capabilities.camera)
         self._static = untracked_grid(room, site, grid)
         self._modelled = grid
         self._reach = distances_for(inflation(site), site.map.tracking_bound, grid.resolution).reach

@@ -15,7 +15,6 @@ from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
 from housefly.numeric import FloatArray, elementwise, norm
-from housefly.room.level_camera import FRONT_CAMERA
 from housefly.room.reach import Mask
 from housefly.room.sight import in_sight
 from housefly.tasks.api.values import ReasonCode
@@ -100,10 +99,10 @@ def viewpoint_at(
         obstacles: people and things that no map shows.
     """
     look_at, points = np.array(subject.look_at), np.array(subject.points)
-    eyes = FRONT_CAMERA.eyes(np.array([[*place, viewing.height]]), look_at)
+    eyes = viewing.camera.eyes(np.array([[*place, viewing.height]]), look_at)
     away = norm(eyes[0] - look_at)
     hiding = viewing.hiding(subject.own, obstacles, subject.look_at[:2], _OWN_RADIUS)
-    seen = FRONT_CAMERA.frames(eyes, look_at, points) & in_sight(hiding, eyes, points)
+    seen = viewing.camera.frames(eyes, look_at, points) & in_sight(hiding, eyes, points)
     if away > _STAY_RANGE or not _shows(seen)[0]:
         return None
     words = f"{subject.name} is seen from here, {away:.1f} m away"
@@ -152,8 +151,8 @@ def _best(
             " hover and tracking sees it"
         )
     places = np.column_stack([flat, np.full(len(flat), viewing.height)])
-    eyes, points = FRONT_CAMERA.eyes(places, look_at), np.array(subject.points)
-    framed = FRONT_CAMERA.frames(eyes, look_at, points)
+    eyes, points = viewing.camera.eyes(places, look_at), np.array(subject.points)
+    framed = viewing.camera.frames(eyes, look_at, points)
     worth = _cheap_worth(there, subject, flat, ways, eyes)
     worth[~_shows(framed)] = -np.inf
     if not np.isfinite(worth).any():

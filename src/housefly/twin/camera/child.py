@@ -15,7 +15,6 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.twin.ardrone.body import PICTURE_SIZE
 from housefly.twin.camera.card import draw_card
 from housefly.twin.camera.encoder import Encoder
 from housefly.twin.camera.messages import (
@@ -27,6 +26,7 @@ from housefly.twin.camera.messages import (
     RenderSettings,
     pack_message,
 )
+from housefly.twin.quadrotor.body import PICTURE_SIZE
 
 _CARD_RATE_HZ = 2.0
 _CARD_BIT_RATE = 200_000

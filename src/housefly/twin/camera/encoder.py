@@ -1,4 +1,4 @@
-"""H.264 as the AR.Drone 2.0 sends it: Baseline, Annex B, a key frame with SPS and PPS every 15."""
+"""H.264 as small drones send it: Baseline, Annex B, a key frame with SPS and PPS every 15."""
 
 from __future__ import annotations
 

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.messages import Pose
-from housefly.twin.ardrone.body import BODY, HULL_GROUP, VISUAL_GROUP
 from housefly.twin.camera.messages import PictureRequest
 from housefly.twin.contracts import AWAY_Z, DroneCamera
 from housefly.twin.people.bodies import PERSON_PREFIX
+from housefly.twin.quadrotor.body import BODY, HULL_GROUP, VISUAL_GROUP
 
 SUPERSAMPLING = 1.25
 """Pictures are rendered larger by this and averaged down; costs less than half of MSAA."""

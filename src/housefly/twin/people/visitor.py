@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.messages import Pose
-from housefly.twin.ardrone.body import HULL_GROUP, VISUAL_GROUP
 from housefly.twin.mocap.cameras import MocapCameras
 from housefly.twin.physics import Physics
+from housefly.twin.quadrotor.body import HULL_GROUP, VISUAL_GROUP
 
 
 class Visitor:

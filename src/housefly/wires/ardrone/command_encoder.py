@@ -12,8 +12,9 @@ from math import radians
 from housefly.messages import Action, DroneStatus, Telemetry
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.messages.steering import Instruction
+from housefly.messages.stick import Maxima
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.conversions import Maxima, pcmd_from_setpoint
+from housefly.wires.ardrone.conversions import pcmd_from_setpoint
 
 TRIM_TIME = 0.1
 """How long flat trim is repeated before take-off [s]."""

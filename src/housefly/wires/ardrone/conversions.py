@@ -7,12 +7,12 @@ ARDroneLib SDK 2.0.1, AutonomyLab/ardrone_autonomy.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import degrees, isfinite, radians
 
 from housefly.errors import WireError
 from housefly.geometry import GRAVITY, Vec3, wrap_angle
 from housefly.messages import DroneFault, DroneStatus, Setpoint, Telemetry
+from housefly.messages.stick import Maxima, Stick, stick_fraction, stick_from_setpoint
 from housefly.wires.ardrone.at import Pcmd, PcmdFlag
 from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
 from housefly.wires.ardrone.navdata_options import Altitude, Demo, MajorState, PhysMeasures, Time
@@ -48,32 +48,6 @@ _ANY_FAULT = sum(int(bit) for bit, _ in _FAULTS)
 _SILENT = int(StateBits.COM_WATCHDOG | StateBits.COM_LOST)
 ULTRASOUND_MIN = 0.25
 """Raw ultrasound up to this may be anything nearer [m]: on the floor it tells 0.24."""
-
-
-@dataclass(frozen=True, slots=True)
-class Maxima:
-    """What a full stick means: tilt [rad], climb rate [m/s], yaw rate [rad/s]."""
-
-    tilt: float
-    climb: float
-    yaw_rate: float
-
-
-@dataclass(frozen=True, slots=True)
-class Stick:
-    """PCMD in body signs: fractions -1..1 of the configured maxima.
-
-    Attributes:
-        forward, left, up: along the body axes.
-        turn: counter-clockwise.
-        hover: the progressive bit is clear; the drone holds its place and ignores the rest.
-    """
-
-    forward: float = 0.0
-    left: float = 0.0
-    up: float = 0.0
-    turn: float = 0.0
-    hover: bool = True
 
 
 def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemetry:
@@ -182,20 +156,8 @@ def flu_from_frd(vector: Vec3) -> Vec3:
 
 
 def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
-    """Return the PCMD of a setpoint, each part cut to the maxima, or centred if not finite."""
-    return _pcmd_from_stick(
-        Stick(
-            forward=_fraction(setpoint.theta, maxima.tilt),
-            left=-_fraction(setpoint.phi, maxima.tilt),
-            up=_fraction(setpoint.vz, maxima.climb),
-            turn=_fraction(setpoint.yaw_rate, maxima.yaw_rate),
-            hover=False,
-        )
-    )
-
-
-def _pcmd_from_stick(stick: Stick) -> Pcmd:
-    """Return the progressive PCMD of a stick."""
+    """Return the progressive PCMD of a setpoint, as ``stick_from_setpoint``."""
+    stick = stick_from_setpoint(setpoint, maxima)
     return Pcmd(
         PcmdFlag.PROGRESSIVE, roll=-stick.left, pitch=-stick.forward, gaz=stick.up, yaw=-stick.turn
     )
@@ -204,10 +166,10 @@ def _pcmd_from_stick(stick: Stick) -> Pcmd:
 def stick_from_pcmd(pcmd: Pcmd) -> Stick:
     """Return the stick of a PCMD, each part cut to -1..1, for the twin."""
     return Stick(
-        forward=-_fraction(pcmd.pitch, 1.0),
-        left=-_fraction(pcmd.roll, 1.0),
-        up=_fraction(pcmd.gaz, 1.0),
-        turn=-_fraction(pcmd.yaw, 1.0),
+        forward=-stick_fraction(pcmd.pitch, 1.0),
+        left=-stick_fraction(pcmd.roll, 1.0),
+        up=stick_fraction(pcmd.gaz, 1.0),
+        turn=-stick_fraction(pcmd.yaw, 1.0),
         hover=PcmdFlag.PROGRESSIVE not in pcmd.flags,
     )
 
@@ -218,8 +180,3 @@ def _angle(millidegrees: float) -> float:
 
 def _millidegrees(angle: float) -> float:
     return 1000.0 * degrees(angle)
-
-
-def _fraction(value: float, maximum: float) -> float:
-    # Comparisons with nan would make it a full stick.
-    return max(-1.0, min(1.0, value / maximum)) if isfinite(value) else 0.0

@@ -13,10 +13,10 @@ from typing import NamedTuple
 from housefly.config.drone import DroneConfig
 from housefly.config.twin import RATE_POLE
 from housefly.geometry import GRAVITY
-from housefly.twin.ardrone.body import DRONE_MASS, INERTIA
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import OnboardLimits
+from housefly.twin.quadrotor.body import DRONE_MASS, INERTIA
 from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading, Wrench
-from housefly.wires.ardrone.conversions import Stick
 
 _SINK_FACTOR = 2.0
 """The same stick sinks twice as fast as it climbs."""

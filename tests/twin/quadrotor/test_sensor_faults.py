@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from housefly.twin.ardrone.sensor_faults import FaultySensors
 from housefly.twin.disturbance import (
     Disturbances,
     Motor,
@@ -15,6 +14,7 @@ from housefly.twin.disturbance import (
     SensorCondition,
     SensorFaults,
 )
+from housefly.twin.quadrotor.sensor_faults import FaultySensors
 from housefly.twin.simulated_body import SensorReading
 
 FIRST = SensorReading(0.1, 0.2, 0.3, (0.0, 0.0, 0.0), 1.0, 0.0, 0.5, -0.5, (0.0, 0.0, 9.8))

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.twin.ardrone.inner_loops import THRUST_MAX
-from housefly.twin.ardrone.motors import achieved_wrench
+from housefly.twin.quadrotor.inner_loops import THRUST_MAX
+from housefly.twin.quadrotor.motors import achieved_wrench
 from housefly.twin.simulated_body import MOTORS_OFF, Wrench
 
 GAINS = st.tuples(*[st.floats(0.0, 1.0)] * 4)

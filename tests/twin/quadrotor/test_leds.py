@@ -9,9 +9,9 @@ from kinematic_world import KinematicWorld
 
 from housefly.twin.ardrone.command_server import CommandServer
 from housefly.twin.ardrone.config_store import ConfigStore
-from housefly.twin.ardrone.leds import STANDARD_ANIMATION, Leds
 from housefly.twin.ardrone.link import Link
 from housefly.twin.ardrone.server import ArDroneServer
+from housefly.twin.quadrotor.leds import STANDARD_ANIMATION, Leds
 from housefly.wires.ardrone import at
 
 

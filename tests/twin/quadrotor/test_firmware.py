@@ -5,10 +5,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.drone import DroneConfig
-from housefly.twin.ardrone.firmware import TILT_CUTOFF, Firmware
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import FlightState, OnboardLimits
+from housefly.twin.quadrotor.firmware import TILT_CUTOFF, Firmware
 from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading
-from housefly.wires.ardrone.conversions import Stick
 
 SILENCE_MAX = OnboardLimits().silence
 

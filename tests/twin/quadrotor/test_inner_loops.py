@@ -10,12 +10,12 @@ import pytest
 
 from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
 from housefly.geometry import Vec2, distance, euler_from_quaternion, rotate
+from housefly.messages.stick import Stick
 from housefly.room.model import Room
-from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.contracts import FlightState, OnboardLimits, TwinWorld
+from housefly.twin.quadrotor.motors import motor_duties
 from housefly.twin.simulated_body import CONTROL_PERIOD, Wrench
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 

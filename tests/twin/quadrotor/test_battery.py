@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, Battery
+from housefly.twin.quadrotor.battery import CUT_OFF_VOLTAGE, Battery
 
 
 def test_a_full_battery_hovers_for_about_twelve_minutes() -> None:

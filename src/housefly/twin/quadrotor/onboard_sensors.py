@@ -15,7 +15,7 @@ import numpy as np
 
 from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY, Vec3, euler_from_quaternion, rotate, wrap_angle
-from housefly.twin.ardrone.body import STANDING_HEIGHT
+from housefly.twin.quadrotor.body import STANDING_HEIGHT
 from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState, SensorReading
 
 _FLOW = airframe_named("ardrone").flow

@@ -9,7 +9,8 @@ import pytest
 from housefly.config.site import Site, changed
 from housefly.geometry import distance
 from housefly.room.model import Room
-from housefly.twin.ardrone.body import (
+from housefly.twin.physics import Physics
+from housefly.twin.quadrotor.body import (
     DRONE_MARKERS,
     DRONE_MASS,
     FRONT_FIELD_OF_VIEW,
@@ -18,7 +19,6 @@ from housefly.twin.ardrone.body import (
     STANDING_HEIGHT,
     VISUAL_GROUP,
 )
-from housefly.twin.physics import Physics
 
 
 @pytest.fixture

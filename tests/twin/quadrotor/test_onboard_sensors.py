@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from housefly.geometry import quaternion_from_euler
-from housefly.twin.ardrone.body import STANDING_HEIGHT
-from housefly.twin.ardrone.onboard_sensors import FLOW_DELAY, OnboardSensors
+from housefly.twin.quadrotor.body import STANDING_HEIGHT
+from housefly.twin.quadrotor.onboard_sensors import FLOW_DELAY, OnboardSensors
 from housefly.twin.simulated_body import CONTROL_PERIOD, BodyState
 
 STILL = BodyState(

@@ -6,9 +6,9 @@ that more of their thrust turns the drone to the left.
 
 from __future__ import annotations
 
-from housefly.twin.ardrone.body import MOTOR_ARM
-from housefly.twin.ardrone.inner_loops import THRUST_MAX
 from housefly.twin.disturbance import MotorGains
+from housefly.twin.quadrotor.body import MOTOR_ARM
+from housefly.twin.quadrotor.inner_loops import THRUST_MAX
 from housefly.twin.simulated_body import MOTORS_OFF, Wrench
 
 _YAW_ARM = 0.02

@@ -12,12 +12,12 @@ from math import acos, cos, radians
 from housefly.config.drone import DroneConfig
 from housefly.geometry import GRAVITY
 from housefly.messages import AnySetpoint, Pose
-from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, FORCED_LANDING_VOLTAGE, LOW_VOLTAGE
-from housefly.twin.ardrone.body import DRONE_MASS
-from housefly.twin.ardrone.inner_loops import InnerLoops, LoopReferences
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import FlightState, OnboardLimits
+from housefly.twin.quadrotor.battery import CUT_OFF_VOLTAGE, FORCED_LANDING_VOLTAGE, LOW_VOLTAGE
+from housefly.twin.quadrotor.body import DRONE_MASS
+from housefly.twin.quadrotor.inner_loops import InnerLoops, LoopReferences
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, SensorReading, Wrench
-from housefly.wires.ardrone.conversions import Stick
 
 WATCHDOG_AFTER = 0.05
 """Silence that raises the watchdog bit [s]."""

@@ -1,0 +1,1 @@
+"""The simulated quadrotor: body, motors, battery, sensors and the computer that flies it."""
