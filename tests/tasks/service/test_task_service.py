@@ -616,11 +616,14 @@ def test_a_sentence_names_the_drone_that_is_meant(new_stage: Callable[..., TaskS
     answer = stage.ask(Sentence("look at the refrigerator with blue", by="kim"))
     assert answer.task is not None and answer.task.drone == "blue"
     stage.stand(1.0, DroneStatus.FLYING)
+    assert stage.ask(Sentence("Red, cancel that", by="kim")).task is None
     for orders in stage.orders_of.values():
         orders.clear()
     stage.ask(Sentence("Red, land!", by="kim"))
     assert [order.kind for order in stage.orders_of["red"]] == [OrderKind.LAND]
     assert OrderKind.LAND not in [order.kind for order in stage.orders_of["blue"]]
+    cancelled = stage.ask(Sentence("Blue, cancel that", by="kim")).task
+    assert cancelled is not None and cancelled.id == answer.task.id
 
 
 def test_what_another_drone_than_the_rehearsed_one_flies_is_rehearsed_anew(

@@ -252,14 +252,20 @@ class TaskEngine:
                 by = f"mode {mode.value} of the house"
                 self._take(self._scheduler.cancelled(task.id, by, unix), unix)
 
-    def foremost(self, only_of: str = "") -> int | None:
+    def foremost(self, only_of: str = "", drone: str = "") -> int | None:
         """Return the task that people mean when they name none: what flies, flies next, is open.
 
         Args:
             only_of: id of whose tasks count; "" for all.
+            drone: with which drone; "" for any.
         """
         tasks = sorted(
-            (one for one in board_order(self._scheduler) if only_of in ("", one.request.owner)),
+            (
+                one
+                for one in board_order(self._scheduler)
+                if only_of in ("", one.request.owner)
+                and drone in ("", one.drone or one.wanted_drone)
+            ),
             key=lambda task: (not task.traits.flies, task.state not in ACTIVE),
         )
         return tasks[0].id if tasks else None

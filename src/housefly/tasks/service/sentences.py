@@ -43,8 +43,10 @@ _PLACES = {
 class TaskActing(Protocol):
     """Does something with the task that flies, or is next; None when there is none."""
 
-    def __call__(self, act: TaskAct, by: str, only_of: str = "") -> TaskStatus | None:
-        """Do it; ``only_of`` is the id of whose tasks count, "" for all."""
+    def __call__(
+        self, act: TaskAct, by: str, only_of: str = "", drone: str = ""
+    ) -> TaskStatus | None:
+        """Do it; ``only_of`` is the id of whose tasks count, ``drone`` with which; "" for all."""
         ...
 
 
@@ -125,7 +127,7 @@ class Sentences:
         say = phrases(sentence.language)
         objection = _objection(reply, sentence)
         if objection == "only_who_may_fly" and reply.act is TaskAct.CANCEL and sentence.owner:
-            task = self._do.act(TaskAct.CANCEL, _by(sentence), sentence.owner)
+            task = self._do.act(TaskAct.CANCEL, _by(sentence), sentence.owner, sentence.drone)
             if task is not None:
                 return replace(answer, task=task)
         if objection:
@@ -139,7 +141,7 @@ class Sentences:
         if reply.offer is not None and sentence.fly:
             return replace(answer, offer=replace(_of(reply.offer, sentence), owner=""))
         if reply.act is not None:
-            task = self._do.act(reply.act, _by(sentence))
+            task = self._do.act(reply.act, _by(sentence), drone=sentence.drone)
             return (
                 replace(answer, task=task)
                 if task

@@ -412,11 +412,13 @@ class TaskService:
         worst_first = (DronePlace.AIR, DronePlace.UNKNOWN, DronePlace.GROUND)
         return next(place for place in worst_first if place in found)
 
-    def _act(self, act: TaskAct, by: str, only_of: str = "") -> TaskStatus | None:
+    def _act(
+        self, act: TaskAct, by: str, only_of: str = "", drone: str = ""
+    ) -> TaskStatus | None:
         """Cancel, pause or continue the task that flies, or is next; None when there is none."""
         with self.desk.lock:
             engine = self._parts.engine
-            task = engine.foremost(only_of)
+            task = engine.foremost(only_of, drone)
             if task is None:
                 return None
             unix = self._wall()
