@@ -54,5 +54,5 @@ def test_every_test_that_a_row_names_exists(reference: str) -> None:
 
 
 def test_a_row_that_is_no_row_is_refused() -> None:
-    with pytest.raises(ConfigError, match="F01 to F51"):
+    with pytest.raises(ConfigError, match="F01 to F52"):
         row_of("F99")

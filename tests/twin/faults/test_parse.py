@@ -44,7 +44,7 @@ def test_a_row_is_read_with_variant_and_times() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("F99@2s", "there are F01 to F51"),
+        ("F99@2s", "there are F01 to F52"),
         ("F27@2s", "is no fault of the simulated room; it is covered by: tests/web"),
         ("F13/7cm", "it has F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm, F13/up_5cm"),
         ("F13=0.3", "cannot be read"),

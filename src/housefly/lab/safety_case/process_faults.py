@@ -48,7 +48,7 @@ def _send(number: signal.Signals, parts: list[psutil.Process]) -> None:
 
 
 _PILOT, _DRIVER = "housefly.app.pilot_main", "housefly.app.driver_main"
-_HUB = "housefly.hub.process"
+_HUB, _ROOM = "housefly.hub.process", "housefly.app.room_main"
 PROCESS_FAULTS = {
     "F24/killed": ProcessFault((_PILOT,), signal.SIGKILL),
     "F24/stopped": ProcessFault((_PILOT,), signal.SIGSTOP),
@@ -57,6 +57,8 @@ PROCESS_FAULTS = {
     "F30/hub_killed": ProcessFault((_HUB,), signal.SIGKILL),
     "F30/hub_stopped": ProcessFault((_HUB,), signal.SIGSTOP),
     "F32/stalled_0.3s": ProcessFault((_PILOT, _DRIVER), signal.SIGSTOP, 0.3),
+    "F52/room_killed": ProcessFault((_ROOM,), signal.SIGKILL),
+    "F52/room_stopped": ProcessFault((_ROOM,), signal.SIGSTOP),
     "F32/stalled_1s": ProcessFault((_PILOT, _DRIVER), signal.SIGSTOP, 1.0),
 }
 """What happens to processes only; the rest of the matrix is made inside the simulated room."""

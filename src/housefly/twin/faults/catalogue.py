@@ -1,4 +1,4 @@
-"""The fault matrix: its 51 rows, what injects each, where, and the safe outcome that it demands.
+"""The fault matrix: its 52 rows, what injects each, where, and the safe outcome that it demands.
 
 A row that is no fault of the simulated room names the test or command that covers it, or says that
 nothing does. ``docs/faults.md`` is made from this table.

@@ -1,13 +1,22 @@
 """Rows of the fault matrix in which what a rescue flies by fails, and a person gives an order.
 
-The drone's own sensors, its reports, the scanners, and a draught that its own hover cannot hold.
+The drone's own sensors, its reports, the scanners, a draught that its own hover cannot hold, and
+the room's process, in which tracking and scanners end together.
 """
 
 from __future__ import annotations
 
+from math import inf
+
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.fault_row import FaultRow, FaultVariant
-from housefly.twin.faults.vocabulary import LOCKSTEP, WIRES, FaultComponent, FaultKind
+from housefly.twin.faults.vocabulary import (
+    LOCKSTEP,
+    WIRES,
+    FaultComponent,
+    FaultKind,
+    Injection,
+)
 
 _C, _K = FaultComponent, FaultKind
 _TWIN = LOCKSTEP | WIRES
@@ -21,6 +30,12 @@ def _variant(
     aspect: str = "",
 ) -> FaultVariant:
     return FaultVariant(name, (Fault(component, kind, aspect, magnitude=size),))
+
+
+def _blind(name: str, lasting: float) -> FaultVariant:
+    """Return the end of all that the room senses, for so long [s]."""
+    ends = (Fault(part, _K.OFF, duration=lasting) for part in (_C.MOCAP, _C.LASER))
+    return FaultVariant(name, tuple(ends))
 
 
 ONBOARD_ROWS: tuple[FaultRow, ...] = (
@@ -98,6 +113,16 @@ ONBOARD_ROWS: tuple[FaultRow, ...] = (
             _variant("0.7", _C.WIND, _K.WRONG, 0.7),
             _variant("1.0", _C.WIND, _K.WRONG, 1.0),
             _variant("none", _C.WIND, _K.WRONG, 0.0),
+        ), crossed=True,
+    ),
+    FaultRow(
+        "F52", "the room's process is killed or stalls: no tracking, no scanner",
+        "as lost tracking: hovers, lands after 2 s or when asked; flies on when the room is back",
+        LOCKSTEP | frozenset({Injection.PROCESS}),
+        (
+            _blind("dead", inf),
+            _blind("back_after_1s", 1.0),
+            _blind("back_after_4s", 4.0),
         ), crossed=True,
     ),
 )  # fmt: skip
