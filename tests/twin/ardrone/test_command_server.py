@@ -112,6 +112,7 @@ def test_the_configuration_is_sent_on_demand():
         at.Control(0),
     )
     assert desk.asked == [False, True]
+    assert desk.link.acknowledged
 
 
 def test_a_flat_trim_and_unmodelled_commands_are_taken():

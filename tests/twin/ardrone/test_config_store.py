@@ -167,3 +167,19 @@ def test_only_writes_that_counted_are_told():
     store.write("control:altitude_max", "high", None)
     store.write("general:drone_serial", "1", None)
     assert told == ["control:altitude_max"]
+
+
+@pytest.mark.parametrize(
+    ("name", "written", "read"),
+    [
+        ("general:navdata_demo", "true", True),
+        ("GENERAL:Navdata_Demo", "True", True),
+        ("control:outdoor", "f", False),
+        ("control:altitude_max", "2500.0", 2500),
+        ("Control:altitude_max", " 1500 mm", 1500),
+    ],
+)
+def test_a_value_is_read_as_the_makers_parser_reads_it(name, written, read):
+    store = ConfigStore()
+    assert store.write(name, written, None)
+    assert store.value(name.lower()) == read

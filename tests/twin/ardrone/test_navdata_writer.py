@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import degrees, radians
+from math import atan2, degrees, radians
 
 import pytest
 from hypothesis import given
@@ -19,6 +19,7 @@ from housefly.wires.ardrone.navdata import StateBits, decode_navdata
 from housefly.wires.ardrone.navdata_options import (
     Demo,
     EulerAngles,
+    Magneto,
     PhysMeasures,
     Pwm,
     RawMeasures,
@@ -186,3 +187,21 @@ def test_angles_are_thousandths_of_degrees():
     assert (demo.theta, demo.phi, demo.psi) == pytest.approx(
         (-1e3 * degrees(0.1), 1e3 * degrees(0.2), -1e3 * degrees(0.3))
     )
+
+
+def test_a_client_in_demo_mode_gets_the_options_that_it_asks_for_besides():
+    writer = NavdataWriter(Link(bootstrap=False), tells_vertical_speed=False)
+    writer.demo, writer.demo_options = True, 1 << 1 | 1 << 22
+    packet = decode_navdata(writer.packet(RESTING))
+    assert [option.tag for option in packet.options] == [0, 1, 16, 22]
+
+
+@given(st.floats(-3.1, 3.1))
+def test_the_magnetometer_points_north(psi):
+    writer = NavdataWriter(Link(bootstrap=False), tells_vertical_speed=False)
+    found = decode_navdata(writer.packet(replace(RESTING, psi=psi))).option(Magneto)
+    assert found is not None
+    ahead, right, down = found.rectified
+    assert down > 0.0
+    assert atan2(-right, ahead) == pytest.approx(radians(found.heading_unwrapped), abs=1e-5)
+    assert -radians(found.heading_unwrapped) == pytest.approx(psi, abs=1e-5)

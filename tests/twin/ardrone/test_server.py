@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import ftplib
 import random
 import socket
 from collections.abc import AsyncIterator, Callable
@@ -22,7 +23,13 @@ from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import CONTROL_PORT, parse_dump
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, NavdataPacket, StateBits, decode_navdata
 from housefly.wires.ardrone.navdata_options import Demo
-from housefly.wires.ardrone.pave import VIDEO_PORT, FrameType, PaveFrame, VideoReassembler
+from housefly.wires.ardrone.pave import (
+    VIDEO_PORT,
+    FrameType,
+    PaveFrame,
+    VideoReassembler,
+    encode_header,
+)
 
 pytestmark = pytest.mark.wire
 
@@ -100,8 +107,11 @@ async def client(server: ArDroneServer, loopback: str) -> AsyncIterator[Client]:
     client.close()
 
 
-async def test_bring_up_goes_bootstrap_setting_acknowledge_clear_stream(client):
-    client.ask()
+@pytest.mark.parametrize(
+    "request_bytes", [b"\1", b"\1\0", b"\1\0\0\0", b"Init", b"\1" + 13 * b"\0"]
+)
+async def test_bring_up_goes_bootstrap_setting_acknowledge_clear_stream(client, request_bytes):
+    client.ask(request_bytes)
     first = await client.receive()
     assert first.has(StateBits.NAVDATA_BOOTSTRAP)
     assert first.options == ()
@@ -240,7 +250,42 @@ async def test_pictures_come_in_pave_frames(server, loopback):
     assert (key.header.frame_type, other.header.frame_type) == (FrameType.IDR, FrameType.P_FRAME)
     assert (key.header.sps_size, key.header.pps_size) == (14, 10)
     assert (key.header.encoded_height, key.header.display_height) == (368, 360)
-    assert (key.header.frame_number, key.header.timestamp_ms) == (7, 1000)
+    assert (key.header.frame_number, key.header.timestamp_ms) == (7, 101_000)
+
+
+async def test_what_a_viewer_gets_begins_with_a_key_frame(server, loopback):
+    reader, writer = await open_video(server, loopback)
+    for number, keyframe in ((1, False), (2, True)):
+        server.publish(picture(number, keyframe))
+    (first,) = await read_frames(reader, 1)
+    writer.close()
+    assert first.header.frame_number == 2
+
+
+async def test_no_header_looks_like_the_start_of_a_picture_to_who_reads_the_stream_raw(
+    server, loopback
+):
+    reader, writer = await open_video(server, loopback)
+    for number in range(2, 12):
+        server.publish(picture(number))
+    frames = await read_frames(reader, 10)
+    writer.close()
+    assert all(b"\0\0\1" not in encode_header(frame.header) for frame in frames)
+
+
+async def test_the_firmwares_version_is_read_by_ftp(server, loopback):
+    def downloaded() -> bytes:
+        with ftplib.FTP() as ftp:
+            ftp.connect(loopback, 5551, timeout=3.0)
+            ftp.login()
+            content: list[bytes] = []
+            ftp.retrbinary("RETR version.txt", content.append)
+            with pytest.raises(ftplib.error_perm):
+                ftp.retrbinary("RETR /etc/passwd", content.append)
+            ftp.quit()
+            return b"".join(content)
+
+    assert await asyncio.to_thread(downloaded) == b"2.4.8\n"
 
 
 async def test_the_longer_header_of_some_firmware_can_be_had(world, loopback):

@@ -152,4 +152,4 @@ def test_ids_are_eight_hex_digits() -> None:
 
 def test_the_list_of_custom_configurations_has_three_sections() -> None:
     listing = config.encode_custom_list([("00000001", "app")], [("00000002", "me")], [])
-    assert listing == b"[applis]\n00000001,app\r\n[profiles]\n00000002,me\r\n[sessions]\n\0"
+    assert listing == b"[applis]\r00000001,app\r[profiles]\r00000002,me\r[sessions]\r\0"

@@ -412,9 +412,7 @@ class TaskService:
         worst_first = (DronePlace.AIR, DronePlace.UNKNOWN, DronePlace.GROUND)
         return next(place for place in worst_first if place in found)
 
-    def _act(
-        self, act: TaskAct, by: str, only_of: str = "", drone: str = ""
-    ) -> TaskStatus | None:
+    def _act(self, act: TaskAct, by: str, only_of: str = "", drone: str = "") -> TaskStatus | None:
         """Cancel, pause or continue the task that flies, or is next; None when there is none."""
         with self.desk.lock:
             engine = self._parts.engine

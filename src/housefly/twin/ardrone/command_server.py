@@ -140,4 +140,5 @@ class CommandServer(asyncio.DatagramProtocol):
         if command.mode == at.ControlMode.CLEAR_ACK:
             self._link.acknowledged = False
         elif command.mode in (at.ControlMode.SEND_CONFIG, at.ControlMode.SEND_CUSTOM_CONFIGS):
+            self._link.acknowledged = True
             self._send_config(command.mode == at.ControlMode.SEND_CUSTOM_CONFIGS)

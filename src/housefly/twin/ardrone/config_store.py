@@ -3,6 +3,8 @@
 Rules: Parrot ARDroneLib SDK 2.0.1, multiconfiguration. The server acknowledges every well-formed
 CONFIG; ``write`` returns whether it counted:
 
+- names count in any case; a boolean is read by its first letter, a whole number up to what is no
+  digit, as the maker's parser does (``strtol``);
 - a key that may never be written, does not exist, or a value of another type does not count;
 - keys that need ids count only right after CONFIG_IDS with the three ids in force, none of them the
   default one;
@@ -12,6 +14,7 @@ CONFIG; ``write`` returns whether it counted:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from housefly.errors import WireError
@@ -29,7 +32,7 @@ from housefly.wires.ardrone.config import (
     is_config_id,
     parse_value,
 )
-from housefly.wires.ardrone.config_keys import CONFIG_KEYS, Category, ConfigKey
+from housefly.wires.ardrone.config_keys import CONFIG_KEYS, Category, ConfigKey, KeyType
 
 _ID_KEYS = {
     "custom:session_id": Category.SESSION,
@@ -56,6 +59,9 @@ _ALTITUDE_MAX = 100.0
 """Largest tilt [rad], climb [m/s], yaw rate [rad/s] and altitude [m] that the firmware follows."""
 _SILENCE_MIN = 1.0
 """Shortest time without a command that the twin lands after [s]; of a real drone not known."""
+
+_WHOLE_PART = re.compile(r"\s*([+-]?\d{1,10})", re.ASCII)
+_TRUTH = {"t": "TRUE", "f": "FALSE"}
 
 _NEXT_CHANNEL = 4
 """Value of ``video:video_channel`` that means the other camera."""
@@ -98,6 +104,11 @@ class ConfigStore:
     def demo(self) -> bool:
         """Whether the client wants the short navdata."""
         return self.value("general:navdata_demo") is True
+
+    @property
+    def demo_options(self) -> int:
+        """Which options the client wants in the short navdata, a bit for each tag."""
+        return int(self._number("general:navdata_options"))
 
     @property
     def video_enabled(self) -> bool:
@@ -144,14 +155,13 @@ class ConfigStore:
             text: the value as on the wire.
             ids: of the CONFIG_IDS right before; None when there was none.
         """
-        key = KEYS_BY_NAME.get(name)
+        key = KEYS_BY_NAME.get(name.lower())
         if key is None or not self._may_write(key, ids):
             return False
-        counted = (
-            self._switch(_ID_KEYS[name], text) if name in _ID_KEYS else self._assign(key, text)
-        )
+        category = _ID_KEYS.get(key.name)
+        counted = self._assign(key, text) if category is None else self._switch(category, text)
         if counted:
-            self._on_write(name)
+            self._on_write(key.name)
         return counted
 
     def _may_write(self, key: ConfigKey, ids: MulticonfigIds | None) -> bool:
@@ -175,7 +185,7 @@ class ConfigStore:
 
     def _assign(self, key: ConfigKey, text: str) -> bool:
         try:
-            value = parse_value(key, text)
+            value = parse_value(key, _as_read(key, text))
             format_value(key, value)
         except WireError:
             return False
@@ -212,6 +222,14 @@ class ConfigStore:
     def _number(self, name: str) -> float:
         value = self.value(name)
         return float(value) if isinstance(value, int | float) else 0.0
+
+
+def _as_read(key: ConfigKey, text: str) -> str:
+    """Return a value as the drone's own parser reads it."""
+    if key.type is KeyType.BOOL:
+        return _TRUTH.get(text.strip()[:1].lower(), text)
+    whole = _WHOLE_PART.match(text) if key.type is KeyType.INT else None
+    return text if whole is None else whole[1]
 
 
 def _asks_for_next_camera(key: ConfigKey, value: ConfigValue) -> bool:

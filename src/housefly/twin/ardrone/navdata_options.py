@@ -8,7 +8,7 @@ are packed once.
 from __future__ import annotations
 
 from dataclasses import replace
-from math import degrees, exp, radians
+from math import cos, degrees, exp, radians, sin
 
 from housefly.geometry import GRAVITY, Vec3
 from housefly.twin.contracts import FlightState, OnboardState
@@ -50,7 +50,10 @@ _HOVERING_WITHOUT_LINK = 8
 _NO_TAG_DETECTION = 3
 """Default of ``detect:detect_type``: no tag is looked for."""
 _MAGNETIC_FIELD = 320.0
-"""Horizontal strength of the simulated field [mG]; about that of Fukuoka."""
+_MAGNETIC_DIP = 350.0
+"""Strength of the simulated field, horizontal and down [mG]; about that of Fukuoka."""
+DEMO_OPTIONS = 1 << TAGS[Demo] | 1 << TAGS[VisionDetect]
+"""Tags of the short packets as the drone comes."""
 _SEA_LEVEL_PRESSURE = 101325.0
 _SCALE_HEIGHT = 8434.0
 """Pressure at the floor [Pa] and the height over which it falls by e [m]."""
@@ -64,10 +67,19 @@ _GYRO_STEP = 16.4
 
 
 def demo_options(
-    onboard: OnboardState, altitude: float, tells_vertical_speed: bool
+    onboard: OnboardState, altitude: float, tells_vertical_speed: bool, wanted: int = DEMO_OPTIONS
 ) -> tuple[Structure | RawOption, ...]:
-    """Return the options of demo mode: 500 bytes with header and checksum; altitude in m."""
-    return _demo(onboard, altitude, tells_vertical_speed), _CONSTANT_OPTIONS[VisionDetect]
+    """Return the options of demo mode: 500 bytes with header and checksum; altitude in m.
+
+    What the client wants, a bit for each tag, comes with them.
+    """
+    if wanted & ~DEMO_OPTIONS == 0:
+        return _demo(onboard, altitude, tells_vertical_speed), _CONSTANT_OPTIONS[VisionDetect]
+    every = full_options(onboard, altitude, tells_vertical_speed)
+    chosen = wanted | DEMO_OPTIONS
+    return tuple(
+        one for kind, one in zip(OPTION_TYPES, every, strict=True) if chosen >> TAGS[kind] & 1
+    )
 
 
 def full_options(
@@ -169,13 +181,22 @@ def _vision(onboard: OnboardState, demo: Demo) -> Vision:
 
 def _magneto(demo: Demo) -> Magneto:
     heading = demo.psi / 1e3
+    field = _field(radians(heading))
     return Magneto(
+        m=tuple(map(round, field)),
+        raw=field,
+        rectified=field,
         heading_unwrapped=heading,
         heading_gyro_unwrapped=heading,
         heading_fusion_unwrapped=heading,
         calibration_ok=1,
         radius=_MAGNETIC_FIELD,
     )
+
+
+def _field(heading: float) -> Vec3:
+    """Return the field in a level body [mG], forward, right, down; its tilt is left out."""
+    return _MAGNETIC_FIELD * cos(heading), -_MAGNETIC_FIELD * sin(heading), _MAGNETIC_DIP
 
 
 def _constant(option: Structure) -> RawOption:

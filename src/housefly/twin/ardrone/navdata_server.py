@@ -19,7 +19,15 @@ from housefly.wires.ardrone.navdata import NAVDATA_PORT, REQUEST_MULTICAST, REQU
 _FULL_RATE_HZ = 200.0
 _DEMO_DIVIDER = 13
 """One packet of 13 in demo and bootstrap mode: 15 a second."""
-_REQUESTS = frozenset({REQUEST_UNICAST[:1], REQUEST_UNICAST, REQUEST_MULTICAST})
+_LONG_REQUEST_SIZE = 14
+_REQUESTS = frozenset(
+    {
+        *(REQUEST_UNICAST[:size] for size in (1, 2, 4)),
+        REQUEST_UNICAST.ljust(_LONG_REQUEST_SIZE, b"\0"),
+        *(REQUEST_MULTICAST, b"Init"),
+    }
+)
+"""What clients are known to ask with."""
 
 
 class NavdataServer(asyncio.DatagramProtocol):

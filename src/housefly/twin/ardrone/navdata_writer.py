@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.twin.ardrone.altitude_estimator import AltitudeEstimator
 from housefly.twin.ardrone.link import Link
-from housefly.twin.ardrone.navdata_options import demo_options, full_options
+from housefly.twin.ardrone.navdata_options import DEMO_OPTIONS, demo_options, full_options
 from housefly.twin.contracts import FlightState, OnboardState
 from housefly.wires.ardrone.layout import Structure
 from housefly.wires.ardrone.navdata import RawOption, StateBits, encode_navdata
@@ -49,10 +49,11 @@ class NavdataWriter:
 
     Attributes:
         demo: True for the short packets; ``general:navdata_demo``.
+        demo_options: a bit for each tag that is in them; ``general:navdata_options``.
     """
 
     def __init__(self, link: Link, tells_vertical_speed: bool) -> None:
-        self.demo = False
+        self.demo, self.demo_options = False, DEMO_OPTIONS
         self._link = link
         self._tells_vertical_speed = tells_vertical_speed
         self._sequence = 0
@@ -74,5 +75,6 @@ class NavdataWriter:
         altitude = self._altitude.altitude(onboard)
         if self._link.bootstrap:
             return ()
-        options = demo_options if self.demo else full_options
-        return options(onboard, altitude, self._tells_vertical_speed)
+        if not self.demo:
+            return full_options(onboard, altitude, self._tells_vertical_speed)
+        return demo_options(onboard, altitude, self._tells_vertical_speed, self.demo_options)

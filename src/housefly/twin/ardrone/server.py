@@ -1,4 +1,5 @@
-"""A simulated AR.Drone 2.0 on its real ports: UDP 5554 and 5556, TCP 5555 and 5559 of one address.
+"""A simulated AR.Drone 2.0 on its real ports of an address: UDP 5554 and 5556, TCP 21, 5551, 5555,
+5559.
 
 Clients written for the real drone can fly it; docs/wires.md, section 3, lists those that did. The
 server does not advance the world; its owner does.
@@ -13,6 +14,7 @@ from housefly.twin.address import check_address
 from housefly.twin.ardrone.command_server import CommandServer
 from housefly.twin.ardrone.config_store import ConfigStore
 from housefly.twin.ardrone.control_server import ControlServer
+from housefly.twin.ardrone.ftp_server import FtpServer
 from housefly.twin.ardrone.link import UNFILTERED, Counters, Link, LinkFilters
 from housefly.twin.ardrone.navdata_server import NavdataServer
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
@@ -28,7 +30,7 @@ class ArDroneServer:
 
     Args:
         drone: what flies.
-        address: IP address whose four ports are taken.
+        address: IP address whose ports are taken.
         pave_header_size: 64, or 68 as some firmware sends.
         tells_vertical_speed: whether to fill navdata's vz; the real drone leaves it at 0.
         beyond_loopback: allow an address that other machines can reach.
@@ -60,6 +62,7 @@ class ArDroneServer:
         )
         self._navdata = NavdataServer(drone, self._link, self._writer, filters)
         self._video = VideoServer(self._link.counters, pave_header_size)
+        self._ftp = FtpServer()
 
     @property
     def counters(self) -> Counters:
@@ -82,13 +85,14 @@ class ArDroneServer:
         return self._video.viewers
 
     async def start(self) -> None:
-        """Open the four ports; raises LinkError when one of them cannot be had."""
+        """Open the ports; raises LinkError when one of them cannot be had."""
         self._drone.set_limits(self._config.limits)
         try:
             await self._commands.start(self._address)
             await self._navdata.start(self._address)
             await self._video.start(self._address)
             await self._control.start(self._address)
+            await self._ftp.start(self._address)
         except OSError as error:
             await self.stop()
             raise LinkError(
@@ -97,7 +101,7 @@ class ArDroneServer:
 
     async def stop(self) -> None:
         """Close the ports and every connection."""
-        for port in (self._control, self._video, self._navdata, self._commands):
+        for port in (self._ftp, self._control, self._video, self._navdata, self._commands):
             await port.stop()
 
     def publish(self, picture: EncodedPicture) -> None:
@@ -111,6 +115,7 @@ class ArDroneServer:
         if key == "general:navdata_demo":
             self._link.bootstrap = False
         self._writer.demo = self._config.demo
+        self._writer.demo_options = self._config.demo_options
         self._drone.set_limits(self._config.limits)
 
     def _play_leds(self, text: str) -> None:

@@ -1,7 +1,7 @@
 """The simulated drone's live video: H.264 pictures in PaVE frames to every client on TCP 5555.
 
-A client joins in mid-stream, as on the real drone. One that reads too slowly loses pictures up to
-the next key frame and delays nobody else.
+What a client gets begins with a key frame. One that reads too slowly loses pictures up to the next
+key frame and delays nobody else.
 """
 
 from __future__ import annotations
@@ -19,6 +19,13 @@ _MAX_BACKLOG = 96 * 1024
 _SEND_BUFFER = 128 * 1024
 """Bytes the kernel may hold for one client; its default would hide a slow reader."""
 PAVE_HEADER_SIZE = 64
+_STREAM_ID = 5
+_CLOCK_AHEAD = 100.0
+"""The drone's clock runs since it was switched on, so long before the room [s].
+
+Stream 1, and a clock below 65 s before the number of chunks, look like H.264's start code to who
+reads the stream without its headers.
+"""
 _MACROBLOCK = 16
 """H.264 codes whole blocks of 16 pixels and shows a part of them: 368 lines coded, 360 shown."""
 _START_CODE = b"\x00\x00\x00\x01"
@@ -33,7 +40,7 @@ class _Viewer(asyncio.Protocol):
     def __init__(self, port: VideoServer) -> None:
         self._port = port
         self._transport: asyncio.Transport | None = None
-        self._waits_for_key = False
+        self._waits_for_key = True
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
@@ -125,7 +132,7 @@ class VideoServer:
         return PaveHeader(
             payload_size=len(picture.data),
             frame_number=picture.number & 0xFFFFFFFF,
-            timestamp_ms=round(1e3 * picture.at) & 0xFFFFFFFF,
+            timestamp_ms=round(1e3 * (picture.at + _CLOCK_AHEAD)) & 0xFFFFFFFF,
             frame_type=FrameType.IDR if picture.keyframe else FrameType.P_FRAME,
             display_width=picture.width,
             display_height=picture.height,
@@ -133,6 +140,7 @@ class VideoServer:
             encoded_height=_whole_blocks(picture.height),
             header_size=self._header_size,
             byte_position=self._bytes_sent,
+            stream_id=_STREAM_ID,
             sps_size=sps,
             pps_size=pps,
         )

@@ -195,10 +195,10 @@ def encode_custom_list(
     parts = []
     for section, entries in zip(_SECTIONS, (applications, profiles, sessions), strict=True):
         parts.append(
-            f"[{section}]\n"
+            f"[{section}]\r"
             + "".join(f"{identity},{description}\r" for identity, description in entries)
         )
-    return "\n".join(parts).encode("ascii", errors="replace") + DUMP_END
+    return "".join(parts).encode("ascii", errors="replace") + DUMP_END
 
 
 def _float_text(value: float) -> str:
