@@ -21,6 +21,9 @@ from housefly.wires.natnet import (
     CommandResponse,
     Connect,
     Disconnect,
+    Discovery,
+    EchoRequest,
+    EchoResponse,
     KeepAlive,
     ModelDef,
     NatNetFrame,
@@ -196,6 +199,12 @@ async def test_a_client_learns_who_serves_and_what_is_tracked(loopback: str) -> 
         info = client.heard[0]
         assert isinstance(info, ServerInfo)
         assert (info.version, info.clock_hz, info.multicast) == ((3, 1, 0, 0), 10_000_000, False)
+        client.say(Discovery())
+        await until(lambda: client.heard.count(info) == 2)
+        client.say(EchoRequest(77))
+        await until(lambda: any(isinstance(item, EchoResponse) for item in client.heard))
+        (echo,) = (item for item in client.heard if isinstance(item, EchoResponse))
+        assert echo.client_time == 77 and echo.server_time > 0
         client.say(RequestModelDef())
         await client.hears(
             ModelDef((RigidBodyDescription(1, "ardrone"), RigidBodyDescription(2, "visitor")))

@@ -15,6 +15,9 @@ from housefly.wires.natnet import (
     CommandResponse,
     Connect,
     Disconnect,
+    Discovery,
+    EchoRequest,
+    EchoResponse,
     KeepAlive,
     ModelDef,
     NatNetFrame,
@@ -68,7 +71,9 @@ item = st.one_of(
         st.booleans(),
         st.booleans(),
     ),
-    st.sampled_from([RequestModelDef(), Disconnect(), KeepAlive(), Unrecognized()]),
+    st.sampled_from([RequestModelDef(), Disconnect(), Discovery(), KeepAlive(), Unrecognized()]),
+    st.builds(EchoRequest, u64),
+    st.builds(EchoResponse, u64, u64),
 )
 versions = st.sampled_from([(3, 0), (3, 1), (4, 0), (4, 1), (4, 2)])
 

@@ -23,6 +23,9 @@ from housefly.wires.natnet import (
     CommandResponse,
     Connect,
     Disconnect,
+    Discovery,
+    EchoRequest,
+    EchoResponse,
     KeepAlive,
     ModelDef,
     NatNetFrame,
@@ -84,6 +87,7 @@ class NatNetServer:
         self._target = (group, data_port)
         self._version = version
         self._y_up = y_up
+        self._ticks = 0
         self._numbers: dict[str, int] = {}
         self._clients: dict[PeerAddress, _Client] = {}
         self._socket: socket.socket | None = None
@@ -122,6 +126,7 @@ class NatNetServer:
         for name in fresh:
             self._numbers[name] = len(self._numbers) + 1
         item = natnet_frame(frame, self._numbers, self._y_up, changed=bool(fresh))
+        self._ticks = item.sent
         if self._target[0]:
             self._send(encode_natnet(item, self._version), self._target)
             return
@@ -151,6 +156,10 @@ class NatNetServer:
         match item:
             case Connect(wish):
                 return self._info(self._admit(sender, wish))
+            case Discovery():
+                return self._info(self._version)
+            case EchoRequest(client_time):
+                return EchoResponse(client_time, self._ticks)
             case RequestModelDef():
                 return ModelDef(
                     tuple(

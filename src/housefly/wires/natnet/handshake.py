@@ -20,6 +20,7 @@ _STREAM = struct.Struct("<QH?4B")
 _STREAM_SINCE = 3
 """Servers of older major versions tell neither clock nor ports."""
 _OPTIONS = struct.Struct("<?4B")
+_TICKS = struct.Struct("<Q")
 
 _FourNumbers = tuple[int, int, int, int]
 
@@ -178,6 +179,49 @@ class KeepAlive(_Bare):
 
     __slots__ = ()
     KIND: ClassVar[int] = 10
+
+
+@dataclass(frozen=True, slots=True)
+class EchoRequest:
+    """A client compares clocks; ``client_time`` is by its own, in its own unit."""
+
+    KIND: ClassVar[int] = 12
+    client_time: int
+
+    def write(self, out: NatNetWriter) -> None:
+        """Append the body."""
+        out.put(_TICKS, self.client_time)
+
+    @classmethod
+    def read(cls, source: NatNetReader) -> Self:
+        """Read the body."""
+        return cls(source.number(_TICKS, "client time"))
+
+
+@dataclass(frozen=True, slots=True)
+class EchoResponse:
+    """The answer: the client's time as it came, and the server's [ticks]."""
+
+    KIND: ClassVar[int] = 13
+    client_time: int
+    server_time: int
+
+    def write(self, out: NatNetWriter) -> None:
+        """Append the body."""
+        out.put(_TICKS, self.client_time)
+        out.put(_TICKS, self.server_time)
+
+    @classmethod
+    def read(cls, source: NatNetReader) -> Self:
+        """Read the body."""
+        return cls(source.number(_TICKS, "client time"), source.number(_TICKS, "server time"))
+
+
+class Discovery(_Bare):
+    """A client looks for servers; each answers with its ``ServerInfo``."""
+
+    __slots__ = ()
+    KIND: ClassVar[int] = 14
 
 
 class Unrecognized(_Bare):

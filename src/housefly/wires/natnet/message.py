@@ -12,6 +12,9 @@ from housefly.wires.natnet.handshake import (
     CommandResponse,
     Connect,
     Disconnect,
+    Discovery,
+    EchoRequest,
+    EchoResponse,
     KeepAlive,
     NatNetMessage,
     RequestModelDef,
@@ -36,6 +39,9 @@ _MESSAGES: dict[int, type[NatNetMessage]] = {
         NatNetFrame,
         Disconnect,
         KeepAlive,
+        EchoRequest,
+        EchoResponse,
+        Discovery,
         Unrecognized,
     )
 }
