@@ -12,6 +12,8 @@ from housefly.lab.lockstep.simulation import SETTLING_TIME, Simulation
 from housefly.messages import Inputs, Order, PilotStep
 from housefly.record.truth import ContactRecord, judged_outcome
 
+WAITING_MAX = 60.0
+"""A service waits for its drone to be ready at most so long [s]."""
 _LOOK_PERIOD = 0.05
 """How often the distances between drones are looked at [s]."""
 
@@ -114,10 +116,16 @@ class _Flight:
     def orders(self) -> tuple[Order, ...]:
         """Return what its pilot is ordered now."""
         now = self._simulation.now
-        if self._given or now < self._begin:
+        if self._given or now < self._begin or not self._may_begin():
             return ()
         self._given = True
+        self.monitor = replace(self.monitor, started_at=now)
         return (replace(self._order, issued_at=now),)
+
+    def _may_begin(self) -> bool:
+        """Wait for a drone that is ready, as the tasks do, but not for ever."""
+        has_waited = self._simulation.now > self._begin + WAITING_MAX
+        return has_waited or self._simulation.is_ready(self._name)
 
     def take(self, step: PilotStep) -> None:
         """Follow the service by a step of its pilot."""

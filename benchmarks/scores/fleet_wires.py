@@ -18,12 +18,14 @@ from housefly.app.readiness import Readiness
 from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError
+from housefly.hub.api.pilot_queries import PreflightView
+from housefly.hub.api.pilot_queries_json import from_json
 from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.lab.lockstep.simulation import sites_of_drones
 from housefly.messages import Order, PilotStep
 from housefly.record.truth import TRUTH_FILE, judged_outcome, read_truth
 from housefly.sites.loaded_site import LoadedSite
-from scores.fleet_flight import FlownService
+from scores.fleet_flight import WAITING_MAX, FlownService
 
 _READY_TIMEOUT = 90.0
 """All processes answer within this [s]."""
@@ -114,8 +116,14 @@ def _flown(
     while not all(one.monitor.outcome for one in heard.values()):
         now = time.monotonic()
         for name, at in due.items():
-            if now >= at and name not in ordered:
+            if (
+                now >= at
+                and name not in ordered
+                and (now > at + WAITING_MAX or _may_fly(bus, name))
+            ):
                 ordered.add(name)
+                now = time.monotonic()
+                heard[name].monitor = replace(heard[name].monitor, started_at=now)
                 bus.publish(DroneTopics(name).order, replace(orders[name], issued_at=now))
         if now > began + patience:
             break
@@ -124,6 +132,12 @@ def _flown(
     for one in listening:
         one.close()
     return heard
+
+
+def _may_fly(bus: ZenohBus, drone: str) -> bool:
+    """Return whether a drone is ready, as the tasks ask before they order."""
+    view = from_json(PreflightView, bus.ask(DroneTopics(drone).preflight, "", 0.5))
+    return view.ready
 
 
 def _judged(heard: _Heard, path: Path, home: tuple[float, float]) -> FlownService:

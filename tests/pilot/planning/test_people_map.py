@@ -135,3 +135,22 @@ def test_nobody_is_landed_on_who_stands_below_and_nobody_is_passed_too_near(
     if spot is not None:
         assert distance(spot, place) > navigator.people.hull + 0.2
         assert not navigator.people.landing_fault(spot, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "speed", "is_refused"),
+    [
+        (ObstacleKind.DRONE, -0.6, True),
+        (ObstacleKind.DRONE, 0.6, False),
+        (ObstacleKind.DRONE, 0.0, False),
+        (ObstacleKind.PERSON, -0.6, False),
+    ],
+)
+def test_a_take_off_waits_for_a_drone_that_comes_past(
+    around: PeopleMap, kind: ObstacleKind, speed: float, is_refused: bool
+) -> None:
+    place = 4.0, 3.0
+    there = Obstacle("bert", (7.5, 3.0), 0.3, velocity=(speed, 0.0), seen_at=0.0, kind=kind)
+    around.update((there,), lambda height: around._grid, 0.0)
+    fault = around.take_off_fault(place, 0.0)
+    assert ("bert comes near" in fault) == is_refused

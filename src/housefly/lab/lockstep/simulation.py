@@ -114,6 +114,11 @@ class Simulation:
         """World time [s]."""
         return self.world.now
 
+    def is_ready(self, drone: str) -> bool:
+        """Return whether the pilot of a drone may take off, as of its last step."""
+        checks = self._loops[drone].pilot.preflight()
+        return bool(checks) and all(one.passed or not one.required for one in checks)
+
     @property
     def pilot(self) -> Pilot:
         """The pilot that ``step`` asks for the first drone; another may be put in its place."""

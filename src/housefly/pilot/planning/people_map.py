@@ -30,6 +30,10 @@ TAKE_OFF_LEAD = 2.0
 """Nobody may come near a drone within this time when it takes off [s] ..."""
 LANDING_LEAD = 1.5
 """... or lands [s]."""
+DRONE_PASSING_TIME = 6.0
+"""Another drone may not come past a take-off within this time [s]: in half of it this one is up,
+and until then gives up for who comes near within the other half.
+"""
 ON_PAD = 0.3
 """So near to the pad it is landed on, whatever stands there [m]."""
 UNMOVED_TIME = 30.0
@@ -253,8 +257,22 @@ class PeopleMap:
             return Words("the drone stands in a no-fly area: carry it out")
         if self._static.overhang(place) < self.hull + HULL_MARGIN:
             return Words("something hangs over the drone: carry it to where the air above is free")
-        fault = self.landing_fault(place, now, TAKE_OFF_LEAD)
+        fault = self.landing_fault(place, now, TAKE_OFF_LEAD) or self._passing_fault(place, now)
         return Words("{why}: the air around the drone must be free", why=fault) if fault else UNSAID
+
+    def _passing_fault(self, place: Vec2, now: float) -> Words:
+        """Return which of the other drones comes near a place [m] soon, in words, or UNSAID."""
+        if not self._drones:
+            return UNSAID
+        walking = self.walking(now)
+        is_drone = np.array([name in self._drones for name in walking.names], dtype=bool)
+        names = tuple(name for name in walking.names if name in self._drones)
+        drones = ObservedPeople(walking.rows[is_drone], names)
+        if not names:
+            return UNSAID
+        found = separation(drones, place, (0.0, 0.0), self.hull, DRONE_PASSING_TIME)
+        comes = found.closest < self.config.min_distance
+        return Words("{who} comes near", who=found.name) if comes else UNSAID
 
     def _now(self, now: float) -> ObservedPeople:
         if now - self._at < 1e-9:
