@@ -233,6 +233,7 @@ export interface ClipInfo {
   keep_until: number | null;
   blanked: boolean;
   cut_off: boolean;
+  drone: string;
 }
 
 export interface ClipsAnswer {
