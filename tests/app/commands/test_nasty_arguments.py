@@ -131,6 +131,7 @@ NOT_MEANT: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("nobody_x", ("new", "lab", "--yes", "--no-test", "--room=~nobody_x/y.svg")),
     ("nobody_x", ("new", "lab", "--yes", "--no-test", "--drone=10.0.0.5 profile=~nobody_x/y")),
     ("F13/2cm, F13/5cm, F13/steps, F13/jumps_5cm, F13/up_5cm", ("demo", "--fault=F13/nan")),
+    ("drone.kind: is 'spitfire'; allowed", ("demo", "--drone", "spitfire")),
     ("--box", ("identify", "--lockstep", "--box=nan")),
     ("--box", ("identify", "--lockstep", "--box=1e9")),
 )

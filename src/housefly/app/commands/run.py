@@ -11,6 +11,7 @@ from housefly.app.commands.shared import (
     add_instance_argument,
     add_simulation_arguments,
     add_site_arguments,
+    given,
     load,
 )
 from housefly.app.commands.subcommand import Subcommand
@@ -29,6 +30,12 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
     add_console_arguments(parser)
     add_simulation_arguments(parser)
     add_fault_argument(parser)
+    parser.add_argument(
+        "--drone",
+        dest="model",
+        metavar="MODEL",
+        help="which model flies (default: the site's); a wrong name lists them",
+    )
     parser.add_argument(
         "--empty",
         dest="lively",
@@ -61,11 +68,9 @@ def _free_instance(options: Namespace) -> int:
     from housefly.sites.loaded_site import read_site
     from housefly.twin.demo_site import demo_site
 
-    site = (
-        demo_site(read_site(options.site), has_broker=False)[0]
-        if options.lively
-        else (read_site(options.site))
-    )
+    site = read_site(options.site, **given({"drone__kind": options.model}))
+    if options.lively:
+        site, _ = demo_site(site, has_broker=False)
     instance = free_instance(site, web=options.port is None)
     if instance > 1:
         console.print(

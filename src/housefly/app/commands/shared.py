@@ -124,6 +124,7 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
 
     changes: dict[str, Any] = {
         "mode": options.mode,
+        "drone__kind": getattr(options, "model", None),
         "web__port": getattr(options, "port", None),
         "twin__seed": getattr(options, "seed", None),
         "twin__mocap_rate_hz": getattr(options, "mocap_rate", None),
