@@ -6,6 +6,7 @@ import asyncio
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import dataclass
+from math import cos, nan, pi, sin
 from typing import Any
 
 import pytest
@@ -22,7 +23,12 @@ mavutil = pytest.importorskip("pymavlink.mavutil")
 from mavsdk.asyncio.plugins.action import ActionAsync  # noqa: E402
 from mavsdk.asyncio.plugins.mocap import MocapAsync  # noqa: E402
 from mavsdk.asyncio.plugins.telemetry import TelemetryAsync  # noqa: E402
-from mavsdk.plugins.mocap import AngleBody, PositionBody, VisionPositionEstimate  # noqa: E402
+from mavsdk.plugins.mocap import (  # noqa: E402
+    AngleBody,
+    Covariance,
+    PositionBody,
+    VisionPositionEstimate,
+)
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 SERVERS = {"arducopter": MavlinkServer, "px4": Px4Server}
@@ -44,6 +50,9 @@ class Served:
     def place_ned(self) -> tuple[float, float, float]:
         x, y, z = self.world.truth().pose.position
         return y, x, -z
+
+    def heading_ned(self) -> float:
+        return pi / 2 - self.world.truth().pose.yaw
 
     async def until(self, holds: Callable[[], bool], patience: float = 15.0) -> None:
         async with asyncio.timeout(patience):
@@ -80,9 +89,9 @@ def fly_with_mavutil(uri: str, twin: Served) -> dict[str, Any]:
                 link.mav.heartbeat_send(6, 8, 0, 0, 4)
             if found.get("sees"):
                 x, y, z = twin.place_ned()
-                nothing = [float("nan")] * 21
+                turn, nothing = 0.5 * twin.heading_ned(), [float("nan")] * 21
                 link.mav.odometry_send(
-                    int(time.monotonic() * 1e6), 20, 12, x, y, z, [0.7071, 0, 0, 0.7071],
+                    int(time.monotonic() * 1e6), 20, 12, x, y, z, [cos(turn), 0, 0, sin(turn)],
                     0, 0, 0, 0, 0, 0, nothing, nothing,
                 )  # fmt: skip
             if found.get("asks"):
@@ -121,7 +130,8 @@ def fly_with_mavutil(uri: str, twin: Served) -> dict[str, Any]:
     found["asks"] = (0.4, 0.0, 0.0)
     before = twin.place_ned()
     pump(2.5)
-    found["moved"] = twin.place_ned()[1] - before[1]
+    after, ahead = twin.place_ned(), twin.heading_ned()
+    found["moved"] = cos(ahead) * (after[0] - before[0]) + sin(ahead) * (after[1] - before[1])
     found["asks"] = (0.0, 0.0, 0.0)
     pump(0.5)
     found["asks"] = None
@@ -162,7 +172,8 @@ async def fly_with_mavsdk(uri: str, twin: Served) -> None:
                     VisionPositionEstimate(
                         int(time.monotonic() * 1e6),
                         PositionBody(x, y, z),
-                        AngleBody(0.0, 0.0, 1.5708),
+                        AngleBody(0.0, 0.0, twin.heading_ned()),
+                        Covariance([nan]),
                     )
                 )
                 await asyncio.sleep(0.03)
@@ -170,7 +181,7 @@ async def fly_with_mavsdk(uri: str, twin: Served) -> None:
         telling = asyncio.create_task(tell())
         try:
             await asyncio.sleep(0.5)
-            twin.server.vehicle.has_origin = True
+            await action.set_gps_global_origin(45.0, 7.0, 0.0)
             await action.arm()
             await action.takeoff()
             await twin.until(lambda: twin.flight is FlightState.HOVERING)
