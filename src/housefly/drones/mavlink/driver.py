@@ -16,10 +16,10 @@ from housefly.drones.mavlink.checks import Checks
 from housefly.drones.mavlink.link import MavlinkLink
 from housefly.drones.mavlink.orders import Deed, Order, Orders
 from housefly.drones.mavlink.vehicle import Vehicle
-from housefly.errors import LinkError
+from housefly.errors import LinkError, MissingPartError
 from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
 from housefly.messages.sensing import REPORT_AGE_MAX
-from housefly.messages.words import UNSAID, Words, figure, joined
+from housefly.messages.words import UNSAID, Words, error_words, figure, joined
 from housefly.wires.mavlink import requests
 from housefly.wires.mavlink.autopilots import AUTOPILOTS, FlightMode
 from housefly.wires.mavlink.endpoint import endpoint_of
@@ -112,9 +112,12 @@ class MavlinkDrone:
             LinkError: nobody answers; pymavlink is not installed.
         """
         endpoint = endpoint_of(self._config.address, self._autopilot)
-        if self._link is None:
-            self._link = MavlinkLink(endpoint, self._clock, self._hear)
-        await self._link.open()
+        try:
+            self._link = self._link or MavlinkLink(endpoint, self._clock, self._hear)
+            await self._link.open()
+        except (MissingPartError, LinkError) as error:
+            self._trouble = error_words(error)
+            raise LinkError(self._trouble) from error
         self._start("tell it what to do", self._repeat)
         self._start("look how it is set", self._check)
         try:

@@ -8,7 +8,7 @@ from typing import Any
 
 from housefly.errors import MissingPartError
 
-PART = "the definitions of MAVLink (pymavlink)"
+PART = "pymavlink (the definitions of MAVLink)"
 INSTALL = 'pip install "housefly[mavlink]"'
 
 
