@@ -998,7 +998,8 @@ export const DE_TOLD: Templates = {
   "somebody else flies it, or it does by itself (mode {mode})":
     "jemand anders fliegt sie, oder sie sich selbst (Modus {mode})",
   "no {name} answers at {place} within {n} s: is it on, and does it send MAVLink there?":
-    "kein {name} antwortet innerhalb von {n} s unter {place}: Ist er an, und sendet er dort MAVLink?",
+    "kein {name} antwortet innerhalb von {n} s unter {place}:" +
+      " Ist er an, und sendet er dort MAVLink?",
   "the drone will not arm": "die Drohne lässt sich nicht scharf schalten",
   "the drone will not change its mode": "die Drohne wechselt ihren Modus nicht",
   "the drone will not take off": "die Drohne startet nicht",
