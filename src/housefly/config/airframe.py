@@ -15,7 +15,7 @@ from typing import Any, Self
 
 from pydantic import Field, ValidationError, model_validator
 
-from housefly.config.capabilities import Capabilities, OwnMeasurement
+from housefly.config.capabilities import Capabilities, OwnManoeuvre, OwnMeasurement
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
 from housefly.geometry import stopping_distance
@@ -36,6 +36,18 @@ class BodyConstants(Section):
     hull_height: float = quantity(..., 0.02, 1.0, "m", "of the hull, planner space")
     standing_height: float = quantity(
         ..., 0.0, 1.0, "m", "height of its middle above the floor when it stands"
+    )
+    inertia_tilt: float | None = quantity(
+        None, 1e-7, 1.0, "kg m^2", "moment about its roll and pitch axes; of the simulated drone"
+    )
+    inertia_turn: float | None = quantity(
+        None, 1e-7, 1.0, "kg m^2", "moment about its yaw axis; of the simulated drone"
+    )
+    thrust_max: float | None = quantity(
+        None, 0.01, 1000.0, "N", "of all its motors together; of the simulated drone"
+    )
+    rotor_arm: float | None = quantity(
+        None, 0.01, 1.0, "m", "from each motor to the roll and pitch axes; of the simulated drone"
     )
 
 
@@ -233,6 +245,16 @@ class Airframe(Section):
             Ability.CAMERA: able.camera is not None,
         }
         return frozenset(ability for ability, is_had in has.items() if not is_had)
+
+    @property
+    def lands_itself(self) -> bool:
+        """Whether its own landing keeps it level and at rest while nobody tells it where it is.
+
+        So lands what flies velocities or places by loops of its own; one that is steered by tilt
+        has no loop for that but its hover.
+        """
+        is_own = OwnManoeuvre.LANDING in self.capabilities.manoeuvres
+        return is_own and self.capabilities.form is not SetpointForm.TILT_AND_CLIMB
 
     @model_validator(mode="after")
     def _knows_what_it_measures(self) -> Self:

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 DRIVERS = {
     "ardrone": ("housefly.drones.ardrone.driver", "ArDrone"),
+    "arducopter": ("housefly.drones.mavlink.driver", "MavlinkDrone"),
+    "px4": ("housefly.drones.mavlink.driver", "MavlinkDrone"),
 }
 """Module and class of each ``drone.kind``; made of its configuration, the limits and a clock."""
 

@@ -8,9 +8,8 @@ from typing import Protocol
 from housefly.config.airframe import installed_models
 from housefly.errors import ConfigError
 from housefly.twin.address import check_address
-from housefly.twin.ardrone.link import LinkFilters
-from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import TwinDrone
+from housefly.twin.link_filters import LinkFilters
 
 
 class DroneServer(Protocol):
@@ -25,8 +24,18 @@ class DroneServer(Protocol):
         ...
 
 
-SERVERS = {"ardrone": ArDroneServer}
-"""What serves each of our own models."""
+SERVERS = {
+    "ardrone": ("housefly.twin.ardrone.server", "ArDroneServer"),
+    "arducopter": ("housefly.twin.mavlink.server", "MavlinkServer"),
+    "px4": ("housefly.twin.mavlink.server", "Px4Server"),
+}
+"""Module and class of what serves each of our own models."""
+PORTS: dict[str, tuple[tuple[int, str], ...]] = {
+    "ardrone": ((5554, "UDP"), (5556, "UDP"), (5555, "TCP"), (5559, "TCP")),
+    "arducopter": ((14550, "UDP"), (5760, "TCP")),
+    "px4": ((14580, "UDP"), (5760, "TCP")),
+}
+"""What each of these listens on."""
 
 
 def server_of(
@@ -46,7 +55,11 @@ def server_of(
             wire nothing simulates.
     """
     if kind in SERVERS:
-        return SERVERS[kind](drone, address, beyond_loopback=beyond_loopback, filters=filters)
+        module, name = SERVERS[kind]
+        own: DroneServer = getattr(import_module(module), name)(
+            drone, address, beyond_loopback=beyond_loopback, filters=filters
+        )
+        return own
     if kind not in installed_models():
         raise ConfigError(
             "drone.kind", f"is {kind!r}: nothing simulates its wire; it flies in lock step only"

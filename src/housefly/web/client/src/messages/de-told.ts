@@ -986,4 +986,32 @@ export const DE_TOLD: Templates = {
   "{who} took over: {what}": "{who} hat übernommen: {what}",
   "done": "erledigt",
   "the task took too long": "die Aufgabe dauerte zu lange",
+  // what an ArduCopter or a PX4 is told to be set to, and refuses
+  "its map has no origin yet: it must be told where it is, standing":
+    "ihre Karte hat noch keinen Ursprung: Man muss ihr im Stehen sagen, wo sie ist",
+  "set {setting} to {allowed} on the drone (it is {value}): {why}":
+    "an der Drohne {setting} auf {allowed} setzen (jetzt {value}): {why}",
+  "the drone does not tell its {setting} yet": "die Drohne meldet ihr {setting} noch nicht",
+  "another autopilot answers (MAV_AUTOPILOT {number}) than {name}":
+    "ein anderer Autopilot (MAV_AUTOPILOT {number}) antwortet als {name}",
+  "the drone does not tell its charge yet": "die Drohne meldet ihre Ladung noch nicht",
+  "somebody else flies it, or it does by itself (mode {mode})":
+    "jemand anders fliegt sie, oder sie sich selbst (Modus {mode})",
+  "no {name} answers at {place} within {n} s: is it on, and does it send MAVLink there?":
+    "kein {name} antwortet innerhalb von {n} s unter {place}:" +
+      " Ist er an, und sendet er dort MAVLink?",
+  "the drone will not arm": "die Drohne lässt sich nicht scharf schalten",
+  "the drone will not change its mode": "die Drohne wechselt ihren Modus nicht",
+  "the drone will not take off": "die Drohne startet nicht",
+  "denied": "abgelehnt",
+  "it does not know that command": "sie kennt diesen Befehl nicht",
+  "it failed": "es ist misslungen",
+  "cancelled": "abgebrochen",
+  "it flies on when the ground falls silent": "sie fliegt weiter, wenn der Boden schweigt",
+  "it flies on too long when setpoints end":
+    "sie fliegt zu lange weiter, wenn keine Sollwerte mehr kommen",
+  "it does not fly by the poses that we send": "sie fliegt nicht nach den Posen, die wir senden",
+  "its heading is not that of the room": "ihre Richtung ist nicht die des Raums",
+  "it does not land when setpoints end": "sie landet nicht, wenn keine Sollwerte mehr kommen",
+  "its take-off goes to another height": "ihr Start führt auf eine andere Höhe",
 };

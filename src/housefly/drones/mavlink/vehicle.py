@@ -1,0 +1,164 @@
+"""What a vehicle has told, as one report of ours. Pure."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from housefly.drones.mavlink.refusals import Refusals
+from housefly.geometry import Vec3
+from housefly.messages import DroneFault, DroneStatus, Telemetry
+from housefly.messages.words import Words
+from housefly.wires.mavlink.autopilots import Autopilot
+from housefly.wires.mavlink.reports import (
+    Answer,
+    AttitudeReport,
+    ChargeReport,
+    Heartbeat,
+    Landed,
+    LandedReport,
+    OriginReport,
+    ParameterReport,
+    Said,
+    SystemState,
+    VehicleReport,
+)
+
+HEARTBEAT_AGE_MAX = 3.0
+"""Without a heartbeat for longer its mode and arming are not known [s]; they come each second."""
+_LOW = 0.2
+"""A charge below this is told as low, whatever the vehicle calls low."""
+_STATUS = {
+    Landed.UNKNOWN: DroneStatus.UNKNOWN,
+    Landed.ON_GROUND: DroneStatus.LANDED,
+    Landed.IN_AIR: DroneStatus.FLYING,
+    Landed.TAKING_OFF: DroneStatus.TAKING_OFF,
+    Landed.LANDING: DroneStatus.LANDING,
+}
+
+
+class Vehicle:
+    """Everything that one vehicle told.
+
+    Args:
+        autopilot: which one it should be.
+
+    Attributes:
+        autopilot: as given.
+        mode, armed: by its newest heartbeat; -1 and False before.
+        landed: by its own word.
+        parameters: those that were asked for, by name.
+        has_origin: its map has an origin.
+        refusals: what it refused.
+        restarts: how often its clock went back: what was set may be lost.
+    """
+
+    def __init__(self, autopilot: Autopilot) -> None:
+        self.autopilot = autopilot
+        self.mode, self.armed = -1, False
+        self.landed = Landed.UNKNOWN
+        self.parameters: dict[str, float] = {}
+        self.has_origin = False
+        self.refusals = Refusals()
+        self.restarts = 0
+        self._heartbeat_at = self._landed_at = float("-inf")
+        self._found: int | None = None
+        self._state = SystemState.UNKNOWN
+        self._attitude: Vec3 = (0.0, 0.0, 0.0)
+        self._time: float | None = None
+        self._charge: float | None = None
+        self._times: deque[float] = deque()
+
+    def hear(self, report: VehicleReport, now: float) -> bool:
+        """Take in a report that came now [s]; return whether the drone told how it moves."""
+        match report:
+            case Heartbeat():
+                self._found, self._heartbeat_at = report.autopilot, now
+                self.mode, self.armed, self._state = report.mode, report.armed, report.state
+            case AttitudeReport():
+                self._move(report, now)
+                return True
+            case LandedReport():
+                self.landed, self._landed_at = report.landed, now
+            case ChargeReport():
+                self._charge = self._charge if report.charge is None else report.charge
+            case Answer():
+                self.refusals.answered(report, now)
+            case Said():
+                self.refusals.said(report, now)
+            case ParameterReport():
+                by_bits = self.autopilot.counts_by_bits
+                self.parameters[report.name] = report.by_bits if by_bits else report.value
+            case OriginReport():
+                self.has_origin = True
+        return False
+
+    def _move(self, report: AttitudeReport, now: float) -> None:
+        if self._time is not None and report.time < self._time - 1.0:
+            self._forget()
+        self._attitude, self._time = report.attitude, report.time
+        self._times.append(now)
+
+    def _forget(self) -> None:
+        """It started anew: what it was told, and what it told, count no more."""
+        self.restarts += 1
+        self.has_origin = False
+        self.parameters.clear()
+
+    def is_heard(self, now: float) -> bool:
+        """Return whether its mode and arming are known now [s]."""
+        return now - self._heartbeat_at < HEARTBEAT_AGE_MAX
+
+    @property
+    def is_another(self) -> bool:
+        """Whether it is another autopilot than it should be."""
+        return self._found is not None and self._found != self.autopilot.number
+
+    @property
+    def found(self) -> int | None:
+        """The autopilot that answers, by its number; None before it does."""
+        return self._found
+
+    @property
+    def knows_charge(self) -> bool:
+        """Whether it ever told its charge."""
+        return self._charge is not None
+
+    def rate_hz(self, now: float) -> float:
+        """Return how often it told how it moves in the second before now [s]."""
+        while self._times and self._times[0] <= now - 1.0:
+            self._times.popleft()
+        return float(len(self._times))
+
+    def status(self, now: float) -> DroneStatus:
+        """Return what it does now [s]."""
+        if not self.is_heard(now) or self._landed_at == float("-inf"):
+            return DroneStatus.UNKNOWN
+        if self._state is SystemState.TERMINATED:
+            return DroneStatus.EMERGENCY
+        # motors that are off carry nothing, whatever its height says
+        return _STATUS[self.landed] if self.armed else DroneStatus.LANDED
+
+    def report(self, now: float, *, configured: bool, notes: tuple[Words, ...]) -> Telemetry | None:
+        """Return the newest report, None before one came.
+
+        Args:
+            now: [s].
+            configured: whether everything is set on it that must be.
+            notes: what is not as it should be.
+        """
+        if not self._times and self._time is None:
+            return None
+        roll, pitch, heading = self._attitude
+        charge = self._charge or 0.0
+        return Telemetry(
+            received_at=now,
+            status=self.status(now),
+            battery=charge,
+            phi=roll,
+            theta=pitch,
+            psi=heading,
+            faults=(DroneFault.BATTERY_LOW,) if charge < _LOW else (),
+            configured=configured,
+            notes=notes,
+            drone_time=self._time,
+        )

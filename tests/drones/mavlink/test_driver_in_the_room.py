@@ -1,0 +1,72 @@
+"""The driver on its real wire: a simulated ArduCopter and PX4 in real time."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from mavlink_flight import Flown
+
+from housefly.clock import RealClock
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
+from housefly.drones.mavlink.driver import MavlinkDrone
+from housefly.errors import LinkError
+from housefly.messages import Action, Command, DroneStatus, VelocitySetpoint
+from housefly.messages.steering import flying
+from housefly.twin.contracts import FlightState
+
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
+AHEAD = flying(VelocitySetpoint(forward=0.4))
+
+
+async def test_it_takes_off_flies_is_left_by_its_pilot_and_is_brought_down(flown: Flown) -> None:
+    drone = flown.drone
+    assert drone.notes, "nothing is known of it yet"
+    await flown.take_off()
+    flown.command = AHEAD
+    await flown.until(lambda: flown.speed > 0.3)
+    report = drone.telemetry
+    assert report is not None and report.status is DroneStatus.FLYING and not drone.problem
+    assert drone.telemetry_rate_hz > 30.0 and report.battery > 0.9
+    flown.command = None
+    await flown.until(lambda: flown.speed < 0.1, 2.0)
+    landing = await flown.until(lambda: flown.flight is FlightState.LANDING, 3.0)
+    assert landing < 2.5
+    await flown.until(lambda: flown.flight is FlightState.LANDED)
+    assert not flown.world.contact_log
+
+
+async def test_without_its_driver_it_stops_and_lands_by_its_own_rule(flown: Flown) -> None:
+    await flown.take_off()
+    flown.command = AHEAD
+    await flown.until(lambda: flown.speed > 0.3)
+    await flown.drone.close()
+    took = await flown.until(lambda: flown.flight is FlightState.LANDING, 8.0)
+    after = flown.drone.capabilities.silence.after
+    assert after - 1.1 < took < after + 0.6
+    await flown.until(lambda: not flown.server.vehicle.armed)
+
+
+async def test_what_it_refuses_is_told_in_its_own_words_and_what_is_wrong_keeps_it_down(
+    flown: Flown,
+) -> None:
+    vehicle = flown.server.vehicle
+    wrong = vehicle.autopilot.needs[0].name
+    vehicle.parameters.set(wrong, 0.0)
+    await flown.until(lambda: f"set {wrong} to" in flown.drone.problem)
+    flown.command = Command(Action.TAKE_OFF)
+    await asyncio.sleep(0.5)
+    assert flown.flight is FlightState.LANDED and not vehicle.armed
+
+
+async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback: str) -> None:
+    drone = MavlinkDrone(
+        DroneConfig(kind="arducopter", address=f"tcp:{loopback}:5999"), LimitsConfig(), RealClock()
+    )
+    try:
+        with pytest.raises(LinkError, match=r"no ArduCopter answers at tcp:.*:5999 within 5 s"):
+            await drone.connect()
+        assert "no ArduCopter answers" in drone.problem and not drone.connected
+    finally:
+        await drone.close()
