@@ -12,7 +12,7 @@ from kinematic_world import KinematicWorld
 from housefly.config.airframe import airframe_named
 from housefly.config.profile import Interval, write_profile
 from housefly.config.site import Site, changed, site_from_file
-from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
+from housefly.config.twin import INNER_LOOP_DELAY
 from housefly.lab.lockstep.lockstep_room import LockstepRoom
 from housefly.messages import Action, Command, Setpoint
 from housefly.messages.stick import Stick
@@ -22,6 +22,8 @@ from housefly.twin.command_delay import (
     sending_delay,
     simulated_command_delay,
 )
+
+COMMAND_DELAY = airframe_named("ardrone").response.command_delay
 
 LINK = airframe_named("ardrone").link
 _LOOKS = 10

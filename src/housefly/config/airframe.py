@@ -37,6 +37,18 @@ class BodyConstants(Section):
     standing_height: float = quantity(
         ..., 0.0, 1.0, "m", "height of its middle above the floor when it stands"
     )
+    inertia_tilt: float | None = quantity(
+        None, 1e-7, 1.0, "kg m^2", "moment about its roll and pitch axes; of the simulated drone"
+    )
+    inertia_turn: float | None = quantity(
+        None, 1e-7, 1.0, "kg m^2", "moment about its yaw axis; of the simulated drone"
+    )
+    thrust_max: float | None = quantity(
+        None, 0.01, 1000.0, "N", "of all its motors together; of the simulated drone"
+    )
+    rotor_arm: float | None = quantity(
+        None, 0.01, 1.0, "m", "from each motor to the roll and pitch axes; of the simulated drone"
+    )
 
 
 class ResponseConstants(Section):

@@ -9,8 +9,6 @@ from pydantic import Field, model_validator
 from housefly.config.section import Section, is_multicast_group, port_number, quantity
 from housefly.config.tracking import MocapWire
 
-COMMAND_DELAY = 0.06
-"""Of a simulated drone without a profile, from a datagram to obeying it [s]."""
 INNER_LOOP_DELAY = 0.005
 """What the simulated drone adds to it [s]: half of its control period, for which a datagram waits
 on average, and its rate loop.
@@ -57,7 +55,7 @@ class TwinConfig(Section):
         description=(
             "from a datagram to the simulated drone's obeying it; left out: with drone.profile what"
             " makes the whole delay the profile's (sending adds 10 ms at 100 Hz, the inner loops"
-            f" 5 ms), else {COMMAND_DELAY}"
+            " 5 ms), else its airframe's"
         ),
         json_schema_extra={"unit": "s"},
     )

@@ -11,7 +11,7 @@ from math import floor
 
 from housefly.config.airframe import LinkConstants
 from housefly.config.site import Site
-from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
+from housefly.config.twin import INNER_LOOP_DELAY
 
 _DATAGRAMS = 400
 """Sent until the pattern of ticks and datagrams counts as known."""
@@ -39,12 +39,12 @@ def simulated_command_delay(site: Site) -> float:
     """Return how long the simulated drone takes from a datagram to obeying it [s].
 
     It is ``twin.command_delay``. Left out, a drone with a profile takes what makes the whole of its
-    way that of the profile; any other takes ``COMMAND_DELAY``.
+    way that of the profile; any other takes its airframe's.
     """
     if site.twin.command_delay is not None:
         return site.twin.command_delay
     if not site.drone.profile:
-        return COMMAND_DELAY
+        return site.drone.airframe.response.command_delay
     rest = sending_delay(site.control.rate_hz, site.drone.airframe.link) + INNER_LOOP_DELAY
     return max(0.0, site.drone.command_delay - rest)
 

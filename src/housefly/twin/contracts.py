@@ -7,6 +7,7 @@ model's own signs live in its wire and its server.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
@@ -158,6 +159,15 @@ class TwinDrone(Protocol):
     @property
     def now(self) -> float:
         """World time [s]."""
+        ...
+
+    @property
+    def firmware(self) -> object:
+        """Its own computer, for a server that speaks with it in its own words."""
+        ...
+
+    def later(self, call: Callable[[], None]) -> None:
+        """Let a command take effect after the command delay."""
         ...
 
     def set_stick(self, stick: Stick) -> None:

@@ -65,4 +65,6 @@ class DisturbedDrone:
             return MOTORS_OFF
         if by.motor_gains == _STRONG and by.voltage_sag == 0.0:
             return wrench
-        return achieved_wrench(wrench, by.motor_gains, max(0.0, 1.0 - by.voltage_sag / voltage))
+        return achieved_wrench(
+            wrench, by.motor_gains, max(0.0, 1.0 - by.voltage_sag / voltage), self._body.mechanics
+        )

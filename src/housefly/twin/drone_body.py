@@ -13,9 +13,10 @@ from housefly.config.drone import DroneConfig
 from housefly.geometry import Quaternion, Vec3, rotate
 from housefly.numeric import running_sum
 from housefly.twin.disturbance import Payload
+from housefly.twin.drone_mechanics import mechanics_of
 from housefly.twin.external_forces import ExternalForce
 from housefly.twin.mujoco_engine import mujoco
-from housefly.twin.quadrotor.body import DRONE_MASS, INERTIA, STANDING_HEIGHT
+from housefly.twin.quadrotor.body import drone_markers
 from housefly.twin.simulated_body import BodyState, Wrench
 
 _GROUND_EFFECT = 0.02
@@ -29,12 +30,14 @@ class DroneBody:
     Args:
         model, data: MuJoCo's, of the whole room.
         name: of its body in the model.
-        config: gives its drag.
+        config: gives its drag, and its airframe.
         floors: geom ids of the floor.
 
     Attributes:
         model, data, name, floors: as given.
         number: id of its body.
+        mechanics: mass, moments, motors.
+        markers: where its reflective markers sit [m].
         before: its state at the beginning of the last control period.
     """
 
@@ -43,8 +46,10 @@ class DroneBody:
     ) -> None:
         self.model, self.data, self.name, self.floors = model, data, name, floors
         self.number: int = model.body(name).id
+        self.mechanics = mechanics_of(config.airframe)
+        self.markers = drone_markers(config.airframe)
         joint = model.body(name).dofadr[0]
-        model.dof_damping[joint : joint + 2] = config.drag * DRONE_MASS
+        model.dof_damping[joint : joint + 2] = config.drag * self.mechanics.mass
         place = model.joint(model.body(name).jntadr[0]).qposadr[0]
         self._qpos = data.qpos[place : place + 7]
         self._qvel = data.qvel[joint : joint + 6]
@@ -62,7 +67,7 @@ class DroneBody:
     def push(self, wrench: Wrench, state: BodyState, external: ExternalForce | None = None) -> None:
         """Set thrust and torques, and what else pushes, for the next control period."""
         self.before = state
-        lift = wrench.thrust * _near_floor(state.position[2])
+        lift = wrench.thrust * _near_floor(state.position[2] - self.mechanics.standing_height)
         self._force[:] = (*rotate(state.orientation, (0.0, 0.0, lift)), *wrench[1:])
         if external is not None:
             self._force[:3] += external.force
@@ -76,9 +81,10 @@ class DroneBody:
         """
         mass, offset = (payload.mass, payload.offset) if payload else (0.0, (0.0, 0.0, 0.0))
         square = running_sum(part * part for part in offset)
-        self.model.body_mass[self.number] = DRONE_MASS + mass
+        self.model.body_mass[self.number] = self.mechanics.mass + mass
         self.model.body_inertia[self.number] = [
-            own + mass * (square - part * part) for own, part in zip(INERTIA, offset, strict=True)
+            own + mass * (square - part * part)
+            for own, part in zip(self.mechanics.inertia, offset, strict=True)
         ]
 
     def contacts(self) -> int:
@@ -107,5 +113,5 @@ class DroneBody:
 
 
 def _near_floor(height: float) -> float:
-    """Return the gain of thrust at a height [m]: the ground effect that the loops leave."""
-    return 1.0 + _GROUND_EFFECT * exp(-(height - STANDING_HEIGHT) / _GROUND_EFFECT_HEIGHT)
+    """Return the gain of thrust above standing [m]: the ground effect that the loops leave."""
+    return 1.0 + _GROUND_EFFECT * exp(-height / _GROUND_EFFECT_HEIGHT)

@@ -16,7 +16,6 @@ from housefly.twin.movable import Movable, marker_positions
 from housefly.twin.people.scene_player import ScenePlayer
 from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
-from housefly.twin.quadrotor.body import DRONE_MARKERS
 
 _HEAD: tuple[Vec3, ...] = ((0.1, 0.02, 0.0), (0.0, 0.1, 0.01), (-0.1, 0.0, 0.0), (0.0, -0.09, 0.0))
 """Markers of a person, relative to the top of the head [m]."""
@@ -63,7 +62,7 @@ class MarkedBodies:
     def _drone(self, drone: DroneBody) -> Pose | None:
         state = drone.state()
         pose = Pose(state.position, state.orientation)
-        return self._seen(pose, _markers(pose), drone.number)
+        return self._seen(pose, _markers(pose, drone.markers), drone.number)
 
     def _movable(self, movable: Movable) -> Pose | None:
         body, pose = self._physics.movable(movable.name)
@@ -80,9 +79,9 @@ class MarkedBodies:
         return pose if self._cameras.see(markers, own_body) else None
 
 
-def _markers(drone: Pose) -> FloatArray:
+def _markers(drone: Pose, markers: tuple[Vec3, ...]) -> FloatArray:
     """Return the world positions of the drone's markers [m], shape (n, 3)."""
     positions: FloatArray = (
-        np.array([rotate(drone.orientation, marker) for marker in DRONE_MARKERS]) + drone.position
+        np.array([rotate(drone.orientation, marker) for marker in markers]) + drone.position
     )
     return positions

@@ -22,8 +22,7 @@ from housefly.twin.drone_stands import DroneStand
 from housefly.twin.encounters import Encounters
 from housefly.twin.hands import Carry, CarryOrder
 from housefly.twin.quadrotor.battery import Battery, BatteryGauge
-from housefly.twin.quadrotor.body import DRONE_MASS, STANDING_HEIGHT
-from housefly.twin.quadrotor.firmware import WATCHDOG_AFTER
+from housefly.twin.quadrotor.firmware import WATCHDOG_AFTER, Firmware
 from housefly.twin.quadrotor.leds import Leds
 from housefly.twin.quadrotor.motors import motor_duties
 from housefly.twin.quadrotor.onboard_sensors import OnboardSensors
@@ -33,7 +32,6 @@ from housefly.twin.sonar_beam import SonarBeam
 
 WORLD_ROUNDING = 1e-9
 """Times nearer to each other than this are one [s]."""
-_WEIGHT = DRONE_MASS * GRAVITY
 _LAID = 0.02
 """A drone that is let go so near to the floor is laid down [m]."""
 
@@ -64,9 +62,11 @@ class SimulatedDrone:
         self.name, self.command_delay = stand.name, simulated_command_delay(site)
         self.encounters: Encounters | None = None
         self._stand, self._rigid, self._clock = stand, body, clock
-        self._sensors = OnboardSensors(sensing, SonarBeam(body).height)
+        self._weight = body.mechanics.mass * GRAVITY
+        self._standing_height = body.mechanics.standing_height
+        self._sensors = OnboardSensors(sensing, SonarBeam(body).height, self._standing_height)
         self._firmware, self._leds = firmware_of(stand.config), Leds()
-        self.battery = Battery(site.twin.battery)
+        self.battery = Battery(site.twin.battery, stand.config.airframe.battery.endurance)
         self._gauge = BatteryGauge(self.battery)
         self._disturbed = DisturbedDrone(site, body, self.battery)
         self._delayed: deque[tuple[float, Callable[[], None]]] = deque()
@@ -82,17 +82,22 @@ class SimulatedDrone:
         """World time [s]."""
         return self._clock()
 
+    @property
+    def firmware(self) -> Firmware:
+        """Its own computer."""
+        return self._firmware
+
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""
-        self._delay_call(lambda: self._firmware.set_stick(stick))
+        self.later(lambda: self._firmware.set_stick(stick))
 
     def steer(self, asked: AnySetpoint) -> None:
         """Pass on a setpoint to a drone that takes no sticks; late as ``set_stick``."""
-        self._delay_call(lambda: self._firmware.steer(asked))
+        self.later(lambda: self._firmware.steer(asked))
 
     def tell_pose(self, pose: Pose, captured_at: float) -> None:
         """Tell the drone where it was at a time [s]; late as ``set_stick``."""
-        self._delay_call(lambda: self._firmware.tell_pose(pose, self.now - captured_at))
+        self.later(lambda: self._firmware.tell_pose(pose, self.now - captured_at))
 
     def keep_alive(self) -> None:
         """Any command arrived: feed the firmware's communication watchdogs."""
@@ -100,19 +105,19 @@ class SimulatedDrone:
 
     def request_take_off(self) -> None:
         """REF bit 9 set."""
-        self._delay_call(self._firmware.request_take_off)
+        self.later(self._firmware.request_take_off)
 
     def request_land(self) -> None:
         """REF bit 9 clear."""
-        self._delay_call(self._firmware.request_land)
+        self.later(self._firmware.request_land)
 
     def toggle_emergency(self) -> None:
         """REF bit 8: cut the motors, or leave the emergency state."""
-        self._delay_call(self._firmware.toggle_emergency)
+        self.later(self._firmware.toggle_emergency)
 
     def flat_trim(self) -> None:
         """Zero the attitude offsets; counts only when landed."""
-        self._delay_call(self._trim)
+        self.later(self._trim)
 
     def set_limits(self, limits: OnboardLimits) -> None:
         """Configuration changed the maxima."""
@@ -182,7 +187,7 @@ class SimulatedDrone:
             velocity=(measured.forward, measured.left, measured.climb),
             acceleration=measured.acceleration,
             angular_rate=measured.rate,
-            motors=motor_duties(self._wrench),
+            motors=motor_duties(self._wrench, self._rigid.mechanics),
             low_battery=firmware.low_battery,
             com_watchdog=is_silent,
             com_lost=firmware.com_lost,
@@ -193,7 +198,7 @@ class SimulatedDrone:
 
     def put(self, position: Vec3 | None = None, yaw: float | None = None) -> None:
         """Put the drone somewhere, at rest; by default on its pad."""
-        home = (*self._stand.pad, STANDING_HEIGHT)
+        home = (*self._stand.pad, self._standing_height)
         heading = self._stand.yaw if yaw is None else yaw
         self._rigid.place(position or home, quaternion_from_euler(0.0, 0.0, heading))
         self._body = self._rigid.state()
@@ -240,7 +245,7 @@ class SimulatedDrone:
         """Take in where the body is at the end of the control period [s]."""
         if self._carry is not None:
             self._follow_hands(self._carry, self._began + CONTROL_PERIOD)
-        self.battery.drain(CONTROL_PERIOD, self._wrench.thrust / _WEIGHT)
+        self.battery.drain(CONTROL_PERIOD, self._wrench.thrust / self._weight)
         self._gauge.read(self._disturbed.by)
         self._onboard = None
         self._body, self._at = self._rigid.state(), at
@@ -254,7 +259,8 @@ class SimulatedDrone:
         assert self.encounters is not None
         return self.encounters
 
-    def _delay_call(self, call: Callable[[], None]) -> None:
+    def later(self, call: Callable[[], None]) -> None:
+        """Let a command take effect after the command delay."""
         self._delayed.append((self.now + self.command_delay, call))
 
     def _trim(self) -> None:
@@ -267,6 +273,6 @@ class SimulatedDrone:
         self._rigid.place(
             position, quaternion_from_euler(0.0, 0.0, yaw), velocity, (0.0, 0.0, turn_rate)
         )
-        is_laid = carry.is_over(now) and position[2] <= STANDING_HEIGHT + _LAID
+        is_laid = carry.is_over(now) and position[2] <= self._standing_height + _LAID
         if is_laid or self._wrench.thrust > 0.0:
             self._carry = None

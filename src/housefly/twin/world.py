@@ -7,6 +7,8 @@ flight bit for bit. What drones blow down at each other is left out.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from housefly.config.site import Site
@@ -143,6 +145,15 @@ class SimulatedWorld:
         self._now += seconds
         while (self._ticks + 1) * CONTROL_PERIOD <= self._now + WORLD_ROUNDING:
             self._tick()
+
+    @property
+    def firmware(self) -> object:
+        """Its own computer."""
+        return self.first.firmware
+
+    def later(self, call: Callable[[], None]) -> None:
+        """Let a command take effect after the command delay."""
+        self.first.later(call)
 
     def set_stick(self, stick: Stick) -> None:
         """Pass on a movement command; it takes effect after the command delay."""

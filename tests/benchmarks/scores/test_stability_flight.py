@@ -8,8 +8,8 @@ from functools import cache
 import pytest
 
 from housefly.app.public.gains import judge_gains
+from housefly.config.airframe import airframe_named
 from housefly.config.estimation import ONLY_LEVEL_PUSHES
-from housefly.config.twin import COMMAND_DELAY
 from housefly.lab.tuning.advice import Judgement
 from housefly.lab.tuning.margins import delay_margin
 from housefly.sites.loaded_site import LoadedSite, load_site
@@ -18,6 +18,8 @@ from scores.stability_flight import (
     hover_swing,
     nearest_periods,
 )
+
+COMMAND_DELAY = airframe_named("ardrone").response.command_delay
 
 TOLERANCE = 0.05
 """What is promised is flown within this share."""

@@ -8,7 +8,8 @@ from math import exp
 
 import pytest
 
-from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
+from housefly.config.airframe import airframe_named
+from housefly.config.twin import INNER_LOOP_DELAY
 from housefly.geometry import Vec2, distance, euler_from_quaternion, rotate
 from housefly.messages.stick import Stick
 from housefly.room.model import Room
@@ -19,7 +20,7 @@ from housefly.twin.world import SimulatedWorld
 
 MakeWorld = Callable[..., SimulatedWorld]
 
-
+COMMAND_DELAY = airframe_named("ardrone").response.command_delay
 TILT = OnboardLimits().tilt
 _HAND_STEP = 0.01
 """How often the hand lets the angle be looked at [s]."""

@@ -10,7 +10,7 @@ from housefly.config.airframe import airframe_named
 from housefly.twin.disturbance import Disturbances
 
 _ENDURANCE = airframe_named("ardrone").battery.endurance
-"""Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
+"""Of an AR.Drone [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
 _IDLE_SHARE = 0.05
 """Share of the hovering power that the electronics draw with motors off."""
 LOW_VOLTAGE = 9.7
@@ -29,10 +29,15 @@ _SLOPE = tuple(
 
 
 class Battery:
-    """Charge from 0 to 1, drained by time and thrust."""
+    """Charge from 0 to 1, drained by time and thrust.
 
-    def __init__(self, charge: float) -> None:
-        self.charge = charge
+    Args:
+        charge: at the start.
+        endurance: hovering from full to empty [s].
+    """
+
+    def __init__(self, charge: float, endurance: float = _ENDURANCE) -> None:
+        self.charge, self._endurance = charge, endurance
 
     @property
     def voltage(self) -> float:
@@ -48,7 +53,7 @@ class Battery:
             load: thrust over weight; rotor power grows as its 3/2 power (momentum theory).
         """
         rotors = load * sqrt(load) if load > 0.0 else 0.0
-        used = seconds / _ENDURANCE * (_IDLE_SHARE + (1.0 - _IDLE_SHARE) * rotors)
+        used = seconds / self._endurance * (_IDLE_SHARE + (1.0 - _IDLE_SHARE) * rotors)
         self.charge = max(0.0, self.charge - used)
 
 

@@ -10,16 +10,17 @@ from __future__ import annotations
 from itertools import pairwise
 from math import atan, degrees, radians, tan
 
-from housefly.config.airframe import airframe_named
+from housefly.config.airframe import Airframe, airframe_named
 from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
+from housefly.twin.drone_mechanics import ARDRONE, Mechanics, mechanics_of
 
 _AIRFRAME = airframe_named("ardrone")
 DRONE_MASS = _AIRFRAME.body.mass
 """With indoor hull [kg]."""
-INERTIA: Vec3 = (0.0068, 0.0068, 0.0136)
+INERTIA = ARDRONE.inertia
 """Principal moments [kg m^2]: a flat body with all mass at the motors' radius, an upper bound."""
-MOTOR_ARM = 0.1237
+MOTOR_ARM = ARDRONE.rotor_arm
 """Distance of each motor from the x and y axes [m]."""
 _ROTOR_RADIUS = 0.1
 STANDING_HEIGHT = _AIRFRAME.body.standing_height
@@ -51,7 +52,8 @@ HULL_GROUP = 3
 
 _FOAM_RADIUS = 0.03
 _CORNER_CUT = 0.12
-_BELLY: Vec3 = (0.12, 0.05, STANDING_HEIGHT)
+_PLATE_HEIGHT = 0.02
+_BELLY: Vec2 = (0.12, 0.05)
 _DARK = "0.12 0.12 0.13 1"
 _FOAM = "0.18 0.18 0.20 1"
 _ORANGE = "0.95 0.45 0.10 1"
@@ -68,19 +70,21 @@ def drone_body(config: DroneConfig, home: Vec2, home_yaw: float, body: str = BOD
         body: its name in the model; the names of its parts begin with it.
     """
     orientation = quaternion_from_euler(0.0, 0.0, home_yaw)
+    mechanics = mechanics_of(config.airframe)
     parts = [
         "<freejoint/>",
-        f'<inertial pos="0 0 0" mass="{DRONE_MASS}" diaginertia="{_numbers(*INERTIA)}"/>',
-        *_hull(config.hull_length, config.hull_width, body),
-        *_looks(),
+        f'<inertial pos="0 0 0" mass="{mechanics.mass}"'
+        f' diaginertia="{_numbers(*mechanics.inertia)}"/>',
+        *_hull(config, mechanics.standing_height, body),
+        *(_looks() if config.airframe is _AIRFRAME else _plain_looks(config, mechanics)),
         *_cameras(body),
         *(
             f'<site name="{body}_marker_{n}" pos="{_numbers(*at)}" size="0.007" rgba="0.9 0.9 0.9'
             ' 1"/>'
-            for n, at in enumerate(DRONE_MARKERS)
+            for n, at in enumerate(drone_markers(config.airframe))
         ),
     ]
-    start = _numbers(home[0], home[1], STANDING_HEIGHT)
+    start = _numbers(home[0], home[1], mechanics.standing_height)
     return (
         f'<body name="{body}" pos="{start}" quat="{_numbers(*orientation)}">'
         + "".join(parts)
@@ -88,15 +92,24 @@ def drone_body(config: DroneConfig, home: Vec2, home_yaw: float, body: str = BOD
     )
 
 
-def _hull(length: float, width: float, body: str) -> list[str]:
+def drone_markers(airframe: Airframe) -> tuple[Vec3, ...]:
+    """Return where the reflective markers of a model sit [m]: as on an AR.Drone, for its size."""
+    scale = airframe.body.hull_length / _AIRFRAME.body.hull_length
+    return tuple((scale * x, scale * y, scale * z) for x, y, z in DRONE_MARKERS)
+
+
+def _hull(config: DroneConfig, standing_height: float, body: str) -> list[str]:
     """Approximate the foam ring by eight capsules round a plate, and the belly by a box."""
-    foam = min(_FOAM_RADIUS, length / 4, width / 4)
+    length, width = config.hull_length, config.hull_width
+    half_height = min(config.airframe.body.hull_height / 2, standing_height)
+    foam = min(_FOAM_RADIUS, length / 4, width / 4, half_height)
     x, y = length / 2 - foam, width / 2 - foam
     cut = min(_CORNER_CUT, 0.8 * x, 0.8 * y)
     corners = [
         (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut),
         (-x, cut - y), (cut - x, -y), (x - cut, -y), (x, cut - y),
     ]  # fmt: skip
+    plate = min(_PLATE_HEIGHT, half_height)
     solid = (
         f'group="{HULL_GROUP}" mass="0" friction="0.6 0.005 0.0001" solref="0.02 1" rgba="{_FOAM}"'
     )
@@ -106,12 +119,12 @@ def _hull(length: float, width: float, body: str) -> list[str]:
         for n, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True))
     ]
     plate = (
-        f'<geom name="{body}_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, 0.02)}"'
+        f'<geom name="{body}_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, plate)}"'
         f" {solid}/>"
     )
     belly = (
         f'<geom name="{body}_belly" type="box"'
-        f' size="{_numbers(min(_BELLY[0], x), min(_BELLY[1], y), _BELLY[2])}" {solid}/>'
+        f' size="{_numbers(min(_BELLY[0], x), min(_BELLY[1], y), standing_height)}" {solid}/>'
     )
     return [*ring, plate, belly]
 
@@ -133,6 +146,21 @@ def _looks() -> list[str]:
             shapes.append(_shape("cylinder", (centre[0], centre[1], 0.012), (0.014, 0.02), _DARK))
             shapes.append(_rod((0.0, 0.0, 0.0), (centre[0], centre[1], 0.0), 0.008, _DARK))
             shapes.extend(_foam_arc(sx, sy))
+    return shapes
+
+
+def _plain_looks(config: DroneConfig, mechanics: Mechanics) -> list[str]:
+    """Draw a board and four rotors on arms, as large as the drone is."""
+    arm, thin = mechanics.rotor_arm, 0.1 * config.hull_height
+    radius = max(0.25 * (config.hull_length + config.hull_width) - arm, 0.3 * arm)
+    board = (0.6 * arm, 0.4 * arm, 2.0 * thin)
+    shapes = [_shape("box", (0.0, 0.0, 0.0), board, _DARK)]
+    for sx in (1, -1):
+        for sy in (1, -1):
+            colour = _ORANGE if sx < 0 else _BLADE
+            end = (sx * arm, sy * arm, 2.0 * thin)
+            shapes.append(_rod((0.0, 0.0, 0.0), end, thin, _DARK))
+            shapes.append(_shape("cylinder", end, (radius, 0.2 * thin), colour))
     return shapes
 
 

@@ -15,7 +15,6 @@ from housefly.messages import AnySetpoint, Pose
 from housefly.messages.stick import Stick
 from housefly.twin.contracts import FlightState, OnboardLimits
 from housefly.twin.quadrotor.battery import CUT_OFF_VOLTAGE, FORCED_LANDING_VOLTAGE, LOW_VOLTAGE
-from housefly.twin.quadrotor.body import DRONE_MASS
 from housefly.twin.quadrotor.inner_loops import InnerLoops, LoopReferences
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, SensorReading, Wrench
 
@@ -56,7 +55,7 @@ class Firmware:
         self.com_lost = False
         self.tilted = False
         self.powered = True
-        self._loops = InnerLoops(drone)
+        self._loops, self._mass = InnerLoops(drone), drone.airframe.body.mass
         self._stick = Stick()
         self._may_take_off = True
         self._voltage = CUT_OFF_VOLTAGE + 3.0
@@ -132,7 +131,7 @@ class Firmware:
             return MOTORS_OFF
         if self.flight is FlightState.TAKING_OFF and self._in_state < _SPIN_UP_TIME:
             return Wrench(
-                0.5 * DRONE_MASS * GRAVITY * self._in_state / _SPIN_UP_TIME, 0.0, 0.0, 0.0
+                0.5 * self._mass * GRAVITY * self._in_state / _SPIN_UP_TIME, 0.0, 0.0, 0.0
             )
         return self._loops.wrench(references, measured)
 

@@ -15,7 +15,7 @@ from housefly.config.twin import RATE_POLE
 from housefly.geometry import GRAVITY
 from housefly.messages.stick import Stick
 from housefly.twin.contracts import OnboardLimits
-from housefly.twin.quadrotor.body import DRONE_MASS, INERTIA
+from housefly.twin.drone_mechanics import ARDRONE, mechanics_of
 from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading, Wrench
 
 _SINK_FACTOR = 2.0
@@ -27,8 +27,8 @@ _BRAKE_POLE = 2.0
 _TRIM_POLE = 0.4
 _TRIM_SPEED = 0.3
 """Integral gain of the hover [1/s^2], active below this speed [m/s]; learns the attitude offset."""
-THRUST_MAX = 4 * 1.56
-"""Four motors at full throttle [N] (paparazzi, simple_ardrone2.xml)."""
+THRUST_MAX = ARDRONE.thrust_max
+"""Four motors of an AR.Drone at full throttle [N]."""
 _ANGULAR_ACCELERATION_MAX = 300.0
 """Bound of torque over inertia [rad/s^2]; tames a crash."""
 
@@ -48,6 +48,7 @@ class InnerLoops:
     """Attitude, vertical speed, yaw rate, height hold and optical flow hover of one drone."""
 
     def __init__(self, drone: DroneConfig) -> None:
+        self._mechanics = mechanics_of(drone.airframe)
         self._gain = drone.attitude_gain
         self._climb_pole, self._yaw_pole = drone.climb_lag, drone.yaw_lag
         if drone.profile:
@@ -99,15 +100,15 @@ class InnerLoops:
         p, q, r = measured.rate
         upright = max(cr * cp, 0.5)
         lift = (
-            DRONE_MASS
+            self._mechanics.mass
             * (GRAVITY + self._climb_pole * (references.climb - measured.climb))
             / upright
         )
         return Wrench(
-            thrust=min(max(lift, 0.0), THRUST_MAX),
-            roll=_torque(0, RATE_POLE, phi_rate - sp * psi_rate - p),
-            pitch=_torque(1, RATE_POLE, cr * theta_rate + cp * sr * psi_rate - q),
-            yaw=_torque(2, self._yaw_pole, cp * cr * psi_rate - sr * theta_rate - r),
+            thrust=min(max(lift, 0.0), self._mechanics.thrust_max),
+            roll=self._torque(0, RATE_POLE, phi_rate - sp * psi_rate - p),
+            pitch=self._torque(1, RATE_POLE, cr * theta_rate + cp * sr * psi_rate - q),
+            yaw=self._torque(2, self._yaw_pole, cp * cr * psi_rate - sr * theta_rate - r),
         )
 
     def _climb(self, up: float, limits: OnboardLimits, measured: SensorReading) -> float:
@@ -121,9 +122,8 @@ class InnerLoops:
             wanted = _HEIGHT_POLE * (self._held_height - measured.height)
         return min(_clip(wanted, limits.climb), ceiling)
 
-
-def _torque(axis: int, pole: float, rate_error: float) -> float:
-    return INERTIA[axis] * _clip(pole * rate_error, _ANGULAR_ACCELERATION_MAX)
+    def _torque(self, axis: int, pole: float, rate_error: float) -> float:
+        return self._mechanics.inertia[axis] * _clip(pole * rate_error, _ANGULAR_ACCELERATION_MAX)
 
 
 def _clip(value: float, bound: float) -> float:

@@ -57,12 +57,16 @@ class OnboardSensors:
         rng: source of all noise.
         surface_below: returns the height [m] of the surface that the sonar meets below a world
             position; asked once per ping.
+        standing_height: of the drone's middle when it stands [m].
     """
 
     def __init__(
-        self, rng: np.random.Generator, surface_below: Callable[[Vec3], float] = _bare_floor
+        self,
+        rng: np.random.Generator,
+        surface_below: Callable[[Vec3], float] = _bare_floor,
+        standing_height: float = STANDING_HEIGHT,
     ) -> None:
-        self._rng = rng
+        self._rng, self._standing_height = rng, standing_height
         self._surface_below = surface_below
         self._noise: deque[list[float]] = deque()
         self._offset_phi, self._offset_theta = rng.normal(0.0, _ATTITUDE_OFFSET, 2).tolist()
@@ -134,7 +138,7 @@ class OnboardSensors:
         self._late.append((vx, vy, body.position))
         forward, left, position = self._late[0]
         if self._count % _SONAR_DIVIDER == 0:
-            height = position[2] - STANDING_HEIGHT - self._surface_below(position)
+            height = position[2] - self._standing_height - self._surface_below(position)
             self._height = max(0.0, height + _SONAR_NOISE * noise)
         self._count += 1
         return forward, left, self._height

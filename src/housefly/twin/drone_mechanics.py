@@ -1,0 +1,45 @@
+"""What pushes and what resists in a simulated drone, by its airframe."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.config.airframe import Airframe, airframe_named
+from housefly.geometry import Vec3
+
+
+@dataclass(frozen=True, slots=True)
+class Mechanics:
+    """One model as a rigid body with four motors.
+
+    Attributes:
+        mass: [kg].
+        inertia: principal moments [kg m^2].
+        thrust_max: of all motors together [N].
+        rotor_arm: from each motor to the roll and pitch axes [m].
+        standing_height: of its origin when it stands [m].
+    """
+
+    mass: float
+    inertia: Vec3
+    thrust_max: float
+    rotor_arm: float
+    standing_height: float
+
+
+def mechanics_of(airframe: Airframe) -> Mechanics:
+    """Return the mechanics of a model; what it leaves out is an AR.Drone's, for its mass."""
+    body, usual = airframe.body, airframe_named("ardrone").body
+    share = body.mass / usual.mass
+    tilt = body.inertia_tilt or share * (usual.inertia_tilt or 0.0)
+    turn = body.inertia_turn or share * (usual.inertia_turn or 0.0)
+    return Mechanics(
+        mass=body.mass,
+        inertia=(tilt, tilt, turn),
+        thrust_max=body.thrust_max or share * (usual.thrust_max or 0.0),
+        rotor_arm=body.rotor_arm or usual.rotor_arm or 0.0,
+        standing_height=body.standing_height,
+    )
+
+
+ARDRONE = mechanics_of(airframe_named("ardrone"))
