@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 DRIVERS = {
     "ardrone": ("housefly.drones.ardrone.driver", "ArDrone"),
+    "tello": ("housefly.drones.tello.driver", "Tello"),
 }
 """Module and class of each ``drone.kind``; made of its configuration, the limits and a clock."""
 

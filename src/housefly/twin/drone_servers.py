@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from housefly.config.airframe import installed_models
 from housefly.errors import ConfigError
 from housefly.twin.address import check_address
-from housefly.twin.ardrone.link import LinkFilters
-from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import TwinDrone
+from housefly.twin.ardrone.link import Counters, LinkFilters
+from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinDrone
 
 
 class DroneServer(Protocol):
@@ -25,8 +24,30 @@ class DroneServer(Protocol):
         ...
 
 
-SERVERS = {"ardrone": ArDroneServer}
-"""What serves each of our own models."""
+@runtime_checkable
+class FilmingServer(DroneServer, Protocol):
+    """The same of a drone with a camera."""
+
+    @property
+    def counters(self) -> Counters:
+        """What happened on its ports so far."""
+        ...
+
+    @property
+    def camera(self) -> DroneCamera:
+        """The camera whose pictures the client wants."""
+        ...
+
+    def publish(self, picture: EncodedPicture) -> None:
+        """Send a picture to whoever wants pictures; returns at once."""
+        ...
+
+
+SERVERS = {
+    "ardrone": ("housefly.twin.ardrone.server", "ArDroneServer"),
+    "tello": ("housefly.twin.tello.server", "TelloServer"),
+}
+"""Module and class of what serves each of our own models."""
 
 
 def server_of(
@@ -46,7 +67,11 @@ def server_of(
             wire nothing simulates.
     """
     if kind in SERVERS:
-        return SERVERS[kind](drone, address, beyond_loopback=beyond_loopback, filters=filters)
+        module, name = SERVERS[kind]
+        own: DroneServer = getattr(import_module(module), name)(
+            drone, address, beyond_loopback=beyond_loopback, filters=filters
+        )
+        return own
     if kind not in installed_models():
         raise ConfigError(
             "drone.kind", f"is {kind!r}: nothing simulates its wire; it flies in lock step only"
