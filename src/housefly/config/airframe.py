@@ -15,7 +15,7 @@ from typing import Any, Self
 
 from pydantic import Field, ValidationError, model_validator
 
-from housefly.config.capabilities import Capabilities, OwnMeasurement
+from housefly.config.capabilities import Capabilities, OwnManoeuvre, OwnMeasurement
 from housefly.config.section import Section, quantity
 from housefly.errors import ConfigError
 from housefly.geometry import stopping_distance
@@ -251,6 +251,16 @@ class Airframe(Section):
             Ability.CAMERA: able.camera is not None,
         }
         return frozenset(ability for ability, is_had in has.items() if not is_had)
+
+    @property
+    def lands_itself(self) -> bool:
+        """Whether its own landing keeps it level and at rest while nobody tells it where it is.
+
+        So lands what flies velocities or places by loops of its own; one that is steered by tilt
+        has no loop for that but its hover.
+        """
+        is_own = OwnManoeuvre.LANDING in self.capabilities.manoeuvres
+        return is_own and self.capabilities.form is not SetpointForm.TILT_AND_CLIMB
 
     @model_validator(mode="after")
     def _knows_what_it_measures(self) -> Self:

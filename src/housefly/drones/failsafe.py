@@ -63,6 +63,7 @@ class Failsafe:
         self.tilt_max = tilt_max
         self.permit: Permit | None = None
         self._hovers, self._watched = airframe.capabilities.hovers, watched
+        self._lands_itself = airframe.lands_itself
         self._command = Command(Action.IDLE)
         self._commanded_at = now
         self._order, self._ordered_at = 0, now
@@ -148,14 +149,16 @@ class Failsafe:
     def _in_words_of_drone(self, action: Action, now: float, report: Telemetry | None) -> Command:
         """Return an action as the drone can follow it: a silent pilot's hover begins with a brake.
 
-        A drone that hovers by a speed that is not believed, or not at all, sinks in its place.
+        A drone that hovers by a speed that is not believed, or not at all, sinks in its place, and
+        lands by itself where its own loops keep it level and at rest.
         """
         is_left = self._is_silent(now) and action in (Action.HOVER, Action.LAND)
         is_flying = report is not None and report.status is DroneStatus.FLYING
         if not (is_left and is_flying):
             self._sinking_since = self._braking_since = None
         elif not (self._hovers and self._speed.motion.hovers):
-            return self._sink(now, report)
+            is_own = self._lands_itself and action is Action.LAND
+            return Command(Action.LAND) if is_own else self._sink(now, report)
         elif action is Action.HOVER and report is not None:
             return self._brake(now, report)
         if action is Action.TAKE_OFF:

@@ -4,7 +4,8 @@ RETURN needs a way home and a place that is not lost, else it is LAND: what is i
 only holds the drone, by a rule of its own. LAND needs a place, or a drone that knows its own height
 and speed (``means``); else it is DESCEND, a level descent by our own setpoint, until the drone is
 on the floor or must be. One that tells no height of its own is told to land itself then: nobody
-else knows of the floor.
+else knows of the floor. One whose own loops land it level and at rest is told to at once: it goes
+on where we fall silent, too.
 """
 
 from __future__ import annotations
@@ -38,8 +39,8 @@ def possible_mode(mode: SafetyMode, c: RuleContext) -> SafetyMode:
     """Return the mode that takes the place of one, for want of knowledge."""
     if mode is SafetyMode.RETURN and not knows_way_home(c):
         mode = SafetyMode.LAND
-    must_be_down = c.seen.landing_for > descent_time(c)
-    if mode is SafetyMode.DESCEND and must_be_down and Ability.HEIGHT in c.airframe.lacks:
+    must_be_down = c.seen.landing_for > descent_time(c) and Ability.HEIGHT in c.airframe.lacks
+    if mode is SafetyMode.DESCEND and (must_be_down or c.airframe.lands_itself):
         mode = SafetyMode.LAND
     is_level = mode is SafetyMode.LAND and means_to_land(c, steered=False) is Means.LEVEL
     return SafetyMode.DESCEND if is_level else mode

@@ -90,7 +90,7 @@ def means_to_land(c: RuleContext, steered: bool) -> Means:
     if is_own or _is_down(c):
         is_steered = steered and _is_ours(c) and knows_place(c) and _can_steer(c)
         return Means.PLACE if is_steered and not _is_down(c) else Means.HOVER
-    return MEANS[_is_ours(c) and knows_place(c), False]
+    return MEANS[_is_ours(c) and knows_place(c), c.airframe.lands_itself]
 
 
 def lands_on_floor(c: RuleContext) -> bool:
