@@ -108,20 +108,6 @@ def test_one_that_cannot_hover_sinks_in_its_own_form(form: SetpointForm) -> None
     assert heights == sorted(heights, reverse=True)
 
 
-@pytest.mark.parametrize("model", ["arducopter", "px4"])
-def test_one_that_lands_by_itself_brakes_and_is_told_to_land_before_its_own_silence(
-    model: str,
-) -> None:
-    airframe = airframe_named(model)
-    failsafe = Failsafe(0.0, TILT_MAX, airframe)
-    failsafe.decide(0.0, report(DroneStatus.LANDED, 0.0))
-    failsafe.update(flying(VelocitySetpoint(forward=0.4)), 1.0)
-    quiet = failsafe.decide(1.0 + HOVER_AFTER + 0.01, report(DroneStatus.FLYING, 1.2)).command
-    assert quiet.asked == VelocitySetpoint(vz=-0.3)
-    assert told(failsafe, 1.0 + LAND_AFTER + 0.01, DroneStatus.FLYING) is Action.LAND
-    assert told(failsafe, 1.0 + LAND_AFTER + 1.0, DroneStatus.LANDING) is Action.LAND
-
-
 def test_a_drone_that_was_never_asked_for_a_place_is_left_to_its_own_landing() -> None:
     able = of_form(SetpointForm.POSITION).capabilities.model_copy(
         update={"manoeuvres": frozenset()}

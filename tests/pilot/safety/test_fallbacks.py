@@ -10,7 +10,6 @@ from gate_flight import AIRFRAME
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config.airframe import Airframe, airframe_named
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneFault, DroneStatus, SafetyMode, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
@@ -31,15 +30,10 @@ DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=(DroneFault.ULTRASOUND_DE
 LONGEST = FENCE.ceiling / DESCENT_RATE + DESCENT_MARGIN
 
 
-def mode(
-    wanted: SafetyMode,
-    landing_for: float = 0.0,
-    airframe: Airframe = AIRFRAME,
-    **changes: object,
-) -> SafetyMode:
+def mode(wanted: SafetyMode, landing_for: float = 0.0, **changes: object) -> SafetyMode:
     inputs = replace(FINE, **changes)  # type: ignore[arg-type]
     seen = FlightObservations(landing_for=landing_for)
-    return possible_mode(wanted, RuleContext(inputs, seen, LimitsConfig(), FENCE, airframe))
+    return possible_mode(wanted, RuleContext(inputs, seen, LimitsConfig(), FENCE, AIRFRAME))
 
 
 @given(st.sampled_from(SafetyMode), st.booleans(), st.floats(0.0, 9.0), st.floats(-1.0, 1.0))
@@ -111,13 +105,3 @@ def test_without_place_and_own_speed_no_landing_is_left_to_the_drone(flow: str) 
     doubted = TrackingConsistency(**{flow: True})  # type: ignore[arg-type]
     assert mode(M.LAND, consistency=doubted, pose_age=0.3) is M.DESCEND
     assert mode(M.LAND, consistency=doubted) is M.LAND, "the pilot sinks it to the floor"
-
-
-@pytest.mark.parametrize("model", ["arducopter", "px4"])
-def test_one_whose_own_loops_land_it_at_rest_is_told_to_at_once(model: str) -> None:
-    own = airframe_named(model)
-    assert own.lands_itself and not AIRFRAME.lands_itself
-    for wanted in (M.DESCEND, M.LAND):
-        assert mode(wanted, airframe=own, pose_age=0.3) is M.LAND
-    assert mode(M.LAND, airframe=own) is M.LAND
-    assert mode(M.RETURN, airframe=own, has_way_home=False, pose_age=0.3) is M.LAND
