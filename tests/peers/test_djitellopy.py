@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
-import sys
 from fractions import Fraction
-from importlib.util import find_spec
 from math import cos, sin
 from pathlib import Path
 
@@ -28,10 +26,11 @@ pytestmark = [
     pytest.mark.wire,
     pytest.mark.realtime,
     pytest.mark.slow,
-    pytest.mark.skipif(find_spec("djitellopy") is None, reason="djitellopy is not installed"),
+    pytest.mark.interop,
 ]
 
 HERE = Path(__file__).resolve().parent
+PYTHON = HERE.parents[1] / ".venv" / "djitellopy" / "bin" / "python"
 PORT = 18889
 """djitellopy takes 8889 of this machine."""
 HALL = Room(
@@ -76,6 +75,8 @@ async def film(server: TelloServer) -> None:
 
 
 async def test_it_connects_flies_steps_turns_and_sticks_watches_and_lands(loopback: str) -> None:
+    if not PYTHON.exists():
+        pytest.skip("djitellopy is not installed: make interop")
     world = SimulatedWorld(changed(Site(), drone__kind="tello"), HALL)
     server = TelloServer(world, loopback, port=PORT)
     with tello_ports(alone=True):
@@ -86,7 +87,7 @@ async def test_it_connects_flies_steps_turns_and_sticks_watches_and_lands(loopba
         ]
         try:
             client = await asyncio.create_subprocess_exec(
-                *(sys.executable, str(HERE / "fly_tello.py"), loopback, str(PORT)),
+                *(str(PYTHON), str(HERE / "fly_tello.py"), loopback, str(PORT)),
                 stdout=asyncio.subprocess.PIPE,
                 stderr=asyncio.subprocess.PIPE,
             )

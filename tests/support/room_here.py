@@ -10,8 +10,8 @@ from typing import Self
 
 from housefly.clock import RealClock
 from housefly.sites.loaded_site import LoadedSite
-from housefly.twin.ardrone.link import UNFILTERED
 from housefly.twin.drone_servers import server_of
+from housefly.twin.link_filters import UNFILTERED
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld

@@ -8,8 +8,9 @@ from typing import Protocol, runtime_checkable
 from housefly.config.airframe import installed_models
 from housefly.errors import ConfigError
 from housefly.twin.address import check_address
-from housefly.twin.ardrone.link import Counters, LinkFilters
 from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinDrone
+from housefly.twin.link_counters import Counters
+from housefly.twin.link_filters import LinkFilters
 
 
 class DroneServer(Protocol):
@@ -48,6 +49,11 @@ SERVERS = {
     "tello": ("housefly.twin.tello.server", "TelloServer"),
 }
 """Module and class of what serves each of our own models."""
+PORTS: dict[str, tuple[tuple[int, str], ...]] = {
+    "ardrone": ((5554, "UDP"), (5556, "UDP"), (5555, "TCP"), (5559, "TCP")),
+    "tello": ((8889, "UDP"), (8890, "UDP"), (11111, "UDP")),
+}
+"""What each of these listens on; of a Tello, with what its client listens on."""
 
 
 def server_of(

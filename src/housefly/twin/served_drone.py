@@ -9,12 +9,12 @@ from typing import Any
 from housefly.bus.rate import Rate
 from housefly.config.process_log import log_line
 from housefly.room.model import Room
-from housefly.twin.ardrone.link import Counters
 from housefly.twin.camera.process import CameraProcess
 from housefly.twin.drone_servers import FilmingServer, server_of
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
+from housefly.twin.link_counters import Counters
 from housefly.twin.people.script import PersonScript
 from housefly.twin.world import SimulatedWorld
 

@@ -2,53 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from housefly.twin.address import PeerAddress
-from housefly.twin.contracts import OnboardState
+from housefly.twin.link_counters import Counters
 
 LINK_LOST_AFTER = 2.0
 """Silence on the AT port [s] that resets the sequence and stops navdata (docs/wires.md, 4)."""
-
-
-Deliver = Callable[[bytes], None]
-"""Takes a datagram."""
-
-
-@dataclass(frozen=True, slots=True)
-class LinkFilters:
-    """What stands between the client and the drone; by default nothing.
-
-    Attributes:
-        uplink: makes of what receives commands what the client's datagrams meet.
-        downlink: makes of what sends navdata what the drone's packets meet.
-        reported: what is reported of the drone's state.
-    """
-
-    uplink: Callable[[Deliver], Deliver] = lambda deliver: deliver
-    downlink: Callable[[Deliver], Deliver] = lambda deliver: deliver
-    reported: Callable[[OnboardState], OnboardState] = lambda onboard: onboard
-
-
-UNFILTERED = LinkFilters()
-
-
-@dataclass(slots=True)
-class Counters:
-    """Counts of what arrived, left and was refused."""
-
-    datagrams: int = 0
-    commands: int = 0
-    stale_commands: int = 0
-    malformed: int = 0
-    refused_settings: int = 0
-    navdata_sent: int = 0
-    navdata_unsent: int = 0
-    refused_requests: int = 0
-    config_dumps: int = 0
-    frames_sent: int = 0
-    frames_dropped: int = 0
 
 
 @dataclass(slots=True)

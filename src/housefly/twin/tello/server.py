@@ -14,8 +14,9 @@ from housefly.errors import LinkError, WireError
 from housefly.messages import Action, Command
 from housefly.messages.steering import flying
 from housefly.twin.address import PeerAddress, check_address
-from housefly.twin.ardrone.link import UNFILTERED, Counters, LinkFilters
 from housefly.twin.contracts import DroneCamera, EncodedPicture, FlightState, TwinDrone
+from housefly.twin.link_counters import Counters
+from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.twin.plain_drone import PlainDrone, as_measured, telemetry_of
 from housefly.twin.tello.steps import Flown
 from housefly.wires.tello.answers import DONE, Answer, encode_answer, refusal, value
