@@ -3,6 +3,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 TOOLS := $(VENV)/tools
+# The makers' library flies the simulated Tello: it brings OpenCV, so it lives apart.
+TELLOPY := $(VENV)/djitellopy
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
@@ -57,7 +59,7 @@ test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
 	$(call run_tests,2,'realtime and not interop and not safety',$(call marked,realtime))
 
-interop: setup-dev
+interop: setup-dev $(TELLOPY)/ready
 	$(REALTIME) -m interop $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
@@ -101,6 +103,11 @@ client: setup-dev
 $(TOOLS)/ready: requirements/tools.txt
 	@$(PYTHON) -m venv $(TOOLS)
 	@$(TOOLS)/bin/python -m pip install -q --require-hashes -r requirements/tools.txt
+	@touch $@
+
+$(TELLOPY)/ready: requirements/djitellopy.txt
+	@$(PYTHON) -m venv $(TELLOPY)
+	@$(TELLOPY)/bin/python -m pip install -q --require-hashes -r requirements/djitellopy.txt
 	@touch $@
 
 lock: $(TOOLS)/ready

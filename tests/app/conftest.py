@@ -14,6 +14,7 @@ mode = "{mode}"
 [room]
 model = "{model}"
 [drone]
+kind = "{kind}"
 address = "{address}"
 has_video = {video}
 [tracking]
@@ -55,6 +56,7 @@ def write_site(tmp_path: Path, request: pytest.FixtureRequest) -> WriteSite:
         model: str = "bsen",
         seed: int = 1,
         tracking: str = "vicon",
+        kind: str = "ardrone",
     ) -> Path:
         number = next(numbers)
         last = 200 + (abs(hash(request.node.nodeid)) + number) % 50
@@ -71,6 +73,7 @@ def write_site(tmp_path: Path, request: pytest.FixtureRequest) -> WriteSite:
             port=free_port(),
             store=tmp_path / f"room{number}.db",
             tracking=tracking,
+            kind=kind,
         )
         file.write_text(text)
         return file

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from room_here import RoomHere
+from tello_ports import tello_ports
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
@@ -101,11 +102,13 @@ async def started(tmp_path: Path, site_file: Path, stack: AsyncExitStack) -> Run
     return Run(launcher, bus, room)
 
 
+@pytest.mark.parametrize("kind", ["ardrone", pytest.param("tello", marks=pytest.mark.interop)])
 async def test_a_pilot_killed_in_cruise_leaves_a_drone_that_brakes_lands_and_stays(
-    tmp_path: Path, write_site: Any
+    tmp_path: Path, write_site: Any, kind: str
 ) -> None:
     async with AsyncExitStack() as stack:
-        run = await started(tmp_path, write_site(), stack)
+        stack.enter_context(tello_ports())
+        run = await started(tmp_path, write_site(kind=kind), stack)
         await run.cruise("entrance", 1.0)
         run.kill("pilot", signal.SIGKILL)
         # A new pilot that is quick may hold the drone: this one comes too late.
@@ -177,11 +180,13 @@ async def test_a_room_killed_in_cruise_is_back_soon_and_the_drone_is_safe_meanwh
 
 
 @pytest.mark.interop
+@pytest.mark.parametrize("kind", ["ardrone", "tello"])
 async def test_a_driver_killed_in_cruise_comes_back_and_lets_the_drone_only_hover_and_land(
-    tmp_path: Path, write_site: Any
+    tmp_path: Path, write_site: Any, kind: str
 ) -> None:
     async with AsyncExitStack() as stack:
-        run = await started(tmp_path, write_site(), stack)
+        stack.enter_context(tello_ports())
+        run = await started(tmp_path, write_site(kind=kind), stack)
         await run.cruise("entrance", 1.0)
         run.kill("driver", signal.SIGKILL)
         await asyncio.sleep(3.0)

@@ -28,10 +28,10 @@ from housefly.geometry import quaternion_from_euler
 from housefly.messages import DroneStatus, Pose, VideoFrame
 from housefly.room.files import load_room
 from housefly.room.level_camera import LevelCamera
-from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.video_server import VideoServer
 from housefly.twin.camera.process import CameraProcess
 from housefly.twin.contracts import DroneCamera
+from housefly.twin.link_counters import Counters
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 

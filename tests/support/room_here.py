@@ -10,7 +10,8 @@ from typing import Self
 
 from housefly.clock import RealClock
 from housefly.sites.loaded_site import LoadedSite
-from housefly.twin.ardrone.server import ArDroneServer
+from housefly.twin.drone_servers import server_of
+from housefly.twin.link_filters import UNFILTERED
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
@@ -44,7 +45,13 @@ class RoomHere:
         self.world = SimulatedWorld(site, self.loaded.room)
         self._time = RealTimeRunner(self.world, RealClock())
         self._servers = (
-            ArDroneServer(self.world, site.drone.address),
+            server_of(
+                site.drone.kind,
+                self.world,
+                site.drone.address,
+                beyond_loopback=False,
+                filters=UNFILTERED,
+            ),
             *tracking_servers(site),
         )
         for server in self._servers:

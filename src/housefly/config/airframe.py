@@ -91,6 +91,12 @@ class ResponseConstants(Section):
     speed_max: float | None = quantity(
         None, 0.1, 20.0, "m/s", "fastest flight that it makes of a velocity or a place asked for"
     )
+    climb_max: float | None = quantity(
+        None, 0.05, 20.0, "m/s", "fastest climb that it makes, whatever is asked for"
+    )
+    turn_max: float | None = quantity(
+        None, 0.1, 20.0, "rad/s", "fastest turn that it makes, whatever is asked for"
+    )
 
 
 class BrakeConstants(Section):

@@ -60,6 +60,14 @@ class DroneConfig(Section):
     address: str = Field(
         default="127.0.0.1", description="IP address; a real AR.Drone 2.0 is 192.168.1.1"
     )
+    interface: str = Field(
+        default="",
+        pattern="^[A-Za-z0-9._@-]{0,15}$",
+        description=(
+            "network interface that leads to it, as wlan1: for drones that all have one address, as"
+            " Tellos; left out: found by the address"
+        ),
+    )
     hull_length: float = _of_airframe("body", "hull_length")
     hull_width: float = _of_airframe("body", "hull_width")
     hull_height: float = _of_airframe("body", "hull_height")

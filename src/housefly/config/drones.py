@@ -151,7 +151,7 @@ def check_apart(drones: Iterable[DroneConfig], distance: float) -> None:
         distance: that they keep from what moves [m].
     """
     for one, other in combinations([drone for drone in drones if drone.enabled], 2):
-        if one.address == other.address:
+        if (one.address, one.interface) == (other.address, other.interface):
             raise ValueError(
                 f"drones: {one.name!r} and {other.name!r} have the same address ({one.address});"
                 " each drone answers at its own: give each an address"

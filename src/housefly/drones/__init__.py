@@ -20,6 +20,7 @@ DRIVERS = {
     "ardrone": ("housefly.drones.ardrone.driver", "ArDrone"),
     "arducopter": ("housefly.drones.mavlink.driver", "MavlinkDrone"),
     "px4": ("housefly.drones.mavlink.driver", "MavlinkDrone"),
+    "tello": ("housefly.drones.tello.driver", "Tello"),
 }
 """Module and class of each ``drone.kind``; made of its configuration, the limits and a clock."""
 

@@ -52,8 +52,8 @@ def pilot_parameters(
         gains=gains_of(drone, control, limits, estimation),
         limits=CommandLimits(
             tilt_max=limits.tilt_max,
-            vertical_speed_max=_climb_command_max(limits, estimation),
-            yaw_rate_max=limits.yaw_rate_max,
+            vertical_speed_max=_climb_command_max(drone, limits, estimation),
+            yaw_rate_max=_turn_max(drone, limits),
         ),
         speed=limits.speed,
         form=form_model(drone, limits),
@@ -140,8 +140,8 @@ def gains_of(
         height=control.height_gain,
         yaw=control.yaw_gain,
         tilt_max=limits.tilt_max,
-        climb_max=limits.vertical_speed_max,
-        turn_max=limits.yaw_rate_max,
+        climb_max=min(limits.vertical_speed_max, drone.airframe.response.climb_max or inf),
+        turn_max=_turn_max(drone, limits),
         gain=drone.attitude_gain,
         drag=pull_of(drone) or drone.drag,
         delay=_delay(drone, estimation),
@@ -149,14 +149,21 @@ def gains_of(
         lag=drone.attitude_lag,
         climb_lag=drone.climb_lag,
         inverts_climb=estimation.lift_wander > 0.0,
-        climb_command_max=_climb_command_max(limits, estimation),
+        climb_command_max=_climb_command_max(drone, limits, estimation),
         sink_gain=_sink_gain(drone, estimation),
         feed_forward=control.feed_forward,
     )
 
 
-def _climb_command_max(limits: LimitsConfig, estimation: EstimationConfig) -> float:
-    return limits.full_climb if estimation.lift_wander > 0.0 else limits.vertical_speed_max
+def _climb_command_max(
+    drone: DroneConfig, limits: LimitsConfig, estimation: EstimationConfig
+) -> float:
+    asked = limits.full_climb if estimation.lift_wander > 0.0 else limits.vertical_speed_max
+    return min(asked, drone.airframe.response.climb_max or inf)
+
+
+def _turn_max(drone: DroneConfig, limits: LimitsConfig) -> float:
+    return min(limits.yaw_rate_max, drone.airframe.response.turn_max or inf)
 
 
 def _sink_gain(drone: DroneConfig, estimation: EstimationConfig) -> float:

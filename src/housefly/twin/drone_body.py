@@ -38,6 +38,7 @@ class DroneBody:
         number: id of its body.
         mechanics: mass, moments, motors.
         markers: where its reflective markers sit [m].
+        airframe: of its model.
         before: its state at the beginning of the last control period.
     """
 
@@ -48,6 +49,7 @@ class DroneBody:
         self.number: int = model.body(name).id
         self.mechanics = mechanics_of(config.airframe)
         self.markers = drone_markers(config.airframe)
+        self.airframe = config.airframe
         joint = model.body(name).dofadr[0]
         model.dof_damping[joint : joint + 2] = config.drag * self.mechanics.mass
         place = model.joint(model.body(name).jntadr[0]).qposadr[0]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from housefly.config.airframe import installed_models
 from housefly.errors import ConfigError
 from housefly.twin.address import check_address
-from housefly.twin.contracts import TwinDrone
+from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinDrone
+from housefly.twin.link_counters import Counters
 from housefly.twin.link_filters import LinkFilters
 
 
@@ -24,18 +25,39 @@ class DroneServer(Protocol):
         ...
 
 
+@runtime_checkable
+class FilmingServer(DroneServer, Protocol):
+    """The same of a drone with a camera."""
+
+    @property
+    def counters(self) -> Counters:
+        """What happened on its ports so far."""
+        ...
+
+    @property
+    def camera(self) -> DroneCamera:
+        """The camera whose pictures the client wants."""
+        ...
+
+    def publish(self, picture: EncodedPicture) -> None:
+        """Send a picture to whoever wants pictures; returns at once."""
+        ...
+
+
 SERVERS = {
     "ardrone": ("housefly.twin.ardrone.server", "ArDroneServer"),
     "arducopter": ("housefly.twin.mavlink.server", "MavlinkServer"),
     "px4": ("housefly.twin.mavlink.server", "Px4Server"),
+    "tello": ("housefly.twin.tello.server", "TelloServer"),
 }
 """Module and class of what serves each of our own models."""
 PORTS: dict[str, tuple[tuple[int, str], ...]] = {
     "ardrone": ((5554, "UDP"), (5556, "UDP"), (5555, "TCP"), (5559, "TCP")),
     "arducopter": ((14550, "UDP"), (5760, "TCP")),
     "px4": ((14580, "UDP"), (5760, "TCP")),
+    "tello": ((8889, "UDP"), (8890, "UDP"), (11111, "UDP")),
 }
-"""What each of these listens on."""
+"""What each of these listens on; of a Tello, with what its client listens on."""
 
 
 def server_of(

@@ -14,7 +14,7 @@ from housefly.numeric import FloatArray
 from housefly.twin.contracts import DroneCamera
 from housefly.twin.drone_body import DroneBody
 from housefly.twin.mujoco_engine import mujoco
-from housefly.twin.quadrotor.body import PICTURE_SIZE, camera_name
+from housefly.twin.quadrotor.body import camera_name, camera_of
 from housefly.twin.solids import SolidOwner
 
 _COLUMNS, _ROWS = 64, 36
@@ -38,7 +38,8 @@ class PictureSegments:
         self._drone, self._owners = drone, owners
         name = camera_name(DroneCamera.FRONT.value, drone.name)
         self._camera = int(drone.model.camera(name).id)
-        self._rays = _rays(float(drone.model.cam_fovy[self._camera]))
+        camera = camera_of(drone.airframe)
+        self._rays = _rays(float(drone.model.cam_fovy[self._camera]), camera.width, camera.height)
         self._clear = drone.model.geom_rgba[:, 3] < _CLEAR
 
     def shares(self) -> dict[str, float]:
@@ -75,10 +76,10 @@ class PictureSegments:
         return found
 
 
-def _rays(height_degrees: float) -> FloatArray:
+def _rays(height_degrees: float, width: int, height: int) -> FloatArray:
     """Return unit rays of a picture in the camera's frame: x right, y up, looking along -z."""
     up = tan(radians(height_degrees) / 2)
-    right = up * PICTURE_SIZE[0] / PICTURE_SIZE[1]
+    right = up * width / height
     xs = (np.arange(_COLUMNS) + 0.5) / _COLUMNS * 2.0 - 1.0
     ys = (np.arange(_ROWS) + 0.5) / _ROWS * 2.0 - 1.0
     x, y = np.meshgrid(xs * right, ys * up)

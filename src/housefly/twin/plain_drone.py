@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import isfinite
+from math import inf, isfinite
 
 from housefly.config.airframe import Ability, Airframe, airframe_named
 from housefly.messages import (
@@ -50,7 +50,9 @@ class PlainDrone:
 
     def __init__(self, drone: TwinDrone, model: str) -> None:
         self._drone, self._airframe = drone, airframe_named(model)
-        limits = OnboardLimits(silence=self._airframe.capabilities.silence.after)
+        limits = within(
+            OnboardLimits(silence=self._airframe.capabilities.silence.after), self._airframe
+        )
         drone.set_limits(limits)
         self._obedience = Obedience(Maxima(limits.tilt, limits.climb, limits.yaw_rate))
 
@@ -71,6 +73,16 @@ class PlainDrone:
     def report(self) -> Telemetry:
         """Return what it reports now; its time is the drone's own [s]."""
         return as_measured(telemetry_of(self._drone.onboard()), self._airframe.lacks)
+
+
+def within(limits: OnboardLimits, airframe: Airframe) -> OnboardLimits:
+    """Return limits with no more in them than a model can do."""
+    response = airframe.response
+    return replace(
+        limits,
+        climb=min(limits.climb, response.climb_max or inf),
+        yaw_rate=min(limits.yaw_rate, response.turn_max or inf),
+    )
 
 
 class Obedience:

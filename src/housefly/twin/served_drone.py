@@ -9,13 +9,12 @@ from typing import Any
 from housefly.bus.rate import Rate
 from housefly.config.process_log import log_line
 from housefly.room.model import Room
-from housefly.twin.ardrone.link import Counters
-from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.camera.process import CameraProcess
-from housefly.twin.drone_servers import server_of
+from housefly.twin.drone_servers import FilmingServer, server_of
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
+from housefly.twin.link_counters import Counters
 from housefly.twin.people.script import PersonScript
 from housefly.twin.world import SimulatedWorld
 
@@ -57,7 +56,7 @@ class ServedDrone:
             beyond_loopback=beyond_loopback,
             filters=faulty_links(faults, self._now),
         )
-        self._filmed = self._server if isinstance(self._server, ArDroneServer) else None
+        self._filmed = self._server if isinstance(self._server, FilmingServer) else None
         has_video = stand.site.twin.video and stand.config.enabled and self._filmed is not None
         self._camera = CameraProcess(stand.site, room, people) if has_video else None
         self._camera_state = (0, "")
@@ -93,7 +92,7 @@ class ServedDrone:
     def _now(self) -> float:
         return self._world.now
 
-    async def _film(self, camera: CameraProcess, server: ArDroneServer) -> None:
+    async def _film(self, camera: CameraProcess, server: FilmingServer) -> None:
         rate = Rate(self._rate_hz)
         while True:
             await rate.sleep()

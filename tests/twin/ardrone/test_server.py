@@ -15,9 +15,9 @@ from kinematic_world import KinematicWorld
 
 from housefly.clock import RealClock
 from housefly.errors import ConfigError, LinkError
-from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import DroneCamera, EncodedPicture, FlightState
+from housefly.twin.link_counters import Counters
 from housefly.twin.real_time import RealTimeRunner
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import CONTROL_PORT, parse_dump

@@ -9,7 +9,7 @@ from housefly.messages import Command, Telemetry
 from housefly.messages.steering import Instruction
 from housefly.messages.stick import Maxima
 from housefly.twin.contracts import OnboardLimits, TwinDrone
-from housefly.twin.plain_drone import Obedience
+from housefly.twin.plain_drone import Obedience, within
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_encoder import CommandEncoder
 from housefly.wires.ardrone.conversions import stick_from_pcmd
@@ -89,10 +89,11 @@ def lockstep_wire(site: Site) -> LockstepWire:
 def onboard_limits(site: Site) -> OnboardLimits:
     """Return what a driver would write into a site's drone."""
     limits = site.limits
-    return OnboardLimits(
+    asked = OnboardLimits(
         limits.tilt_max,
         limits.full_climb,
         limits.yaw_rate_max,
         limits.onboard_height_max,
         site.drone.airframe.capabilities.silence.after,
     )
+    return within(asked, site.drone.airframe)

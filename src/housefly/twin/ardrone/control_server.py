@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 
-from housefly.twin.ardrone.link import Counters
+from housefly.twin.link_counters import Counters
 from housefly.wires.ardrone.config import CONTROL_PORT
 
 _MAX_CLIENTS = 8

@@ -9,8 +9,8 @@ from __future__ import annotations
 import asyncio
 import socket
 
-from housefly.twin.ardrone.link import Counters
 from housefly.twin.contracts import EncodedPicture
+from housefly.twin.link_counters import Counters
 from housefly.wires.ardrone.pave import VIDEO_PORT, FrameType, PaveHeader, encode_frame
 
 _MAX_CLIENTS = 8

@@ -26,7 +26,6 @@ from housefly.twin.camera.messages import (
     RenderSettings,
     pack_message,
 )
-from housefly.twin.quadrotor.body import PICTURE_SIZE
 
 _CARD_RATE_HZ = 2.0
 _CARD_BIT_RATE = 200_000
@@ -60,24 +59,24 @@ def _serve(link: socket.socket) -> None:
 def _send_views(link: socket.socket, inbox: Inbox, settings: RenderSettings) -> None:
     from housefly.twin.camera.view import CameraView
 
-    view = CameraView(settings.scene, *PICTURE_SIZE)
-    encoder = Encoder(*PICTURE_SIZE, settings.rate_hz)
+    view = CameraView(settings.scene, *settings.size)
+    encoder = Encoder(*settings.size, settings.rate_hz)
     link.sendall(pack_message(MessageKind.READY, settings.backend.name.encode()))
     if settings.yields and sys.platform == "linux":
         os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
     while (request := _newest(inbox)) is not None:
-        _send(link, encoder, view.picture(request), request.at)
+        _send(link, encoder, view.picture(request), request.at, settings.size)
 
 
 def _send_cards(link: socket.socket, inbox: Inbox, settings: RenderSettings) -> None:
-    card = draw_card(settings.reasons, *PICTURE_SIZE)
-    encoder = Encoder(*PICTURE_SIZE, _CARD_RATE_HZ, group=1, bit_rate=_CARD_BIT_RATE)
+    card = draw_card(settings.reasons, *settings.size)
+    encoder = Encoder(*settings.size, _CARD_RATE_HZ, group=1, bit_rate=_CARD_BIT_RATE)
     link.sendall(pack_message(MessageKind.READY, settings.backend.name.encode()))
     due = 0.0
     while (request := _newest(inbox)) is not None:
         if time.monotonic() >= due:
             due = time.monotonic() + 1 / _CARD_RATE_HZ
-            _send(link, encoder, card, request.at)
+            _send(link, encoder, card, request.at, settings.size)
 
 
 def _newest(inbox: Inbox) -> PictureRequest | None:
@@ -85,11 +84,15 @@ def _newest(inbox: Inbox) -> PictureRequest | None:
     return PictureRequest.unpack(messages[-1][1]) if messages else None
 
 
-def _send(link: socket.socket, encoder: Encoder, picture: NDArray[np.uint8], at: float) -> None:
+def _send(
+    link: socket.socket,
+    encoder: Encoder,
+    picture: NDArray[np.uint8],
+    at: float,
+    size: tuple[int, int],
+) -> None:
     data, keyframe = encoder.encode(picture)
-    link.sendall(
-        pack_message(MessageKind.PICTURE, Encoded(data, keyframe, *PICTURE_SIZE, at).pack())
-    )
+    link.sendall(pack_message(MessageKind.PICTURE, Encoded(data, keyframe, *size, at).pack()))
 
 
 def main() -> None:

@@ -43,6 +43,7 @@ class RenderSettings:
         scene: MuJoCo model text with the drone's cameras "front" and "bottom" on body "drone".
         backend: how to make pictures.
         rate_hz: pictures per second to expect.
+        size: width and height of a picture [px].
         reasons: why no better backend is used, in words; shown on the card.
         yields: whether everything else on the machine goes first once it is ready.
     """
@@ -50,6 +51,7 @@ class RenderSettings:
     scene: str
     backend: RenderBackend
     rate_hz: float
+    size: tuple[int, int]
     reasons: tuple[str, ...] = ()
     yields: bool = False
 
@@ -65,6 +67,7 @@ class RenderSettings:
             fields["scene"],
             RenderBackend(fields["backend"]),
             float(fields["rate_hz"]),
+            (int(fields["size"][0]), int(fields["size"][1])),
             tuple(fields["reasons"]),
             bool(fields["yields"]),
         )

@@ -31,6 +31,7 @@ from housefly.twin.camera.messages import (
 )
 from housefly.twin.contracts import DroneCamera, EncodedPicture
 from housefly.twin.people.script import PersonScript
+from housefly.twin.quadrotor.body import camera_of
 from housefly.twin.scene_mjcf import scene_mjcf
 
 _RENDERER_VARIABLE = "HOUSEFLY_RENDERER"
@@ -66,7 +67,8 @@ class CameraProcess:
     def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = ()) -> None:
         self.restarts = 0
         self._scene = scene_mjcf(site, room, people, first=site.drone.name)
-        self._rate_hz = site.twin.video_rate_hz
+        self._rate_hz, camera = site.twin.video_rate_hz, camera_of(site.drone.airframe)
+        self._size = camera.width, camera.height
         self._clock = RealClock()
         self._handlers: list[Callable[[EncodedPicture], None]] = []
         self._backends = list(_RENDERERS.get(os.environ.get(_RENDERER_VARIABLE, ""), RenderBackend))
@@ -182,7 +184,7 @@ class CameraProcess:
             )
         reader, self._writer = await asyncio.open_connection(sock=ours)
         settings = RenderSettings(
-            self._scene, backend, self._rate_hz, tuple(self._reasons), self._yields
+            self._scene, backend, self._rate_hz, self._size, tuple(self._reasons), self._yields
         )
         self._writer.write(pack_message(MessageKind.SETTINGS, settings.pack()))
         return reader

@@ -11,6 +11,7 @@ from itertools import pairwise
 from math import atan, degrees, radians, tan
 
 from housefly.config.airframe import Airframe, airframe_named
+from housefly.config.capabilities import OnboardCamera
 from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 from housefly.twin.drone_mechanics import ARDRONE, Mechanics, mechanics_of
@@ -39,7 +40,6 @@ DRONE_MARKERS: tuple[Vec3, ...] = (
 
 _FRONT = _AIRFRAME.capabilities.camera
 assert _FRONT is not None
-_FRONT_CAMERA_X = _FRONT.ahead
 FRONT_FIELD_OF_VIEW = _FRONT.field_of_view
 _BOTTOM_FIELD_OF_VIEW = radians(49.0)
 """Horizontal field of view [rad]; pixels are square and the lenses have no distortion."""
@@ -77,7 +77,7 @@ def drone_body(config: DroneConfig, home: Vec2, home_yaw: float, body: str = BOD
         f' diaginertia="{_numbers(*mechanics.inertia)}"/>',
         *_hull(config, mechanics.standing_height, body),
         *(_looks() if config.airframe is _AIRFRAME else _plain_looks(config, mechanics)),
-        *_cameras(body),
+        *_cameras(config.airframe, body),
         *(
             f'<site name="{body}_marker_{n}" pos="{_numbers(*at)}" size="0.007" rgba="0.9 0.9 0.9'
             ' 1"/>'
@@ -196,22 +196,29 @@ def camera_name(camera: str, body: str = BODY) -> str:
     return camera if body == BODY else f"{body} {camera}"
 
 
-def _cameras(body: str) -> list[str]:
+def camera_of(airframe: Airframe) -> OnboardCamera:
+    """Return the front camera of a model; one that has none is given an AR.Drone's."""
+    assert _FRONT is not None
+    return airframe.capabilities.camera or _FRONT
+
+
+def _cameras(airframe: Airframe, body: str) -> list[str]:
     front, bottom = camera_name("front", body), camera_name("bottom", body)
+    camera, below = camera_of(airframe), airframe.body.standing_height
     return [
         (
-            f'<camera name="{front}" pos="{_FRONT_CAMERA_X} 0 0" xyaxes="0 -1 0 0 0 1"'
-            f' fovy="{_vertical_degrees(FRONT_FIELD_OF_VIEW):.6g}"/>'
+            f'<camera name="{front}" pos="{camera.ahead} 0 0" xyaxes="0 -1 0 0 0 1"'
+            f' fovy="{_vertical_degrees(camera, camera.field_of_view):.6g}"/>'
         ),
         (
-            f'<camera name="{bottom}" pos="0 0 -{STANDING_HEIGHT}" xyaxes="0 -1 0 1 0 0"'
-            f' fovy="{_vertical_degrees(_BOTTOM_FIELD_OF_VIEW):.6g}"/>'
+            f'<camera name="{bottom}" pos="0 0 -{below}" xyaxes="0 -1 0 1 0 0"'
+            f' fovy="{_vertical_degrees(camera, _BOTTOM_FIELD_OF_VIEW):.6g}"/>'
         ),
     ]
 
 
-def _vertical_degrees(horizontal: float) -> float:
-    return degrees(2 * atan(tan(horizontal / 2) * PICTURE_SIZE[1] / PICTURE_SIZE[0]))
+def _vertical_degrees(camera: OnboardCamera, horizontal: float) -> float:
+    return degrees(2 * atan(tan(horizontal / 2) * camera.height / camera.width))
 
 
 def _numbers(*values: float) -> str:

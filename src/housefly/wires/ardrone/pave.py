@@ -12,6 +12,7 @@ from enum import IntEnum
 from typing import Final
 
 from housefly.errors import WireError
+from housefly.wires.annex_b import can_begin
 
 VIDEO_PORT = 5555
 _MAGIC = b"PaVE"
@@ -25,8 +26,6 @@ CODEC_H264: Final = 4
 _HEADER = struct.Struct("<4sBBHI4HII4BIIH4B2sI12s")
 _MIN_HEADER = _HEADER.size
 _MAX_HEADER = 256
-_START_CODE = b"\x00\x00\x01"
-_NAL_IDR, _NAL_SPS, _NAL_PPS = 5, 7, 8
 
 
 class FrameType(IntEnum):
@@ -76,21 +75,7 @@ class PaveFrame:
     @property
     def keyframe(self) -> bool:
         """Whether the payload has SPS, PPS and an IDR slice, so that decoding may start here."""
-        return {_NAL_SPS, _NAL_PPS, _NAL_IDR} <= _nal_types(self.payload)
-
-
-def _nal_types(annex_b: bytes) -> frozenset[int]:
-    """Return the NAL unit types of an H.264 Annex B byte string."""
-    found, at = set(), annex_b.find(_START_CODE)
-    while 0 <= at < len(annex_b) - len(_START_CODE):
-        at += len(_START_CODE)
-        kind = annex_b[at] & 0x1F
-        found.add(kind)
-        # A slice is the last and by far the longest unit of a one-slice picture; do not search it.
-        if kind in (1, _NAL_IDR):
-            break
-        at = annex_b.find(_START_CODE, at)
-    return frozenset(found)
+        return can_begin(self.payload)
 
 
 def encode_header(header: PaveHeader) -> bytes:

@@ -1,0 +1,96 @@
+"""Whether a Tello flies: it does not say so. Pure.
+
+What it says is how many seconds its motors have turned. While that counts, it is in the air, or on
+its way up or down as it was told last; once it stands still, it is down. A take-off or a landing
+that is answered ``ok`` is over at once, if the height agrees.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+from housefly.messages import DroneStatus
+from housefly.wires.tello.answers import Answer, AnswerKind
+from housefly.wires.tello.lines import Line, Word
+from housefly.wires.tello.state import TOF_MAX, TelloState
+
+MOTORS_STAND_AFTER = 1.5
+"""Its motors stand once the seconds that they have turned do not change for so long [s]: it tells
+whole ones.
+"""
+TAKE_OFF_TIME_MAX = 12.0
+"""After that it flies, whether it said ``ok`` or not [s]; clients wait 20 s for that."""
+_UP_HEIGHT, _DOWN_HEIGHT = 30, 20
+"""It is up above, and down below [cm]."""
+
+
+class FlightWatch:
+    """Follows one drone by its states, its answers, and what it was told.
+
+    Attributes:
+        refusal: what it answered to the last take-off in place of taking off; "" for nothing.
+    """
+
+    def __init__(self) -> None:
+        self.refusal = ""
+        self._first_at: float | None = None
+        self._motor_time, self._counted_at = -1, -inf
+        self._tof = 0
+        self._rises_since: float | None = None
+        self._sinks = self._is_cut = False
+        self._down_at = -inf
+
+    def sent(self, line: Line, now: float) -> None:
+        """Note what the drone was told now [s]."""
+        if line is Word.TAKE_OFF:
+            self._rises_since, self._sinks, self.refusal = now, False, ""
+        elif line is Word.LAND:
+            self._sinks = True
+        elif line is Word.EMERGENCY:
+            self._is_cut = True
+
+    def reset(self) -> None:
+        """Leave the emergency."""
+        self._is_cut = False
+
+    def hear(self, answer: Answer, now: float) -> None:
+        """Take in an answer that came now [s]."""
+        if answer.kind is AnswerKind.DONE:
+            if self._rises_since is not None and self._tof >= _UP_HEIGHT:
+                self._rises_since = None
+            elif self._sinks and self._tof < _DOWN_HEIGHT:
+                self._sinks, self._down_at = False, now
+        elif answer.kind is AnswerKind.REFUSED and self._rises_since is not None:
+            self.refusal = answer.text
+            self._rises_since = None if self._turns(now) else self._rises_since
+
+    def see(self, state: TelloState, now: float) -> None:
+        """Take in a state that came now [s]."""
+        if self._first_at is None:
+            self._first_at = now
+        elif state.time != self._motor_time:
+            self._counted_at = now
+        self._motor_time = state.time
+        self._tof = state.tof if state.tof < TOF_MAX else state.h
+        if self._rises_since is not None and now - self._rises_since > TAKE_OFF_TIME_MAX:
+            self._rises_since = None
+        if not self._turns(now):
+            self._sinks = False
+
+    def status(self, now: float) -> DroneStatus:
+        """Return what the drone does now [s]."""
+        if self._first_at is None:
+            return DroneStatus.UNKNOWN
+        if self._is_cut:
+            return DroneStatus.EMERGENCY
+        if not self._turns(now):
+            is_seen = now - self._first_at > MOTORS_STAND_AFTER
+            return DroneStatus.LANDED if is_seen else DroneStatus.UNKNOWN
+        if self._rises_since is not None:
+            return DroneStatus.TAKING_OFF
+        return DroneStatus.LANDING if self._sinks else DroneStatus.FLYING
+
+    def _turns(self, now: float) -> bool:
+        """Return whether its motors turn; right after a landing they are believed to stand."""
+        has_counted = now - self._counted_at < MOTORS_STAND_AFTER
+        return has_counted and self._counted_at - self._down_at > MOTORS_STAND_AFTER

@@ -1,0 +1,1 @@
+"""The simulated DJI Tello on its real ports; ``server.TelloServer`` is what others use."""
