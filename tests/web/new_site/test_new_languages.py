@@ -10,10 +10,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
-from draft_sentences import draft_sentences
 from playwright.async_api import Browser, Page, expect
-
-from housefly.web.access.page_routes import STATIC_FOLDER
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -127,24 +124,6 @@ async def test_no_text_of_the_page_is_left_untranslated(speaking: Callable[[str]
         names = {DRAWN["name"], "10.0.0.5", "vicon 10.0.0.5", "192.168.1.1"}
         same = {name: (texts["en"] & texts[name]) - known - names for name in OTHERS}
         assert same == {"ja": set(), "de": same["de"] & SAME_IN_GERMAN}, step
-
-
-async def test_every_sentence_of_its_server_has_a_template(
-    speaking: Callable[[str], Any], tmp_path: Path
-) -> None:
-    page = await speaking("en")
-    sentences = sorted(draft_sentences(tmp_path))
-    assert len(sentences) > 80
-    for name in OTHERS:
-        chunk = next(STATIC_FOLDER.glob(f"new-{name}-*.js")).name
-        missing = await page.evaluate(
-            """async ([chunk, name, all]) => {
-                const speech = (await import(chunk))[name];
-                return all.filter((words) => speech.told(words) === null);
-            }""",
-            [f"/static/{chunk}", name.upper(), sentences],
-        )
-        assert missing == [], name
 
 
 async def test_a_language_that_is_chosen_shows_at_once_and_is_kept(

@@ -26,7 +26,7 @@ const options = {
 const shortNames = {
   name: "short names",
   setup({ onLoad }) {
-    onLoad({ filter: /src[\\/]messages[\\/]\w+-told\.ts$/ }, async ({ path }) => {
+    onLoad({ filter: /[\\/]messages[\\/]\w+-told\.ts$/ }, async ({ path }) => {
       const { SHORT, short } = await imported("src/messages/short.ts");
       const [[name, templates]] = Object.entries(await imported(path));
       const names = Object.keys(templates).map(short);
@@ -81,6 +81,7 @@ await build({
   ...options,
   entryPoints: { new: "src/new/main.tsx" },
   splitting: true,
+  plugins: [shortNames],
   chunkNames: "new-[name]-[hash]",
 });
 await copyFile("src/index.html", `${target}/index.html`);

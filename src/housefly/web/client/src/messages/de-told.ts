@@ -888,7 +888,6 @@ export const DE_TOLD: Templates = {
   "not connected to {name} yet": "noch nicht mit {name} verbunden",
   "not heard yet; it sends its state at least every {k} s":
     "noch nicht gehört; sendet sonst mindestens alle {k} s",
-  "nothing came from {name}": "von {name} kam nichts",
   "offline: its last will says so; is it switched on and in reach of the network?":
     "abgemeldet; ist das Gerät an und in Reichweite des Netzes?",
   "poses are refused, {pose}: {ask}": "Posen werden abgelehnt, {pose}: {ask}",

@@ -821,7 +821,6 @@ export const JA_TOLD: Templates = {
   "not connected to {name} yet": "{name}にまだ接続していません",
   "not heard yet; it sends its state at least every {k} s":
     "まだ応答なし。通常は{k}秒以内ごとに送信します",
-  "nothing came from {name}": "{name}から何も届きません",
   "offline: its last will says so; is it switched on and in reach of the network?":
     "オフラインです。電源は入っていますか、ネットワークに届いていますか",
   "poses are refused, {pose}: {ask}": "位置を受け付けません。{pose}：{ask}",
