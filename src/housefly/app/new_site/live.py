@@ -9,7 +9,7 @@ from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones import driver_of
 from housefly.errors import HouseflyError
-from housefly.messages.words import Words, error_words, figure, percentage, said
+from housefly.messages.words import Words, error_words, figure, literal, percentage, said
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.room.draft.site_of_draft import tracking_config
 from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_from
@@ -58,7 +58,7 @@ async def _drone_words(drone: DraftDrone) -> tuple[Words, ...]:
             p=percentage(report.battery),
             firmware=driver.firmware or Words("unknown"),
         )
-        return (answer, *driver.notes)
+        return (answer, *map(literal, driver.notes))
     except (HouseflyError, OSError) as error:
         return (_not_reached(error_words(error)),)
     finally:

@@ -16,10 +16,10 @@ from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.messages.words import Words, figure, joined, literal
 from housefly.room.draft.imports.cells import boxes_of_cells
-from housefly.room.draft.imports.contracts import USUAL_UNITS, Imported, ImportHints
+from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing, PlanShape, left_out_notes
 from housefly.room.draft.imports.strays import without_strays
-from housefly.room.draft.imports.units import likely_units
+from housefly.room.draft.imports.units import plan_unit
 from housefly.room.draft.model import DraftBox, DraftWall, SiteDraft
 from housefly.room.reach import flood
 
@@ -30,12 +30,6 @@ _LINE_THICKNESS, _WIDTH_MAX = 0.03, 0.6
 """Walls in a plan are drawn by their faces; each face becomes so thick, and as thick as it is drawn
 up to that width, beyond which it is no wall's [m].
 """
-_SIDES = (2.0, 80.0)
-"""Of a plan whose unit is guessed [m]."""
-_SAID_SIDES = (1.0, 200.0)
-"""Of a plan whose unit was said, by somebody or by the file [m]."""
-_SCALES = (10, 20, 25, 50, 100, 200)
-"""At which plans are drawn on paper."""
 _EDGE = 0.1
 """Of the cells that tell inside from outside [m]."""
 _INSIDE_SHARE = 0.4
@@ -81,7 +75,7 @@ def plan_draft(draft: SiteDraft, drawing: PlanDrawing, name: str, hints: ImportH
         drawing.leave_out(LeftOut.FAR, shape.kind)
     ends = np.array([point for shape in chosen for point in shape.points])
     low, high = ends.min(axis=0), ends.max(axis=0)
-    unit, unit_note = _unit(
+    unit, unit_note = plan_unit(
         (float(high[0] - low[0]), float(high[1] - low[1])), name, hints, drawing
     )
     walls = tuple(_walls(chosen, (float(low[0]), float(low[1])), unit, drawing))
@@ -178,77 +172,6 @@ def _layers(shapes: list[PlanShape]) -> Words:
     shown = ", ".join(map(repr, names[:_LAYERS_MAX]))
     more = len(names) - _LAYERS_MAX
     return Words("{name} and {n} more", name=shown, n=figure(more)) if more > 0 else literal(shown)
-
-
-def _unit(
-    sides: tuple[float, float], name: str, hints: ImportHints, drawing: PlanDrawing
-) -> tuple[float, Words]:
-    """Return metres per unit, and why: as somebody said, as the file says, as rooms are."""
-    length, width = (figure(side, ".4g") for side in sides)
-    if hints.unit is not None:
-        said = [hints.unit * side for side in sides]
-        if not all(_SAID_SIDES[0] <= side <= _SAID_SIDES[1] for side in said):
-            raise RoomError(
-                Words(
-                    "{name} is {a} m x {b} m with unit={c}; allowed: {d} to {e} m: say another"
-                    " unit",
-                    name=name,
-                    a=figure(said[0], ".4g"),
-                    b=figure(said[1], ".4g"),
-                    c=figure(hints.unit, "g"),
-                    d=figure(_SAID_SIDES[0], "g"),
-                    e=figure(_SAID_SIDES[1], "g"),
-                )
-            )
-        return hints.unit, Words("one unit is {a} m, as you said", a=figure(hints.unit, "g"))
-    declared = drawing.unit
-    if declared and all(_SAID_SIDES[0] <= declared * side <= _SAID_SIDES[1] for side in sides):
-        return declared, Words(
-            "its numbers ({a} x {b}) are {words}: measure one wall, and say the unit if it is not"
-            " so long",
-            a=length,
-            b=width,
-            words=drawing.unit_words,
-        )
-    drawn = {declared * one: _drawn_at(one) for one in _SCALES} if declared else {}
-    words = drawn | {u: Words("taken for {words}", words=n) for u, n in USUAL_UNITS.items()}
-    choices = likely_units(words, sides, _SIDES)
-    if not choices:
-        raise RoomError(
-            Words(
-                "{name} measures {a} x {b}: no room in any usual unit; say how many metres one"
-                " unit is",
-                name=name,
-                a=length,
-                b=width,
-            )
-        )
-    unit = 1.0 if 1.0 in choices and not declared else choices[0]
-    long, wide = (figure(unit * side, ".3g") for side in sides)
-    if not declared:
-        return unit, Words(
-            "its numbers ({a} x {b}) are {words}, a room of {c} m x {d} m: measure one wall, and"
-            " say the unit if it is not so long",
-            a=length,
-            b=width,
-            words=words[unit],
-            c=long,
-            d=wide,
-        )
-    return unit, Words(
-        "its numbers ({a} x {b}) cannot be {words}, and were {then}, a room of {c} m x {d} m:"
-        " measure one wall, and say the unit if it is not so long",
-        a=length,
-        b=width,
-        words=drawing.unit_words,
-        then=words[unit],
-        c=long,
-        d=wide,
-    )
-
-
-def _drawn_at(scale: int) -> Words:
-    return Words("drawn at 1:{n}", n=figure(scale))
 
 
 def _walls(
