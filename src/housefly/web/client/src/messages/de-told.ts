@@ -985,4 +985,19 @@ export const DE_TOLD: Templates = {
   "{who} took over: {what}": "{who} hat übernommen: {what}",
   "done": "erledigt",
   "the task took too long": "die Aufgabe dauerte zu lange",
+  // what cannot be looked at
+  "there is no free way to where {name} can be seen from":
+    "kein freier Weg führt dorthin, wo {name} zu sehen ist",
+  "there is no free way to where {name} is seen from":
+    "kein freier Weg führt dorthin, wo {name} zu sehen ist",
+  "there is no place within {d} m of {name} where the drone may hover and tracking sees it":
+    "im Umkreis von {d} m um {name} gibt es keinen Ort, wo die Drohne schweben darf und " +
+      "die Ortung sie sieht",
+  "{name} is nowhere in the picture: too near, too high or too low":
+    "{name} ist nirgends im Bild: zu nah, zu hoch oder zu tief",
+  "{name} cannot be seen from any place where the drone may hover: something stands in between":
+    "{name} ist von keinem Ort zu sehen, wo die Drohne schweben darf: etwas steht dazwischen",
+  "{who} is in the way": "{who} ist im Weg",
+  "nobody knows where {name} is": "niemand weiß, wo {name} ist",
+  "nobody remembers where {name} is": "niemand erinnert sich, wo {name} ist",
 };

@@ -913,4 +913,16 @@ export const JA_TOLD: Templates = {
   "{who} took over: {what}": "{who}が操縦を引き継ぎました：{what}",
   "done": "完了",
   "the task took too long": "用事に時間がかかりすぎました",
+  // what cannot be looked at
+  "there is no free way to where {name} can be seen from": "{name}が見える場所への道がありません",
+  "there is no free way to where {name} is seen from": "{name}が見える場所への道がありません",
+  "there is no place within {d} m of {name} where the drone may hover and tracking sees it":
+    "{name}から{d} m以内に、ホバリングでき計測に見える場所がありません",
+  "{name} is nowhere in the picture: too near, too high or too low":
+    "{name}は画面に入りません：近すぎるか、高すぎるか、低すぎます",
+  "{name} cannot be seen from any place where the drone may hover: something stands in between":
+    "ホバリングできるどの場所からも{name}が見えません：間に何かあります",
+  "{who} is in the way": "{who}が道にいます",
+  "nobody knows where {name} is": "{name}の場所は分かりません",
+  "nobody remembers where {name} is": "{name}の場所の記憶がありません",
 };
