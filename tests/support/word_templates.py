@@ -76,6 +76,14 @@ def new_page_templates() -> set[str]:
     return {one.template for one in made if one.template and one.is_on_new_page} | _JOINED
 
 
+def short_name(english: str) -> int:
+    """Return the name that the build gives a template, as ``client/src/messages/short.ts``."""
+    number = 0
+    for letter in english:
+        number = ((number ^ ord(letter)) * 0x1000193) & 0xFFFFFFFF
+    return number % 36**5
+
+
 _JOINED = set(JOINED.values())
 
 

@@ -11,6 +11,9 @@ from typing import Any
 import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
+from word_templates import new_page_templates, short_name
+
+from housefly.web.access.page_routes import STATIC_FOLDER
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
@@ -124,6 +127,22 @@ async def test_no_text_of_the_page_is_left_untranslated(speaking: Callable[[str]
         names = {DRAWN["name"], "10.0.0.5", "vicon 10.0.0.5", "192.168.1.1"}
         same = {name: (texts["en"] & texts[name]) - known - names for name in OTHERS}
         assert same == {"ja": set(), "de": same["de"] & SAME_IN_GERMAN}, step
+
+
+async def test_the_page_finds_every_template_of_its_server(speaking: Callable[[str], Any]) -> None:
+    page = await speaking("en")
+    names = sorted(map(short_name, new_page_templates()))
+    assert len(names) > 250
+    for name in OTHERS:
+        chunk = next(STATIC_FOLDER.glob(f"new-{name}-*.js")).name
+        missing = await page.evaluate(
+            """async ([chunk, name, all]) => {
+                const speech = (await import(chunk))[name];
+                return all.filter((template) => !speech.templates[template]);
+            }""",
+            [f"/static/{chunk}", name.upper(), names],
+        )
+        assert missing == [], name
 
 
 async def test_a_language_that_is_chosen_shows_at_once_and_is_kept(
