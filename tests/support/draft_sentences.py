@@ -13,7 +13,7 @@ from drafts import whole_draft
 from PIL import Image
 
 from housefly.errors import HouseflyError
-from housefly.messages.words import UNSAID, Words
+from housefly.messages.words import UNSAID, Words, from_tree
 from housefly.room.draft.alignment import rigid_fit
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
@@ -95,9 +95,9 @@ def _drafts() -> list[SiteDraft]:
     return drafts + [replace(hard, frame_points=points) for points in FRAMES]
 
 
-def missing_sentences() -> set[str]:
+def missing_sentences() -> set[Words]:
     """Return what drafts lack, with what mends it, and what the points of the frame say."""
-    found: set[str] = set()
+    found: set[Words] = set()
     for draft in _drafts():
         for one in missing_views(draft):
             found |= {one.words, one.mend}
@@ -106,13 +106,15 @@ def missing_sentences() -> set[str]:
     return found
 
 
-def heard_sentences() -> set[str]:
+def heard_sentences() -> set[Words]:
     """Return what a live test of the tracking system says."""
     body = HeardBody("ardrone", (1.5, 2.5, 0.05), 0.3, 90.0, 0.001)
     heard = Heard("10.0.0.5:801", 100.0, (body,), UNSAID)
     several = (
         heard,
-        replace(heard, rate_hz=9.0, problem=Words("the line broke")),
+        replace(
+            heard, rate_hz=9.0, problem=Words("the connection to {name} was lost", name="10.0.0.5")
+        ),
         replace(heard, bodies=()),
         Heard("10.0.0.5:801", 0.0, (), Words("nothing came from {name}", name="10.0.0.5:801")),
     )
@@ -120,7 +122,7 @@ def heard_sentences() -> set[str]:
     return {words for one in several for name in names for words in heard_words(one, name)}
 
 
-def refusal_sentences(folder: Path) -> set[str]:
+def refusal_sentences(folder: Path) -> set[Words]:
     """Return why values and files are refused."""
     tries: list[Callable[[], object]] = [
         *(partial(parsed_request, kind, body) for kind, body in _BAD),
@@ -131,7 +133,7 @@ def refusal_sentences(folder: Path) -> set[str]:
         (folder / name).write_text(text, encoding="utf-8")
         tries.append(partial(imported, SiteDraft(), folder / name, hints))
     found = {_refused(one) for one in tries}
-    return found - {""}
+    return found - {UNSAID}
 
 
 _DRAFT = b'{"based_on": "a", "draft": {%s}}'
@@ -162,15 +164,15 @@ _FILES = (
 )
 
 
-def _refused(work: Callable[[], object]) -> str:
+def _refused(work: Callable[[], object]) -> Words:
     try:
         work()
     except HouseflyError as error:
-        return str(json.loads(bytes(draft_refusal(error).body))["error"])
-    return ""
+        return from_tree(json.loads(bytes(draft_refusal(error).body))["error"])
+    return UNSAID
 
 
-def import_sentences(folder: Path) -> set[str]:
+def import_sentences(folder: Path) -> set[Words]:
     """Return what is said of plans, maps and scans that are read, and of what is left out."""
     rooms = {
         "walls.svg": (_ROOM, _ANY),
@@ -192,7 +194,7 @@ def import_sentences(folder: Path) -> set[str]:
     with Image.open(folder / "map.png") as picture:
         picture.paste(205, (0, 0, 20, 70))
         picture.save(folder / "map.png")
-    found: set[str] = set()
+    found: set[Words] = set()
     for name, (text, hints) in rooms.items():
         (folder / name).write_text(text, encoding="utf-8")
         found |= set(imported(SiteDraft(), folder / name, hints).notes)
@@ -253,35 +255,11 @@ _FOREIGN = (
 )
 
 
-SAID = (
-    "a room of 6 x 4.5 m, 2.5 m high",
-    "read plan.svg",
-    "erased",
-    "a roomy spot",
-    "roomy spots",
-    "undone",
-    "done again",
-    "there is nothing more to go back to",
-    "pad: the drone fits nowhere in this room: is there a free floor?",
-    "places: no further roomy spot can be reached from the pad",
-    "the draft was changed elsewhere, in another tab or in a terminal: this is how it is now; make"
-    " your last change again",
-    "No contact with `housefly new`: does it still run? What you do now is not kept",
-    "tracking: say first which system it is, and where it answers",
-    "drone: say first where the drone answers",
-    "not reached: no report came from 192.168.1.1",
-    "192.168.1.1 answers 15 times a second: landed, battery 61 %, firmware 2.4.8",
-    "'plan.svg' did not arrive: choose the file again",
-)
-"""What was done, and what the page itself or a live part says."""
-
-
-def draft_sentences(folder: Path) -> set[str]:
+def draft_sentences(folder: Path) -> set[Words]:
     """Return all of them; small files are written into the folder."""
     return {
         *missing_sentences(),
         *heard_sentences(),
         *refusal_sentences(folder),
         *import_sentences(folder),
-        *SAID,
     }

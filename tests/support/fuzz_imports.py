@@ -14,7 +14,7 @@ from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.dxf_plan import read_dxf
 from housefly.room.draft.imports.imported import imported
 from housefly.room.draft.imports.mesh_file import read_mesh
-from housefly.room.draft.imports.point_cloud import read_pcd
+from housefly.room.draft.imports.point_file import read_pcd
 from housefly.room.draft.imports.scan_part import without_broken_points
 from housefly.room.draft.imports.svg_plan import read_svg
 from housefly.room.draft.model import SiteDraft

@@ -12,6 +12,7 @@ from drafts import whole_draft
 from fuzz_asgi import HOST, SECRET, TOKEN, http_status
 from fuzz_target import DEEP, HUGE, FuzzTarget, scratch
 
+from housefly.messages.words import UNSAID, Words
 from housefly.room.draft.codec import draft_to_json
 from housefly.room.draft.files import save_draft
 from housefly.room.draft.model import DraftDrone, DraftTracking
@@ -43,11 +44,11 @@ def _loop() -> asyncio.AbstractEventLoop:
 
 def _hear(tracking: DraftTracking, seconds: float) -> Heard:
     body = HeardBody(tracking.body, (1.5, 2.5, 0.05), 0.0, 100.0, 0.001)
-    return Heard(tracking.address, 100.0, (body,), "")
+    return Heard(tracking.address, 100.0, (body,), UNSAID)
 
 
-def _check_drone(drone: DraftDrone) -> tuple[str, ...]:
-    return ("not reached", f"no report came from {drone.address}")
+def _check_drone(drone: DraftDrone) -> tuple[Words, ...]:
+    return (Words("no report came from {name}", name=drone.address),)
 
 
 def _new_page(data: bytes) -> None:

@@ -11,17 +11,46 @@ import house
 from housefly.messages.words import JOINED
 
 MAKER = "Words"
+_OF_NEW_SITE = (
+    "app/new_site/",
+    "config/",
+    "room/draft/",
+    "room/edits.py",
+    "room/ros_",
+    "tracking/live_check.py",
+    "web/new_site/",
+)
+"""What is said here reaches the page of a new site, or a terminal, and no console as words."""
+_OF_BOTH = (
+    "bus/reconnect.py",
+    "drones/ardrone/driver.py",
+    "drones/ardrone/limits_keeper.py",
+    "drones/ardrone/settings.py",
+    "tracking/",
+)
+"""What tracking and drone say of themselves: to the live tests of the page of a new site, too."""
 
 
 class Made(NamedTuple):
-    """One place where words are made: where, its template and the names that are given.
+    """One place where words are made: its file and line, its template and the names that are given.
 
     ``template`` is None where it is no literal.
     """
 
-    where: str
+    file: str
+    line: int
     template: str | None
     names: tuple[str, ...]
+
+    @property
+    def is_on_console(self) -> bool:
+        """Whether a console may show it."""
+        return not self.file.startswith(_OF_NEW_SITE)
+
+    @property
+    def is_on_new_page(self) -> bool:
+        """Whether the page of a new site may show it."""
+        return self.file.startswith((*_OF_NEW_SITE, *_OF_BOTH))
 
 
 def made_words(folder: Path = house.PACKAGE) -> Iterator[Made]:
@@ -32,19 +61,37 @@ def made_words(folder: Path = house.PACKAGE) -> Iterator[Made]:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         for node in ast.walk(tree):
             if isinstance(node, ast.Call) and _name(node.func) == MAKER:
-                yield _made(path, node)
+                yield _made(path.relative_to(folder).as_posix(), node)
 
 
-def templates() -> set[str]:
-    """Return every template of the source."""
-    return {made.template for made in made_words() if made.template} | set(JOINED.values())
+def console_templates() -> set[str]:
+    """Return every template that a console may show."""
+    made = made_words()
+    return {one.template for one in made if one.template and one.is_on_console} | _JOINED
 
 
-def _made(path: Path, call: ast.Call) -> Made:
+def new_page_templates() -> set[str]:
+    """Return every template that the page of a new site may show."""
+    made = made_words()
+    return {one.template for one in made if one.template and one.is_on_new_page} | _JOINED
+
+
+def short_name(english: str) -> int:
+    """Return the name that the build gives a template, as ``client/src/messages/short.ts``."""
+    number = 0
+    for letter in english:
+        number = ((number ^ ord(letter)) * 0x1000193) & 0xFFFFFFFF
+    return number % 36**5
+
+
+_JOINED = set(JOINED.values())
+
+
+def _made(file: str, call: ast.Call) -> Made:
     (first, *_) = call.args or [None]
     is_literal = isinstance(first, ast.Constant) and isinstance(first.value, str)
     template = first.value if is_literal and isinstance(first, ast.Constant) else None
-    return Made(f"{path}:{call.lineno}", template, tuple(one.arg or "**" for one in call.keywords))
+    return Made(file, call.lineno, template, tuple(one.arg or "**" for one in call.keywords))
 
 
 def _name(function: ast.expr) -> str:

@@ -6,18 +6,23 @@ import ast
 import json
 import re
 from collections.abc import Iterator
+from enum import Enum
 from pathlib import Path
+from typing import TypeGuard
 
 import pytest
 import yaml
-from word_templates import made_words, templates
+from draft_sentences import draft_sentences
+from word_templates import console_templates, made_words, new_page_templates
 
 import house
 from housefly.config.airframe import Ability
 from housefly.messages import DroneFault, DroneStatus, Phase
 from housefly.messages.preflight import FrameCheckState
+from housefly.messages.words import Words, parts_of
 from housefly.pilot.behavior.mission_tables import Response
 from housefly.pilot.estimation.validation import RejectionReason
+from housefly.room.draft.imports.drawing import LeftOut
 from housefly.web.access.page_routes import STATIC_FOLDER
 
 CLIENT = STATIC_FOLDER.parent / "client" / "src"
@@ -25,7 +30,11 @@ CONSOLE, NEW_SITE = CLIENT / "messages", CLIENT / "new" / "messages"
 PAGES = {CONSOLE: 300, NEW_SITE: 150}
 """Where the texts of a page are, and how many it has at least."""
 OTHERS = ("ja", "de")
-SPOKEN = (Ability, DroneFault, DroneStatus, FrameCheckState, Phase, RejectionReason, Response)
+TOLD = ("de-told", "ja-told")
+SPOKEN: dict[Path, tuple[type[Enum], ...]] = {
+    CONSOLE: (Ability, DroneFault, DroneStatus, FrameCheckState, Phase, RejectionReason, Response),
+    NEW_SITE: (DroneStatus, LeftOut),
+}
 """Enums whose values are said as they are (``messages.words.said``)."""
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _TEXT = r'"(?:[^"\\]|\\.)*"(?:\s*\+\s*"(?:[^"\\]|\\.)*")*'
@@ -61,16 +70,22 @@ def test_each_language_has_every_text_of_the_page_once(page: Path) -> None:
 
 def test_every_template_of_the_source_is_a_literal_that_is_given_its_values() -> None:
     made = list(made_words())
-    assert len(made) > 400
+    assert len(made) > 600
     for one in made:
-        assert one.template is not None, one.where
-        assert sorted(PLACEHOLDER.findall(one.template)) == sorted(one.names), one.where
+        assert one.template is not None, one
+        assert sorted(PLACEHOLDER.findall(one.template)) == sorted(one.names), one
 
 
-@pytest.mark.parametrize("name", ["de-told", "ja-told"])
-def test_every_template_of_the_source_is_there_in_each_language(name: str) -> None:
-    wanted = templates() | {member.value for kind in SPOKEN for member in kind}
-    assert wanted - set(texts(CONSOLE, name)) == set()
+def said_by_the_server(page: Path) -> set[str]:
+    """Return every template that the server of a page may say to it."""
+    found = console_templates() if page == CONSOLE else new_page_templates()
+    return found | {member.value for kind in SPOKEN[page] for member in kind}
+
+
+@pytest.mark.parametrize("name", TOLD)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+def test_every_template_of_the_source_is_there_in_each_language(page: Path, name: str) -> None:
+    assert said_by_the_server(page) - set(texts(page, name)) == set()
 
 
 @pytest.mark.parametrize("name", ["ja", "de", "ja-told", "de-told"])
@@ -112,6 +127,18 @@ def test_no_text_is_kept_that_no_page_shows(page: Path) -> None:
     assert words - built - told == set()
 
 
+def test_what_is_said_of_a_draft_is_said_by_templates_of_its_page(tmp_path: Path) -> None:
+    sentences = draft_sentences(tmp_path)
+    assert len(sentences) > 80
+    assert [words for words in sentences if not words.template] == []
+    parts = {part.template for words in sentences for part in parts_of(words) if _is_said(part)}
+    assert parts - set(texts(NEW_SITE, "de-told")) == set()
+
+
+def _is_said(part: str) -> TypeGuard[Words]:
+    return isinstance(part, Words) and part.template != ""
+
+
 def said_elsewhere() -> set[str]:
     """Return the texts of the source that are no templates: of Python, of documents, of pages."""
     found: set[str] = set()
@@ -133,8 +160,13 @@ def texts_in(tree: object) -> Iterator[str]:
             yield from texts_in(part)
 
 
-@pytest.mark.parametrize("name", ["de-told", "ja-told"])
+@pytest.mark.parametrize("name", TOLD)
 def test_no_template_is_kept_that_nothing_says(name: str) -> None:
-    spoken_as_they_are = {member.value for kind in SPOKEN for member in kind}
-    known = templates() | spoken_as_they_are | said_elsewhere()
+    known = said_by_the_server(CONSOLE) | said_elsewhere()
     assert set(texts(CONSOLE, name)) - known == set()
+
+
+@pytest.mark.parametrize("name", TOLD)
+def test_the_page_of_a_new_site_keeps_no_template_that_nothing_says(name: str) -> None:
+    of_the_page = {spoken(text) for text in re.findall(_TEXT, sources(NEW_SITE))}
+    assert set(texts(NEW_SITE, name)) - said_by_the_server(NEW_SITE) - of_the_page == set()

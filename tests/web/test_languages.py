@@ -10,6 +10,7 @@ import pytest_asyncio
 from pilot_states import fault, flying, silent
 from playwright.async_api import Browser, Page, expect
 from told_sentences import told_sentences
+from word_templates import short_name
 
 from housefly.messages.words import Words, parts_of
 from housefly.web.access.page_routes import STATIC_FOLDER
@@ -82,21 +83,6 @@ OVERFLOWING = """(() => [...document.querySelectorAll(
 )()"""
 
 
-_SHORT = 5
-"""How long such a name is."""
-
-
-def short(english: str) -> str:
-    """Return the name that the build gives a template, as ``client/src/messages/short.ts``."""
-    number, digits = 0, ""
-    for letter in english:
-        number = ((number ^ ord(letter)) * 0x1000193) & 0xFFFFFFFF
-    for _ in range(_SHORT):
-        number, digit = divmod(number, 36)
-        digits = "0123456789abcdefghijklmnopqrstuvwxyz"[digit] + digits
-    return digits
-
-
 async def test_every_sentence_of_the_server_has_a_template(speaking: Callable[..., Any]) -> None:
     page = await speaking("en")
     told = told_sentences()
@@ -109,7 +95,7 @@ async def test_every_sentence_of_the_server_has_a_template(speaking: Callable[..
                 const speech = (await import(chunk))[name];
                 return all.filter((template) => !speech.templates[template]);
             }""",
-            [f"/static/{chunk_of(name)}", name.upper(), sorted(map(short, sentences))],
+            [f"/static/{chunk_of(name)}", name.upper(), sorted(map(short_name, sentences))],
         )
         assert missing == [], name
 

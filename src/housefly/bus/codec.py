@@ -20,7 +20,8 @@ from housefly.bus.cdr_reader import cdr_reader
 from housefly.bus.cdr_writer import cdr_writer
 from housefly.bus.interfaces import type_store
 from housefly.bus.topics import Encoding, Topic
-from housefly.config.validation import dotted, words_of
+from housefly.config.pydantic_words import words_of
+from housefly.config.validation import dotted
 from housefly.errors import WireError
 
 _Message = TypeVar("_Message")

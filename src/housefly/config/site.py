@@ -43,6 +43,7 @@ from housefly.config.validation import validated
 from housefly.config.volumes import VolumeConfig
 from housefly.config.web import WebConfig
 from housefly.errors import ConfigError
+from housefly.messages.words import Words, figure
 
 Mode = Literal["default", "paper"]
 
@@ -202,8 +203,13 @@ class Site(Section):
         low, high = self.limits.height_min, self.limits.height_max
         if not low <= self.map.flight_height <= high:
             raise ValueError(
-                f"map.flight_height ({self.map.flight_height} m) must lie in"
-                f" limits.height_min..height_max ({low} .. {high} m)"
+                Words(
+                    "map.flight_height ({a} m) must lie in limits.height_min..height_max"
+                    " ({b} .. {c} m)",
+                    a=figure(self.map.flight_height),
+                    b=figure(low),
+                    c=figure(high),
+                )
             )
         self._check_volumes()
         check_lasers(self.lasers)

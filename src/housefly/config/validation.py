@@ -8,9 +8,11 @@ from typing import Any, TypeVar, get_args
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 
+from housefly.config.pydantic_words import words_of
 from housefly.config.section import Section
-from housefly.config.text import did_you_mean
-from housefly.errors import ConfigError
+from housefly.config.text import names_like
+from housefly.errors import ConfigError, HouseflyError, MissingPartError
+from housefly.messages.words import Words, error_words, figure, joined
 
 AnySection = TypeVar("AnySection", bound=Section)
 Location = tuple[int | str, ...]
@@ -51,7 +53,7 @@ def validated(
 
 def explain(
     problem: Any, root: type[Section] | None = None, units: Mapping[int | str, str] | None = None
-) -> str:
+) -> Words:
     """Return one of pydantic's problems in words: the value, what is allowed, the unit.
 
     Args:
@@ -61,31 +63,50 @@ def explain(
     """
     kind, value = problem["type"], problem["input"]
     if kind == "extra_forbidden":
-        return f"is not a known key{_near_keys(problem['loc'], root)}"
+        return _unknown_key(problem["loc"], root)
     if kind == "missing":
-        return "is missing"
+        return Words("is missing")
     if kind == "value_error":
-        return str(problem["ctx"]["error"])
+        return error_words(problem["ctx"]["error"])
     field = _field_at(problem["loc"], root) if root else None
     bounds = _bounds(field)
     if bounds:
-        low, high = bounds
-        return f"is {value!r}; allowed: a number from {low:.9g} to {high:.9g}{_unit(field)}"
-    unit = next((f" {units[key]}" for key in problem["loc"] if key in units), "") if units else ""
-    return f"is {value!r}; {words_of(problem)}{unit}"
+        return out_of_range(repr(value), *bounds, _unit(field))
+    unit = next((units[key] for key in problem["loc"] if key in units), "") if units else ""
+    words = Words("is {name}; {words}", name=repr(value), words=words_of(problem))
+    return Words("{words} {unit}", words=words, unit=unit) if unit else words
 
 
-def _near_keys(location: Location, root: type[Section] | None) -> str:
-    """Return the keys that may have been meant, in words, or ""."""
+def out_of_range(shown: str, low: float, high: float, unit: str) -> Words:
+    """Return that a value is out of its range, with the unit, "" for none."""
+    a, b = figure(low, ".9g"), figure(high, ".9g")
+    if not unit:
+        return Words("is {name}; allowed: a number from {a} to {b}", name=shown, a=a, b=b)
+    return Words(
+        "is {name}; allowed: a number from {a} to {b} {unit}", name=shown, a=a, b=b, unit=unit
+    )
+
+
+def refusal_words(error: HouseflyError) -> Words:
+    """Return what an error says, with the key of a wrong value, without the file."""
+    match error:
+        case ConfigError():
+            return joined(": ", (error.key, error.problem))
+        case MissingPartError():
+            return Words(
+                "{part} is missing; install it with: {name}", part=error.part, name=error.remedy
+            )
+    return error_words(error)
+
+
+def _unknown_key(location: Location, root: type[Section] | None) -> Words:
+    """Return that a key is not known, and which one may have been meant."""
     *parents, key = location
     holders = _sections_at(tuple(parents), root) if root else []
-    return did_you_mean(str(key), (name for one in holders for name in one.model_fields))
-
-
-def words_of(problem: Any) -> str:
-    """Return one of pydantic's problems in pydantic's own words, to follow a colon."""
-    words: str = problem["msg"]
-    return f"{words[0].lower()}{words[1:]}"
+    close = names_like(str(key), (name for one in holders for name in one.model_fields))
+    if not close:
+        return Words("is not a known key")
+    return Words("is not a known key: did you mean {names}?", names=close)
 
 
 def _field_at(location: Location, root: type[Section]) -> FieldInfo | None:
@@ -140,4 +161,4 @@ def _bounds(field: FieldInfo | None) -> tuple[float, float] | None:
 def _unit(field: FieldInfo | None) -> str:
     extra = field.json_schema_extra if field else None
     unit = extra.get("unit", "1") if isinstance(extra, dict) else "1"
-    return "" if unit in (None, "1") else f" {unit}"
+    return "" if unit in (None, "1") else str(unit)

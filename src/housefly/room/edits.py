@@ -20,6 +20,7 @@ from housefly.config.site import Site
 from housefly.config.validation import explain
 from housefly.errors import EditsError
 from housefly.geometry import Vec2
+from housefly.messages.words import Words, figure
 from housefly.room.files import load_room
 from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
 from housefly.room.home_pad import HOME_PAD_RADIUS, with_pads
@@ -174,20 +175,20 @@ def _check_place(
     )
 
 
-def blocked_words(grid: OccupancyGrid, point: Vec2, site: Site) -> str:
+def blocked_words(grid: OccupancyGrid, point: Vec2, site: Site) -> Words:
     """Return in words why the drone cannot be at a point [m] that is not reached from home."""
     match grid.kind(grid.cell_of(point)):
         case Cell.FREE:
-            return "no way leads there from home"
+            return Words("no way leads there from home")
         case Cell.VIRTUAL:
-            return "the site file keeps it free by order"
+            return Words("the site file keeps it free by order")
         case Cell.OUTSIDE:
-            return "it is behind a wall or inside something"
+            return Words("it is behind a wall or inside something")
         case _:
-            near = grid.clearance_at(point)
-            return (
-                f"the nearest obstacle is {near:.2f} m away and the drone keeps"
-                f" {inflation(site):.2f} m"
+            return Words(
+                "the nearest obstacle is {a} m away and the drone keeps {b} m",
+                a=figure(grid.clearance_at(point), ".2f"),
+                b=figure(inflation(site), ".2f"),
             )
 
 

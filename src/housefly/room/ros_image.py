@@ -11,6 +11,7 @@ from PIL import Image, UnidentifiedImageError
 
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
+from housefly.messages.words import Words, figure
 from housefly.room.reach import Mask
 from housefly.room.ros_yaml import RosMapFile, RosMapMode, read_ros_yaml
 
@@ -39,7 +40,7 @@ class RosMap:
     resolution: float
     occupied: Mask
     free: Mask
-    notes: tuple[str, ...] = ()
+    notes: tuple[Words, ...] = ()
 
 
 def read_ros_map(yaml_path: Path) -> RosMap:
@@ -67,8 +68,11 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     if (free & unseen).any():
         free = free & ~unseen
         notes += (
-            f"grey 205 counts as never seen, although free_thresh ({free_to:g}) calls it free:"
-            " map_saver writes it for that",
+            Words(
+                "grey 205 counts as never seen, although free_thresh ({a}) calls it free:"
+                " map_saver writes it for that",
+                a=figure(free_to, "g"),
+            ),
         )
     return RosMap(
         described.origin,
@@ -106,13 +110,22 @@ def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
         with Image.open(path) as image:
             if max(image.size) > _MAX_SIDE:
                 raise RoomError(
-                    f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {_MAX_SIDE} a"
-                    " side can be imported"
+                    Words(
+                        "{name} is {n} x {m} pixels; at most {p} a side can be imported",
+                        name=str(path),
+                        n=figure(image.size[0]),
+                        m=figure(image.size[1]),
+                        p=figure(_MAX_SIDE),
+                    )
                 )
             return _brightness(image, path)
     except (OSError, UnidentifiedImageError, ValueError, Image.DecompressionBombError) as error:
         raise RoomError(
-            f"the map's picture {path} cannot be read: {error}; allowed: pgm or png"
+            Words(
+                "the map's picture {name} cannot be read: {why}; allowed: pgm or png",
+                name=str(path),
+                why=str(error),
+            )
         ) from error
 
 
@@ -120,10 +133,20 @@ def _brightness(image: Image.Image, path: Path) -> tuple[NDArray[np.float64], Ma
     if image.mode.startswith("I"):  # one channel of 16 bits
         deep = np.asarray(image, dtype=np.float64)
         if deep.min(initial=0) < 0 or deep.max(initial=0) > _DEPTH_16:
-            raise RoomError(f"{path} has more than 16 bits a pixel; save it as png or pgm with 8")
+            raise RoomError(
+                Words(
+                    "{name} has more than 16 bits a pixel; save it as png or pgm with 8",
+                    name=str(path),
+                )
+            )
         return deep / _DEPTH_16, np.ones(deep.shape, dtype=np.bool_)
     if image.mode == "F":
-        raise RoomError(f"{path} has decimals for pixels; save it as png or pgm with 8 bits each")
+        raise RoomError(
+            Words(
+                "{name} has decimals for pixels; save it as png or pgm with 8 bits each",
+                name=str(path),
+            )
+        )
     pixels = np.asarray(image.convert("RGBA"))
     # As map_server does: the mean of the colours, not what an eye takes for bright.
     return pixels[:, :, :3].mean(axis=2) / 255.0, pixels[:, :, 3] > 127

@@ -10,6 +10,7 @@ import numpy as np
 
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
+from housefly.messages.words import Words, figure, percentage
 from housefly.room.files import save_room, toml_string
 from housefly.room.grid import build_grid
 from housefly.room.home_pad import home_pad
@@ -94,26 +95,34 @@ def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
     )
     if columns.size == 0:
         raise RoomError(
-            f"{source}: the map has no free pixel; check negate (0 or 1) and free_thresh"
+            Words(
+                "{name}: the map has no free pixel; check negate (0 or 1) and free_thresh",
+                name=str(source),
+            )
         )
     part = slice(max(columns[0] - 2, 0), columns[-1] + 3), slice(max(rows[0] - 2, 0), rows[-1] + 3)
     note = unexplored_note(ros_map.occupied[part] | ros_map.free[part], ros_map.resolution)
     occupied, free = np.pad(ros_map.occupied[part], 1), np.pad(ros_map.free[part], 1)
     if occupied.size * ros_map.resolution**2 > _MAX_AREA:
         raise RoomError(
-            f"{source}: the map covers more than {_MAX_AREA:.0f} m^2; cut out the part to fly in"
+            Words(
+                "{name}: the map covers more than {a} m^2; cut out the part to fly in",
+                name=str(source),
+                a=figure(_MAX_AREA, ".0f"),
+            )
         )
     edge, (x, y) = ros_map.resolution, ros_map.origin
     corner = x + (part[0].start - 1) * edge, y + (part[1].start - 1) * edge
     return RosMap((0.0, 0.0), edge, occupied, free, (*ros_map.notes, note)), corner
 
 
-def unexplored_note(seen: Mask, edge: float) -> str:
+def unexplored_note(seen: Mask, edge: float) -> Words:
     """Return how much of a floor was never seen; ``edge`` of a cell [m]."""
-    area, share = seen.size * edge**2, 100.0 * (1.0 - float(seen.mean()))
-    return (
-        f"{share:.0f} % of its {area:.1f} m^2 were never seen: unexplored, not flown over"
-        " (unexplored=free changes that)"
+    return Words(
+        "{a} % of its {b} m^2 were never seen: unexplored, not flown over (unexplored=free changes"
+        " that)",
+        a=percentage(1.0 - float(seen.mean())),
+        b=figure(seen.size * edge**2, ".1f"),
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from housefly.clock import Clock
 from housefly.geometry import Vec3
 from housefly.messages import Sighting
-from housefly.messages.words import UNSAID, Words, error_words
+from housefly.messages.words import UNSAID, Words, error_words, figure, joined, percentage
 from housefly.tracking.contracts import Tracker
 from housefly.tracking.counts import UNIT_QUESTION
 
@@ -130,7 +130,7 @@ def _body(name: str, sightings: list[Sighting], length: float) -> HeardBody:
     )
 
 
-def heard_words(heard: Heard, body: str) -> tuple[str, ...]:
+def heard_words(heard: Heard, body: str) -> tuple[Words, ...]:
     """Return what was heard, and whether the drone's body is among it, in words.
 
     Args:
@@ -138,27 +138,48 @@ def heard_words(heard: Heard, body: str) -> tuple[str, ...]:
         body: the drone's name in the tracking software.
     """
     if heard.rate_hz == 0.0:
-        return (f"heard nothing: {heard.problem}",)
-    words = [f"{heard.where} sends {heard.rate_hz:.0f} frames a second"]
+        return (Words("heard nothing: {why}", why=heard.problem),)
+    words = [
+        Words(
+            "{name} sends {n} frames a second",
+            name=heard.where,
+            n=figure(heard.rate_hz, ".0f"),
+        )
+    ]
     for seen in heard.bodies:
         x, y, z = seen.position
         words.append(
-            f"{seen.name!r} at ({x:.3f}, {y:.3f}, {z:.3f}) m, heading {degrees(seen.yaw):+.0f} deg,"
-            f" in {100 * min(1.0, seen.rate_hz / heard.rate_hz):.0f} % of the frames"
+            Words(
+                "{name} at ({x}, {y}, {z}) m, heading {a} deg, in {n} % of the frames",
+                name=repr(seen.name),
+                x=figure(x, ".3f"),
+                y=figure(y, ".3f"),
+                z=figure(z, ".3f"),
+                a=figure(degrees(seen.yaw), "+.0f"),
+                n=percentage(min(1.0, seen.rate_hz / heard.rate_hz)),
+            )
         )
     if heard.problem:
-        words.append(f"but: {heard.problem}")
+        words.append(Words("but: {why}", why=heard.problem))
     words += [
-        f"{seen.name!r} is farther away than any room is long: {UNIT_QUESTION}"
+        Words(
+            "{name} is farther away than any room is long: {ask}",
+            name=repr(seen.name),
+            ask=UNIT_QUESTION,
+        )
         for seen in heard.bodies
         if max(map(abs, seen.position)) > _ROOM_MAX
     ]
     if heard.body(body) is None and UNIT_QUESTION not in heard.problem.values:
-        names = ", ".join(repr(seen.name) for seen in heard.bodies) or "none"
+        names = joined(", ", (repr(seen.name) for seen in heard.bodies)) or Words("none")
         words.append(
-            f"the drone's body {body!r} is not among them (seen: {names}): uncover its markers, or"
-            " say its name as the tracking software has it"
+            Words(
+                "the drone's body {name} is not among them (seen: {names}): uncover its markers,"
+                " or say its name as the tracking software has it",
+                name=repr(body),
+                names=names,
+            )
         )
     if heard.rate_hz < 20.0:
-        words.append("fewer than 20 frames a second: fly slowly, or raise the rate")
+        words.append(Words("fewer than 20 frames a second: fly slowly, or raise the rate"))
     return tuple(words)

@@ -15,6 +15,7 @@ from housefly.app.new_site.answers import answered
 from housefly.app.new_site.asker import DefaultsAsker, OutOfAnswers
 from housefly.app.new_site.dialog import LeftDialog, NewSiteDialog, Wires
 from housefly.errors import ConfigError, HouseflyError
+from housefly.messages.words import Words
 from housefly.room.draft.files import load_draft
 from housefly.room.draft.missing import DraftStep, missing
 from housefly.room.draft.model import DraftTracking, SiteDraft, with_size
@@ -237,7 +238,7 @@ def test_three_points_align_the_frame_from_what_tracking_sees(tmp_path: Path) ->
     asks, typed = dialog(
         tmp_path,
         *("6x4", "", "1,2", "", "", "vicon 10.0.0.5", "pad", "5,2", "1,3.5", "", ""),
-        wires=Wires(heard_at(seen(*place) for place in places), lambda drone: ("well",)),
+        wires=Wires(heard_at(seen(*place) for place in places), lambda drone: (Words("well"),)),
     )
     draft = asks.run()
     assert [item.step for item in missing(draft)] == [DraftStep.DRONE]  # advice: identify

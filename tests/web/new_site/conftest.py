@@ -14,6 +14,7 @@ from typing import Any
 import pytest_asyncio
 
 from housefly.app.new_site.page import serve_draft
+from housefly.messages.words import UNSAID, Words, from_tree
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard, HeardBody
 
@@ -61,6 +62,8 @@ class Drawer:
     async def _noted(self, method: str, path: str, body: bytes) -> tuple[int, Any]:
         status, _, text = await self.request(method, path, body)
         tree = json.loads(text)
+        if status != 200:
+            tree["error"] = from_tree(tree["error"])
         if status == 200 and "version" in tree:
             self.version = tree["version"]
             if not tree["settled"]:
@@ -97,11 +100,11 @@ class Drawer:
 def hear(tracking: DraftTracking, seconds: float) -> Heard:
     """Hear a drone that lies still, wherever it is asked."""
     body = HeardBody(tracking.body, (1.5, 2.5, 0.05), 0.0, 100.0, 0.001)
-    return Heard(tracking.address, 100.0, (body,), "")
+    return Heard(tracking.address, 100.0, (body,), UNSAID)
 
 
-def check_drone(drone: DraftDrone) -> tuple[str, ...]:
-    return ("not reached", f"no report came from {drone.address}")
+def check_drone(drone: DraftDrone) -> tuple[Words, ...]:
+    return (Words("no report came from {name}", name=drone.address),)
 
 
 @asynccontextmanager

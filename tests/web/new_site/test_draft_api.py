@@ -163,7 +163,7 @@ async def test_tracking_and_drone_are_asked_from_the_page(drawer: Any) -> None:
     status, heard = await drawer.post("/tracking/heard")
     assert status == 200 and heard["bodies"] == [{"name": "fly", "position": [1.5, 2.5, 0.05]}]
     status, heard = await drawer.post("/drone/heard")
-    assert status == 200 and heard["words"] == ["not reached: no report came from 192.168.1.1"]
+    assert status == 200 and heard["words"] == [["no report came from {name}", "192.168.1.1"]]
 
 
 FORGED: tuple[dict[str, str], ...] = (

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
-from draft_sentences import draft_sentences
 from playwright.async_api import Browser, Page, expect
+from word_templates import new_page_templates, short_name
 
 from housefly.web.access.page_routes import STATIC_FOLDER
 
@@ -129,20 +129,18 @@ async def test_no_text_of_the_page_is_left_untranslated(speaking: Callable[[str]
         assert same == {"ja": set(), "de": same["de"] & SAME_IN_GERMAN}, step
 
 
-async def test_every_sentence_of_its_server_has_a_template(
-    speaking: Callable[[str], Any], tmp_path: Path
-) -> None:
+async def test_the_page_finds_every_template_of_its_server(speaking: Callable[[str], Any]) -> None:
     page = await speaking("en")
-    sentences = sorted(draft_sentences(tmp_path))
-    assert len(sentences) > 80
+    names = sorted(map(short_name, new_page_templates()))
+    assert len(names) > 250
     for name in OTHERS:
         chunk = next(STATIC_FOLDER.glob(f"new-{name}-*.js")).name
         missing = await page.evaluate(
             """async ([chunk, name, all]) => {
                 const speech = (await import(chunk))[name];
-                return all.filter((words) => speech.told(words) === null);
+                return all.filter((template) => !speech.templates[template]);
             }""",
-            [f"/static/{chunk}", name.upper(), sentences],
+            [f"/static/{chunk}", name.upper(), names],
         )
         assert missing == [], name
 

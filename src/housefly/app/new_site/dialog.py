@@ -10,6 +10,7 @@ from housefly.app.new_site.answers import answered, place_of_point, with_frame_p
 from housefly.app.new_site.asker import Asker
 from housefly.app.new_site.questions import ANY_TIME, QUESTIONS, Question
 from housefly.errors import ConfigError, HouseflyError, LinkError
+from housefly.messages.words import Words, joined
 from housefly.room.draft.alignment import fit_words, rigid_fit
 from housefly.room.draft.files import save_draft
 from housefly.room.draft.missing import DraftStep, Missing, missing
@@ -29,7 +30,7 @@ class Wires:
     """How tracking and drone are tried; None leaves the trial out."""
 
     hear: Callable[[DraftTracking, float], Heard] | None = None
-    check: Callable[[DraftDrone], tuple[str, ...]] | None = None
+    check: Callable[[DraftDrone], tuple[Words, ...]] | None = None
 
 
 class LeftDialog(Exception):
@@ -180,7 +181,7 @@ class NewSiteDialog:
         heard = hear(tracking, _POINT_SECONDS)
         body = heard.body(tracking.body)
         if body is None:
-            raise LinkError("; ".join(heard_words(heard, tracking.body)))
+            raise LinkError(joined("; ", heard_words(heard, tracking.body)))
         if not body.is_still:
             raise LinkError(
                 f"{body.name} moved by {100 * body.spread:.0f} cm meanwhile: put it down, and type"
@@ -210,4 +211,4 @@ def map_words(draft: SiteDraft) -> str:
 
 
 def _refusal(item: Missing) -> ConfigError:
-    return ConfigError(item.step.value, f"{item.words}; {item.mend}")
+    return ConfigError(item.step.value, joined("; ", (item.words, item.mend)))

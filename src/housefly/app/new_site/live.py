@@ -9,7 +9,7 @@ from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones import driver_of
 from housefly.errors import HouseflyError
-from housefly.messages.words import error_words
+from housefly.messages.words import Words, error_words, figure, literal, percentage, said
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.room.draft.site_of_draft import tracking_config
 from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_from
@@ -35,15 +35,12 @@ def hear_tracking(tracking: DraftTracking, seconds: float = LISTEN_SECONDS) -> H
     return asyncio.run(listen())
 
 
-def check_drone(drone: DraftDrone) -> tuple[str, ...]:
-    """Connect to a drone as its driver does, order nothing, and say what it answers.
-
-    The first word is "well" or "not reached".
-    """
+def check_drone(drone: DraftDrone) -> tuple[Words, ...]:
+    """Connect to a drone as its driver does, order nothing, and return what it answers."""
     return asyncio.run(_drone_words(drone))
 
 
-async def _drone_words(drone: DraftDrone) -> tuple[str, ...]:
+async def _drone_words(drone: DraftDrone) -> tuple[Words, ...]:
     driver = driver_of(
         DroneConfig(address=drone.address, has_video=False), LimitsConfig(), RealClock()
     )
@@ -52,15 +49,21 @@ async def _drone_words(drone: DraftDrone) -> tuple[str, ...]:
         await asyncio.sleep(_REPORTS_TIME)
         report = driver.telemetry
         if report is None:
-            return ("not reached", f"no report came from {drone.address}")
-        firmware = driver.firmware or "unknown"
-        return (
-            "well",
-            f"{drone.address} answers {driver.telemetry_rate_hz:.0f} times a second:"
-            f" {report.status.value}, battery {100 * report.battery:.0f} %, firmware {firmware}",
-            *driver.notes,
+            return (_not_reached(Words("no report came from {name}", name=drone.address)),)
+        answer = Words(
+            "{name} answers {n} times a second: {words}, battery {p} %, firmware {firmware}",
+            name=drone.address,
+            n=figure(driver.telemetry_rate_hz, ".0f"),
+            words=said(report.status),
+            p=percentage(report.battery),
+            firmware=driver.firmware or Words("unknown"),
         )
+        return (answer, *map(literal, driver.notes))
     except (HouseflyError, OSError) as error:
-        return ("not reached", str(error))
+        return (_not_reached(error_words(error)),)
     finally:
         await driver.close()
+
+
+def _not_reached(why: Words) -> Words:
+    return Words("not reached: {why}", why=why)

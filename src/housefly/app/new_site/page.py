@@ -10,6 +10,7 @@ from pathlib import Path
 
 from housefly.app.run_folder import temporary_run_folder
 from housefly.app.terminal import console
+from housefly.messages.words import Words
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard
 from housefly.web.console_port import listening
@@ -55,7 +56,7 @@ async def serve_draft(
     folder: Path,
     token: str,
     hear: Callable[[DraftTracking, float], Heard],
-    check_drone: Callable[[DraftDrone], tuple[str, ...]],
+    check_drone: Callable[[DraftDrone], tuple[Words, ...]],
     announce: Callable[[int], None],
     *,
     host: str = _HOST,

@@ -8,7 +8,8 @@ from typing import Annotated, Any
 
 from pydantic import Field, TypeAdapter, ValidationError
 
-from housefly.config.validation import dotted, words_of
+from housefly.config.pydantic_words import words_of
+from housefly.config.validation import dotted
 from housefly.errors import HouseflyError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES, Answer
 from housefly.hub.api.questions import Question

@@ -8,7 +8,8 @@ from typing import Any, TypeVar
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from housefly.config.validation import dotted, words_of
+from housefly.config.pydantic_words import words_of
+from housefly.config.validation import dotted
 from housefly.errors import WireError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.messages import PlanAnswer

@@ -11,6 +11,7 @@ from math import atan2, cos, degrees, hypot, sin
 import numpy as np
 
 from housefly.errors import ConfigError
+from housefly.messages.words import Words, figure, joined
 from housefly.numeric import FloatArray
 from housefly.room.draft.model import FramePoint
 
@@ -63,16 +64,24 @@ def rigid_fit(points: tuple[FramePoint, ...]) -> RigidFit:
         ConfigError: there are too few, or they are too near each other.
     """
     if len(points) < 2:
-        raise ConfigError("frame_points", "two points are needed, and a third to check them")
+        raise ConfigError("frame_points", Words("two points are needed, and a third to check them"))
     on_map = np.array([point.on_map for point in points])
     seen = np.array([point.seen for point in points])
-    for what, where in (("on the map", on_map), ("as tracking sees them", seen)):
+    for what, where in (
+        (Words("on the map"), on_map),
+        (Words("as tracking sees them"), seen),
+    ):
         away = np.ptp(where[:, :2], axis=0)
         if hypot(*away) < APART_MIN:
             raise ConfigError(
                 "frame_points",
-                f"the points are within {hypot(*away):.2f} m of each other {what}; take points"
-                f" that are {APART_MIN:g} m and more apart, better several metres",
+                Words(
+                    "the points are within {a} m of each other {what}; take points that are {b} m"
+                    " and more apart, better several metres",
+                    a=figure(hypot(*away), ".2f"),
+                    what=what,
+                    b=figure(APART_MIN, "g"),
+                ),
             )
     middle_on_map, middle_seen = on_map.mean(axis=0), seen.mean(axis=0)
     a, b = (seen - middle_seen)[:, :2], (on_map - middle_on_map)[:, :2]
@@ -114,39 +123,61 @@ def _rotation(angle: float) -> FloatArray:
     return np.array([[cos(angle), -sin(angle)], [sin(angle), cos(angle)]])
 
 
-def fit_words(fit: RigidFit, points: tuple[FramePoint, ...]) -> tuple[str, ...]:
-    """Return what was found, how well each point fits, and every doubt, in words."""
-    words = [
-        f"the tracking frame has its origin at ({fit.x:.3f}, {fit.y:.3f}, {fit.z:.3f}) m on the"
-        f" map, turned by {degrees(fit.yaw):+.1f} deg",
-        "left over: "
-        + ", ".join(
-            f"{point.name} {100 * left:.1f} cm"
-            for point, left in zip(points, fit.residuals, strict=True)
+def fit_words(fit: RigidFit, points: tuple[FramePoint, ...]) -> tuple[Words, ...]:
+    """Return what was found, and how well each point fits; then the doubts."""
+    left_over = (
+        Words("{name} {n} cm", name=point.name, n=figure(100 * left, ".1f"))
+        for point, left in zip(points, fit.residuals, strict=True)
+    )
+    return (
+        Words(
+            "the tracking frame has its origin at ({x}, {y}, {z}) m on the map, turned by {a} deg",
+            x=figure(fit.x, ".3f"),
+            y=figure(fit.y, ".3f"),
+            z=figure(fit.z, ".3f"),
+            a=figure(degrees(fit.yaw), "+.1f"),
         ),
-    ]
+        Words("left over: {names}", names=joined(", ", left_over)),
+        *fit_doubts(fit, points),
+    )
+
+
+def fit_doubts(fit: RigidFit, points: tuple[FramePoint, ...]) -> tuple[Words, ...]:
+    """Return what speaks against a fit, and what nothing could show."""
+    words = []
     if fit.is_mirrored:
         words.append(
-            "the points fit as in a mirror: two were exchanged, or the tracking system counts one"
-            " axis the other way; take them again in the right order, or choose z up,"
-            " right-handed, in its software"
+            Words(
+                "the points fit as in a mirror: two were exchanged, or the tracking system counts"
+                " one axis the other way; take them again in the right order, or choose z up,"
+                " right-handed, in its software"
+            )
         )
     elif not SCALE_RANGE[0] <= fit.scale <= SCALE_RANGE[1]:
         words.append(
-            f"tracking sees a metre as {fit.scale:.4g} m: measure the points again; if it comes"
-            " again, calibrate the cameras or set metres in the tracking software"
+            Words(
+                "tracking sees a metre as {a} m: measure the points again; if it comes again,"
+                " calibrate the cameras or set metres in the tracking software",
+                a=figure(fit.scale, ".4g"),
+            )
         )
     elif max(fit.residuals) > RESIDUAL_MAX:
         worst = max(range(len(points)), key=fit.residuals.__getitem__)
         words.append(
-            f"the points do not agree to {100 * RESIDUAL_MAX:.0f} cm, {points[worst].name} worst:"
-            " put the drone there again and measure, or measure its place on the map again"
+            Words(
+                "the points do not agree to {n} cm, {name} worst: put the drone there again and"
+                " measure, or measure its place on the map again",
+                n=figure(100 * RESIDUAL_MAX, ".0f"),
+                name=points[worst].name,
+            )
         )
     elif len(points) > 2 and fit.width < APART_MIN:
         words.append(
-            "the points lie on one line: an axis that is counted the other way would not show;"
-            " take one more beside it"
+            Words(
+                "the points lie on one line: an axis that is counted the other way would not show;"
+                " take one more beside it"
+            )
         )
     if len(points) < 3:
-        words.append("two points cannot check each other: take a third")
+        words.append(Words("two points cannot check each other: take a third"))
     return tuple(words)

@@ -6,6 +6,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from housefly.config.validation import dotted, explain
 from housefly.errors import ConfigError
+from housefly.messages.words import Words
 from housefly.room.draft.model import SiteDraft
 
 _ADAPTER = TypeAdapter(SiteDraft)
@@ -28,5 +29,5 @@ def draft_from_json(text: str | bytes, source: str = "") -> SiteDraft:
         first = error.errors()[0]
         key = dotted(part for part in first["loc"] if part != "json") or "draft"
         unknown = first["type"] == "unexpected_keyword_argument"
-        words = "is not a known key" if unknown else explain(first)
+        words = Words("is not a known key") if unknown else explain(first)
         raise ConfigError(key, words, source) from error

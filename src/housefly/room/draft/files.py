@@ -11,6 +11,7 @@ from typing import Any
 from housefly.config.site import site_from_tree
 from housefly.config.text import read_text_file
 from housefly.errors import ConfigError, RoomError
+from housefly.messages.words import Words, joined
 from housefly.room.draft.alignment import rigid_fit
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.missing import missing
@@ -45,7 +46,13 @@ def load_draft(folder: Path) -> SiteDraft | None:
     except FileNotFoundError:
         return None
     except (OSError, UnicodeDecodeError) as error:
-        raise RoomError(f"{path} cannot be read: {error}; mend it or move it away") from error
+        raise RoomError(
+            Words(
+                "{name} cannot be read: {why}; mend it or move it away",
+                name=str(path),
+                why=str(error),
+            )
+        ) from error
     return draft_from_json(text, str(path))
 
 
@@ -66,7 +73,7 @@ def write_site(draft: SiteDraft, folder: Path) -> tuple[Path, ...]:
     hindrances = [item for item in missing(draft) if item.hinders]
     if hindrances:
         first = hindrances[0]
-        raise ConfigError(first.step.value, f"{first.words}; {first.mend}")
+        raise ConfigError(first.step.value, joined("; ", (first.words, first.mend)))
     texts = {"room.toml": _room_text(draft), "site.toml": _site_text(draft)}
     if draft.hardware:
         texts[SIMULATED_FILE] = _site_text(draft, simulated=True)
@@ -85,7 +92,13 @@ def _keep_old(path: Path, text: str) -> None:
         if path.is_file() and path.read_bytes() != text.encode():
             copyfile(path, path.with_name(f"{path.name}.old"))
     except OSError as error:
-        raise RoomError(f"{path} cannot be kept as .old: {error.strerror or error}") from error
+        raise RoomError(
+            Words(
+                "{name} cannot be kept as .old: {why}",
+                name=str(path),
+                why=error.strerror or str(error),
+            )
+        ) from error
 
 
 def _written(path: Path, text: str) -> Path:
@@ -95,7 +108,13 @@ def _written(path: Path, text: str) -> Path:
         new.write_text(text, encoding="utf-8")
         new.replace(path)
     except OSError as error:
-        raise RoomError(f"{path} cannot be written: {error.strerror or error}") from error
+        raise RoomError(
+            Words(
+                "{name} cannot be written: {why}",
+                name=str(path),
+                why=error.strerror or str(error),
+            )
+        ) from error
     return path
 
 

@@ -1,4 +1,4 @@
-"""What a draft still lacks before it flies, in words, each with what mends it."""
+"""What a draft still lacks before it flies, each with what mends it."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from enum import Enum
 
 import numpy as np
 
+from housefly.config.validation import refusal_words
 from housefly.errors import ConfigError, HouseflyError
+from housefly.messages.words import Words, figure, literal
 from housefly.room.distance import clearance_field, footprints
-from housefly.room.draft.alignment import fit_words, rigid_fit
+from housefly.room.draft.alignment import fit_doubts, rigid_fit
 from housefly.room.draft.model import SiteDraft
 from housefly.room.draft.shapes import room_of_draft
 from housefly.room.draft.site_of_draft import site_of_draft, tracking_config
@@ -19,6 +21,9 @@ from housefly.room.edits import blocked_words, reached_from
 from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.home_pad import HOME_PAD_RADIUS
 from housefly.room.model import Room
+
+_CORRECT = Words("correct that value")
+_AGAIN = Words("take the points again")
 
 
 class DraftStep(Enum):
@@ -46,8 +51,8 @@ class Missing:
     """
 
     step: DraftStep
-    words: str
-    mend: str
+    words: Words
+    mend: Words
     hinders: bool = True
 
 
@@ -62,8 +67,8 @@ def _of_room(draft: SiteDraft) -> Iterator[Missing]:
     if draft.bounds is None:
         yield Missing(
             DraftStep.ROOM,
-            "the room has no size yet",
-            "give length x width x height in metres (6x4x2.5), or a file of the room",
+            Words("the room has no size yet"),
+            Words("give length x width x height in metres (6x4x2.5), or a file of the room"),
         )
         return
     try:
@@ -71,20 +76,23 @@ def _of_room(draft: SiteDraft) -> Iterator[Missing]:
         site = site_of_draft(draft, simulated=True)
         grid = build_grid(room, site)
     except HouseflyError as error:
-        yield Missing(DraftStep.ROOM, str(error), "correct that value")
+        yield Missing(DraftStep.ROOM, refusal_words(error), _CORRECT)
         return
     if draft.height < draft.flight_height + 0.4:
         yield Missing(
             DraftStep.ROOM,
-            f"the ceiling ({draft.height:g} m) is less than 0.4 m above the flight height"
-            f" ({draft.flight_height:g} m)",
-            "correct the height of the room, or lower flight_height",
+            Words(
+                "the ceiling ({a} m) is less than 0.4 m above the flight height ({b} m)",
+                a=figure(draft.height, "g"),
+                b=figure(draft.flight_height, "g"),
+            ),
+            Words("correct the height of the room, or lower flight_height"),
         )
     if not (draft.walls or draft.scanned):
         yield Missing(
             DraftStep.OBJECTS,
-            "the room has no walls",
-            "draw them, or give the size again: a rectangle brings its four walls",
+            Words("the room has no walls"),
+            Words("draw them, or give the size again: a rectangle brings its four walls"),
             hinders=False,
         )
     yield from _of_pad(draft, room, grid)
@@ -98,26 +106,33 @@ def _of_pad(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Missi
     if suggested is None:
         yield Missing(
             DraftStep.PAD,
-            "the drone fits nowhere in this room",
-            "check the unit of the file or the size: are they metres? Or take furniture and zones"
-            " out",
+            Words("the drone fits nowhere in this room"),
+            Words(
+                "check the unit of the file or the size: are they metres? Or take furniture and"
+                " zones out"
+            ),
         )
         return
-    spot = f"({suggested[0]:.2f}, {suggested[1]:.2f}) m is roomy"
+    roomy_x, roomy_y = (figure(value, ".2f") for value in suggested)
     if draft.pad is None:
         yield Missing(
             DraftStep.PAD,
-            "it is not said where the pad lies, on which the drone starts and lands",
-            f"say where: {spot}",
+            Words("it is not said where the pad lies, on which the drone starts and lands"),
+            Words("say where: ({x}, {y}) m is roomy", x=roomy_x, y=roomy_y),
         )
         return
     x, y = draft.pad
+    move = Words("move the pad: ({x}, {y}) m is roomy", x=roomy_x, y=roomy_y)
     if not grid.is_free(grid.cell_of(draft.pad)):
         yield Missing(
             DraftStep.PAD,
-            f"the drone cannot start at ({x:.2f}, {y:.2f}) m:"
-            f" {blocked_words(grid, draft.pad, site_of_draft(draft, simulated=True))}",
-            f"move the pad: {spot}",
+            Words(
+                "the drone cannot start at ({x}, {y}) m: {why}",
+                x=figure(x, ".2f"),
+                y=figure(y, ".2f"),
+                why=blocked_words(grid, draft.pad, site_of_draft(draft, simulated=True)),
+            ),
+            move,
         )
         return
     standing = footprints(room.solids, 0.02, draft.flight_height)
@@ -125,9 +140,13 @@ def _of_pad(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Missi
     if gap < PAD_CLEARANCE:
         yield Missing(
             DraftStep.PAD,
-            f"something stands on the floor {gap:.2f} m from the middle of the pad, and the drone"
-            f" starts with {PAD_CLEARANCE:.2f} m and more around it",
-            f"move the pad: {spot}",
+            Words(
+                "something stands on the floor {a} m from the middle of the pad, and the drone"
+                " starts with {b} m and more around it",
+                a=figure(gap, ".2f"),
+                b=figure(PAD_CLEARANCE, ".2f"),
+            ),
+            move,
         )
 
 
@@ -136,12 +155,16 @@ def _of_places(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Mi
     if not others:
         yield Missing(
             DraftStep.PLACES,
-            "there is no place to fly to",
-            "name one and say where it is",
+            Words("there is no place to fly to"),
+            Words("name one and say where it is"),
         )
     names = [place.name for place in others]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Missing(DraftStep.PLACES, f"two places are called {name!r}", "rename one")
+        yield Missing(
+            DraftStep.PLACES,
+            Words("two places are called {place}", place=repr(name)),
+            Words("rename one"),
+        )
     if not grid.is_free(grid.cell_of(room.home)):
         return
     reached = reached_from(grid, room.home)
@@ -152,8 +175,14 @@ def _of_places(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Mi
         why = blocked_words(grid, (place.x, place.y), site_of_draft(draft, simulated=True))
         yield Missing(
             DraftStep.PLACES,
-            f"the drone cannot hover at {place.name!r}, ({place.x:.2f}, {place.y:.2f}) m: {why}",
-            "move it, or leave it out",
+            Words(
+                "the drone cannot hover at {place}, ({x}, {y}) m: {why}",
+                place=repr(place.name),
+                x=figure(place.x, ".2f"),
+                y=figure(place.y, ".2f"),
+                why=why,
+            ),
+            Words("move it, or leave it out"),
         )
 
 
@@ -167,8 +196,13 @@ def _of_zones(draft: SiteDraft) -> Iterator[Missing]:
         if dx * dx + dy * dy < HOME_PAD_RADIUS**2:
             yield Missing(
                 DraftStep.ZONES,
-                f"the zone {zone.reason!r} covers the pad",
-                f"keep it {HOME_PAD_RADIUS:.2f} m away from ({x:.2f}, {y:.2f}) m",
+                Words("the zone {name} covers the pad", name=repr(zone.reason)),
+                Words(
+                    "keep it {a} m away from ({x}, {y}) m",
+                    a=figure(HOME_PAD_RADIUS, ".2f"),
+                    x=figure(x, ".2f"),
+                    y=figure(y, ".2f"),
+                ),
             )
 
 
@@ -178,26 +212,26 @@ def _of_hardware(draft: SiteDraft) -> Iterator[Missing]:
     if draft.tracking is None:
         yield Missing(
             DraftStep.TRACKING,
-            "it is not said which motion capture system sees the drone",
-            "say its kind and address, such as: vicon 10.0.0.5",
+            Words("it is not said which motion capture system sees the drone"),
+            Words("say its kind and address, such as: vicon 10.0.0.5"),
         )
     else:
         try:
             tracking_config(draft.tracking)
         except ConfigError as error:
-            yield Missing(DraftStep.TRACKING, str(error), "correct that value")
+            yield Missing(DraftStep.TRACKING, refusal_words(error), _CORRECT)
     yield from _of_frame(draft)
     if draft.drone is None:
         yield Missing(
             DraftStep.DRONE,
-            "it is not said where the drone answers",
-            "say its address; an AR.Drone 2.0 in its own network is 192.168.1.1",
+            Words("it is not said where the drone answers"),
+            Words("say its address; an AR.Drone 2.0 in its own network is 192.168.1.1"),
         )
     elif not draft.drone.profile:
         yield Missing(
             DraftStep.DRONE,
-            "the drone flies with the constants of a usual AR.Drone 2.0",
-            "measure yours: housefly identify (docs/identify-and-gains.md)",
+            Words("the drone flies with the constants of a usual AR.Drone 2.0"),
+            Words("measure yours: housefly identify (docs/identify-and-gains.md)"),
             hinders=False,
         )
 
@@ -206,16 +240,18 @@ def _of_frame(draft: SiteDraft) -> Iterator[Missing]:
     if not draft.frame_points:
         yield Missing(
             DraftStep.FRAME,
-            "nobody compared the tracking frame with the map yet",
-            "take three points here, or carry the drone: housefly preflight --frames --site SITE",
+            Words("nobody compared the tracking frame with the map yet"),
+            Words(
+                "take three points here, or carry the drone: housefly preflight --frames --site"
+                " SITE"
+            ),
             hinders=False,
         )
         return
     try:
         fit = rigid_fit(draft.frame_points)
     except ConfigError as error:
-        yield Missing(DraftStep.FRAME, error.problem, "take the points again")
+        yield Missing(DraftStep.FRAME, literal(error.problem), _AGAIN)
         return
-    doubts = fit_words(fit, draft.frame_points)[2:]
-    for doubt in doubts:
-        yield Missing(DraftStep.FRAME, doubt, "take the points again", hinders=not fit.is_trusted)
+    for doubt in fit_doubts(fit, draft.frame_points):
+        yield Missing(DraftStep.FRAME, doubt, _AGAIN, hinders=not fit.is_trusted)

@@ -14,6 +14,7 @@ from pydantic import AfterValidator, ConfigDict, Field
 from housefly.config.edits import NAME
 from housefly.config.rectangle import FLOOR_SIDE_MAX, check_floor
 from housefly.config.tracking import DRONE_BODY, TrackingKind
+from housefly.config.validation import out_of_range
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2
 
@@ -21,7 +22,7 @@ Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
 Extent = Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)]
 Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
 Height = Annotated[float, Field(ge=0.0, le=100.0, allow_inf_nan=False)]
-Words = Annotated[str, Field(max_length=60, pattern=r"^[^\x00-\x1f\x7f]*$")]
+Text = Annotated[str, Field(max_length=60, pattern=r"^[^\x00-\x1f\x7f]*$")]
 Point2 = tuple[Coordinate, Coordinate]
 Point3 = tuple[Coordinate, Coordinate, Coordinate]
 Corners = tuple[Coordinate, Coordinate, Coordinate, Coordinate]
@@ -62,7 +63,7 @@ class DraftBox:
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    name: Annotated[Words, Field(min_length=1)]
+    name: Annotated[Text, Field(min_length=1)]
     x: Coordinate
     y: Coordinate
     length: Extent
@@ -70,7 +71,7 @@ class DraftBox:
     top: Height
     bottom: Height = 0.0
     yaw: Angle = 0.0
-    thing: Words = ""
+    thing: Text = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,7 @@ class DraftPlace:
     name: Annotated[str, Field(min_length=1, max_length=40, pattern=NAME)]
     x: Coordinate
     y: Coordinate
-    title: Words = ""
+    title: Text = ""
     look_at: Point3 | None = None
 
 
@@ -93,7 +94,7 @@ class DraftZone:
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
     rectangle: Corners
-    reason: Annotated[Words, Field(min_length=1)]
+    reason: Annotated[Text, Field(min_length=1)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,9 +104,9 @@ class DraftTracking:
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
     kind: TrackingKind
-    address: Annotated[Words, Field(min_length=1)]
+    address: Annotated[Text, Field(min_length=1)]
     port: Annotated[int, Field(ge=1, le=65535)] | None = None
-    body: Annotated[Words, Field(min_length=1)] = DRONE_BODY
+    body: Annotated[Text, Field(min_length=1)] = DRONE_BODY
     bridge_system: Annotated[str, Field(pattern="^[a-z_]{1,40}$")] = "qualisys"
     vrpn_transport: Literal["tcp", "udp"] = "tcp"
     up_axis: Literal["auto", "y", "z"] = "auto"
@@ -117,7 +118,7 @@ class FramePoint:
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    name: Words
+    name: Text
     on_map: Point3
     seen: tuple[
         Annotated[float, Field(ge=-1e6, le=1e6, allow_inf_nan=False)],
@@ -132,7 +133,7 @@ class DraftDrone:
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    address: Annotated[Words, Field(min_length=1)] = "192.168.1.1"
+    address: Annotated[Text, Field(min_length=1)] = "192.168.1.1"
     profile: Annotated[str, Field(max_length=400)] = ""
 
 
@@ -158,7 +159,7 @@ class SiteDraft:
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    name: Words = ""
+    name: Text = ""
     bounds: Annotated[Corners, AfterValidator(_bearable)] | None = None
     height: Annotated[float, Field(ge=1.0, le=_HEIGHT_MAX)] = ROOM_HEIGHT
     walls: Annotated[tuple[DraftWall, ...], Field(max_length=2000)] = ()
@@ -174,7 +175,7 @@ class SiteDraft:
     hardware: bool = False
     flight_height: Annotated[float, Field(ge=0.3, le=2.5)] = 1.1
     source: Annotated[str, Field(max_length=400)] = ""
-    answered: Words = ""
+    answered: Text = ""
 
 
 def with_size(
@@ -222,4 +223,4 @@ def without_scanned(draft: SiteDraft, rectangle: Corners) -> SiteDraft:
 
 def _check(key: str, value: float, low: float, high: float) -> None:
     if not (isfinite(value) and low <= value <= high):
-        raise ConfigError(key, f"is {value:g}; allowed: a number from {low:g} to {high:g} m")
+        raise ConfigError(key, out_of_range(f"{value:g}", low, high, "m"))

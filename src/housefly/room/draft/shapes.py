@@ -8,6 +8,7 @@ from math import atan2, cos, hypot, sin
 
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.words import Words
 from housefly.room.draft.model import DraftBox, DraftPlace, DraftWall, SiteDraft
 from housefly.room.home_pad import home_pad
 from housefly.room.model import BUILDING_PARTS, Colour, Place, Room, Shape, Solid
@@ -23,11 +24,11 @@ def shell_of_draft(draft: SiteDraft) -> Room:
     """Return the room without pad and places; raises ConfigError while its size is unknown."""
     if draft.bounds is None:
         raise ConfigError(
-            "bounds", "the room has no size yet: give its length and width, or a file"
+            "bounds", Words("the room has no size yet: give its length and width, or a file")
         )
     x_min, y_min, x_max, y_max = draft.bounds
     if not (x_min < x_max and y_min < y_max):
-        raise ConfigError("bounds", "x_min must be below x_max, and y_min below y_max [m]")
+        raise ConfigError("bounds", Words("x_min must be below x_max, and y_min below y_max [m]"))
     solids = _named_apart(
         (
             *(_of_wall(wall, f"wall {n}", draft.height) for n, wall in enumerate(draft.walls)),

@@ -14,6 +14,7 @@ from housefly.hub.api.answers import WhereAnswer
 from housefly.hub.api.questions import PeopleQuestion, Question, WhereQuestion
 from housefly.hub.things_of_room import place_id
 from housefly.messages import Obstacle, ObstacleKind
+from housefly.messages.words import Words
 from housefly.room.model import Place, Room, Solid
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.task_room import SeenPerson
@@ -133,7 +134,7 @@ def _floor_view(
     view = views[number - 1]
     if is_reachable(viewing, view.position, drone, known, now):
         return view
-    words = f"there is no free way to where {view.subject} is seen from"
+    words = Words("there is no free way to where {name} is seen from", name=view.subject)
     raise TaskError(words, ReasonCode.NO_WAY.value)
 
 
@@ -159,7 +160,7 @@ def named_subject(
     except ThingError as error:
         return _modelled(name, room, str(error))
     except LinkError:
-        return _modelled(name, room, f"nobody remembers where {name} is")
+        return _modelled(name, room, Words("nobody remembers where {name} is", name=name))
     if answer.thing in seen:
         return _person(answer.name, seen[answer.thing].position, room, ask, answer.thing)
     holder = next((seen[one] for one in answer.inside if one in seen), None)
@@ -169,7 +170,8 @@ def named_subject(
     if place is not None:
         return place_subject(answer.name, place.look_at)
     if answer.position is None or not all(map(isfinite, answer.position)):
-        raise TaskError(f"nobody knows where {answer.name} is", ReasonCode.NO_VIEW.value)
+        words = Words("nobody knows where {name} is", name=answer.name)
+        raise TaskError(words, ReasonCode.NO_VIEW.value)
     if answer.kind == _PERSON_KIND:
         return _person(answer.name, answer.position, room, ask, answer.thing)
     pieces = _pieces(answer.thing, room)

@@ -14,6 +14,7 @@ import numpy as np
 from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
+from housefly.messages.words import UNSAID, Words, figure, joined
 from housefly.numeric import FloatArray, elementwise, norm
 from housefly.room.reach import Mask
 from housefly.room.sight import in_sight
@@ -73,7 +74,7 @@ def find_viewpoint(
     start = viewing.room.home if drone is None else drone[:2]
     known = tuple(obstacles)
     people = viewing.site.people
-    problem = ""
+    problem = UNSAID
     for kept in (people.comfort_distance, people.min_distance):
         there = viewing.reachable(start, known, kept, now)
         found = _best(viewing, there, subject, known)
@@ -81,9 +82,10 @@ def find_viewpoint(
             return found
         problem = found
     if isinstance(_best(viewing, there.everywhere(), subject, known), Viewpoint):
-        words = f"there is no free way to where {subject.name} can be seen from"
-        who = _who_is_in_the_way(viewing, subject, start, known, now)
-        raise TaskError(words + (f": {who} is in the way" if who else ""), ReasonCode.NO_WAY.value)
+        words = Words("there is no free way to where {name} can be seen from", name=subject.name)
+        if who := _who_is_in_the_way(viewing, subject, start, known, now):
+            words = joined(": ", (words, Words("{who} is in the way", who=who)))
+        raise TaskError(words, ReasonCode.NO_WAY.value)
     raise TaskError(problem, ReasonCode.NO_VIEW.value)
 
 
@@ -141,14 +143,16 @@ def is_reachable(
 
 def _best(
     viewing: ViewingRoom, there: ReachableMap, subject: Subject, obstacles: tuple[Obstacle, ...]
-) -> Viewpoint | str:
+) -> Viewpoint | Words:
     """Return the best viewpoint, or why there is none."""
     look_at = np.array(subject.look_at)
     flat, ways = there.open_cells(subject.look_at[:2], _VIEW_RANGE)
     if not len(flat):
-        return (
-            f"there is no place within {_VIEW_RANGE:.0f} m of {subject.name} where the drone may"
-            " hover and tracking sees it"
+        return Words(
+            "there is no place within {d} m of {name} where the drone may hover and tracking sees"
+            " it",
+            d=figure(_VIEW_RANGE, ".0f"),
+            name=subject.name,
         )
     places = np.column_stack([flat, np.full(len(flat), viewing.height)])
     eyes, points = viewing.camera.eyes(places, look_at), np.array(subject.points)
@@ -156,13 +160,16 @@ def _best(
     worth = _cheap_worth(there, subject, flat, ways, eyes)
     worth[~_shows(framed)] = -np.inf
     if not np.isfinite(worth).any():
-        return f"{subject.name} is nowhere in the picture: too near, too high or too low"
+        return Words(
+            "{name} is nowhere in the picture: too near, too high or too low", name=subject.name
+        )
     hiding = viewing.hiding(subject.own, obstacles, subject.look_at[:2], _OWN_RADIUS)
     best = _in_best_order(worth, framed, hiding, eyes, points)
     if best < 0:
-        return (
-            f"{subject.name} cannot be seen from any place where the drone may hover: something"
-            " stands in between"
+        return Words(
+            "{name} cannot be seen from any place where the drone may hover: something stands in"
+            " between",
+            name=subject.name,
         )
     return _viewpoint(there, subject, flat[best], eyes[best])
 

@@ -21,7 +21,8 @@ from starlette.routing import Route
 from housefly.bus.bus import Bus
 from housefly.bus.topics import TASKS_QUERY
 from housefly.clock import Clock
-from housefly.config.validation import dotted, words_of
+from housefly.config.pydantic_words import words_of
+from housefly.config.validation import dotted
 from housefly.errors import HouseflyError
 from housefly.tasks.api.endpoints import (
     FILLED_IN,

@@ -26,19 +26,25 @@ const options = {
 const shortNames = {
   name: "short names",
   setup({ onLoad }) {
-    onLoad({ filter: /src[\\/]messages[\\/]\w+-told\.ts$/ }, async ({ path }) => {
-      const { SHORT, short } = await imported("src/messages/short.ts");
+    onLoad({ filter: /[\\/]messages[\\/]\w+-told\.ts$/ }, async ({ path }) => {
+      const { DIGITS, short } = await imported("src/messages/short.ts");
       const [[name, templates]] = Object.entries(await imported(path));
-      const names = Object.keys(templates).map(short);
-      if (new Set(names).size < names.length) throw new Error("a short name stands twice");
-      const own = Object.values(templates);
+      const named = Object.entries(templates).map(([english, own]) => [short(english), own]);
+      named.sort(([one], [other]) => one - other);
+      const steps = named.map(([at], k) => at - (named[k - 1]?.[0] ?? 0));
+      if (steps.includes(0)) throw new Error("a short name stands twice");
+      const own = named.map(([, text]) => text);
       if (own.some((text) => text.includes("\n"))) throw new Error("a template of several lines");
-      // All names in one text, and all templates: a third smaller on their way.
+      // Smaller on their way: the steps from name to name, all first digits before all second ones,
+      // and all templates in one text.
+      const digits = steps.map((step) => step.toString(36).padStart(DIGITS, "0"));
+      const columns = [...Array(DIGITS).keys()].map((j) => digits.map((one) => one[j]).join(""));
       return {
         contents:
-          `const names = ${JSON.stringify(names.join(""))};` +
+          `const columns = ${JSON.stringify(columns)};let at = 0;` +
           `export const ${name} = Object.fromEntries(${JSON.stringify(own.join("\n"))}` +
-          `.split("\\n").map((own, k) => [names.substr(${SHORT} * k, ${SHORT}), own]));`,
+          `.split("\\n").map((own, k) => ` +
+          `[at += parseInt(columns.map((one) => one[k]).join(""), 36), own]));`,
       };
     });
   },
@@ -81,6 +87,7 @@ await build({
   ...options,
   entryPoints: { new: "src/new/main.tsx" },
   splitting: true,
+  plugins: [shortNames],
   chunkNames: "new-[name]-[hash]",
 });
 await copyFile("src/index.html", `${target}/index.html`);

@@ -10,6 +10,7 @@ from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from housefly.config.validation import dotted, explain
 from housefly.errors import ConfigError
+from housefly.messages.words import Words, figure
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.model import (
     Coordinate,
@@ -103,7 +104,12 @@ def _size(service: DraftService, _: Uploads, body: bytes) -> DraftView:
     return service.change(
         asked.based_on,
         lambda now: with_size(now, asked.length, asked.width, asked.height),
-        f"a room of {asked.length:g} x {asked.width:g} m, {asked.height:g} m high",
+        Words(
+            "a room of {a} x {b} m, {c} m high",
+            a=figure(asked.length, "g"),
+            b=figure(asked.width, "g"),
+            c=figure(asked.height, "g"),
+        ),
         notes=(),
     )
 
@@ -118,7 +124,7 @@ def _import(service: DraftService, uploads: Uploads, body: bytes) -> DraftView:
     return service.change(
         asked.based_on,
         lambda _: found.draft,
-        f"read {asked.file}",
+        Words("read {name}", name=asked.file),
         notes=found.notes,
     )
 
@@ -126,17 +132,22 @@ def _import(service: DraftService, uploads: Uploads, body: bytes) -> DraftView:
 def _erase(service: DraftService, _: Uploads, body: bytes) -> DraftView:
     asked = parsed_request(EraseScanned, body)
     return service.change(
-        asked.based_on, lambda now: without_scanned(now, asked.rectangle), "erased"
+        asked.based_on,
+        lambda now: without_scanned(now, asked.rectangle),
+        Words("erased"),
     )
 
 
 def _suggest_pad(service: DraftService, _: Uploads, body: bytes) -> DraftView:
     def padded(now: SiteDraft) -> SiteDraft:
         if (pad := suggested_pad(now)) is None:
-            raise ConfigError("pad", "the drone fits nowhere in this room: is there a free floor?")
+            raise ConfigError(
+                "pad", Words("the drone fits nowhere in this room: is there a free floor?")
+            )
         return replace(now, pad=pad)
 
-    return service.change(parsed_request(DraftRequest, body).based_on, padded, "a roomy spot")
+    based_on = parsed_request(DraftRequest, body).based_on
+    return service.change(based_on, padded, Words("a roomy spot"))
 
 
 def _suggest_places(service: DraftService, _: Uploads, body: bytes) -> DraftView:
@@ -144,10 +155,11 @@ def _suggest_places(service: DraftService, _: Uploads, body: bytes) -> DraftView
         known = {place.name for place in now.places}
         fresh = tuple(place for place in suggested_places(now) if place.name not in known)
         if not fresh:
-            raise ConfigError("places", "no further roomy spot can be reached from the pad")
+            raise ConfigError("places", Words("no further roomy spot can be reached from the pad"))
         return replace(now, places=(*now.places, *fresh))
 
-    return service.change(parsed_request(DraftRequest, body).based_on, placed, "roomy spots")
+    based_on = parsed_request(DraftRequest, body).based_on
+    return service.change(based_on, placed, Words("roomy spots"))
 
 
 def _undo(service: DraftService, _: Uploads, body: bytes) -> DraftView:

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from starlette.responses import JSONResponse
 
+from housefly.config.validation import refusal_words
 from housefly.errors import ConfigError, HouseflyError, StaleEdits
-from housefly.web.http.responses import error_response
+from housefly.messages.words import Words, tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,9 +21,9 @@ class BodyView:
 
 @dataclass(frozen=True, slots=True)
 class HeardView:
-    """What was heard of a tracking system, or of a drone, in words."""
+    """What was heard of a tracking system, or of a drone."""
 
-    words: tuple[str, ...]
+    words: tuple[Words, ...]
     bodies: tuple[BodyView, ...]
 
 
@@ -43,8 +44,10 @@ class WrittenView:
 
 def draft_refusal(error: HouseflyError) -> JSONResponse:
     """Return why something was not done; with the key that is wrong, if there is one."""
-    if isinstance(error, StaleEdits):
-        return error_response(409, str(error))
     key = error.key if isinstance(error, ConfigError) else ""
-    words = f"{key}: {error.problem}" if isinstance(error, ConfigError) else str(error)
-    return JSONResponse({"error": words, "key": key}, status_code=422)
+    return refused(409 if isinstance(error, StaleEdits) else 422, refusal_words(error), key)
+
+
+def refused(status: int, words: Words, key: str = "") -> JSONResponse:
+    """Return a refusal with its reason, and the key that is wrong, "" for none."""
+    return JSONResponse({"error": tree(words), "key": key}, status_code=status)

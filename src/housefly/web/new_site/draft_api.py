@@ -1,7 +1,7 @@
 """The draft over HTTP: show, change, undo, import, listen to the tracking system, write.
 
 Only the page of this server with its session may ask. 409 when the draft was changed elsewhere;
-422 in words, with the key, for a value that is not allowed.
+422, with the key, for a value that is not allowed.
 """
 
 from __future__ import annotations
@@ -17,10 +17,11 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from housefly.errors import ConfigError, HouseflyError
+from housefly.messages.words import Words, figure
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_words
 from housefly.web.access.session_auth import SessionAuth
-from housefly.web.http.responses import error_response, json_response
+from housefly.web.http.responses import json_response
 from housefly.web.new_site.draft_actions import ACTIONS, DraftRequest, parsed_request
 from housefly.web.new_site.draft_answers import (
     BodyView,
@@ -28,6 +29,7 @@ from housefly.web.new_site.draft_answers import (
     WrittenFile,
     WrittenView,
     draft_refusal,
+    refused,
 )
 from housefly.web.new_site.draft_service import DraftService
 from housefly.web.new_site.draft_view import DraftView
@@ -49,7 +51,7 @@ class DraftApi:
         uploads: keeps files.
         auth: the page's session.
         hear: listens to a tracking system for so many seconds; blocks.
-        check_drone: asks whether a drone answers, in words; blocks.
+        check_drone: asks whether a drone answers; blocks.
     """
 
     def __init__(
@@ -58,7 +60,7 @@ class DraftApi:
         uploads: Uploads,
         auth: SessionAuth,
         hear: Callable[[DraftTracking, float], Heard],
-        check_drone: Callable[[DraftDrone], tuple[str, ...]],
+        check_drone: Callable[[DraftDrone], tuple[Words, ...]],
     ) -> None:
         self._service, self._uploads, self._auth = service, uploads, auth
         self._hear, self._check_drone = hear, check_drone
@@ -84,7 +86,7 @@ class DraftApi:
 
     async def _show(self, request: Request) -> Response:
         if not self._auth.has_session(request):
-            return error_response(401, "this browser has no session")
+            return refused(401, Words("this browser has no session"))
         return await self._answer(lambda: _VIEW.dump_json(self._service.view()))
 
     async def _changed(self, path: str, request: Request) -> Response:
@@ -110,16 +112,19 @@ class DraftApi:
         except HouseflyError as error:
             return draft_refusal(error)
         except ClientDisconnect:
-            return error_response(400, "the browser left before the whole file was here")
+            return refused(400, Words("the browser left before the whole file was here"))
         except OSError as error:
-            return error_response(507, f"the file cannot be kept: {error.strerror}")
+            words = Words("the file cannot be kept: {why}", why=error.strerror or str(error))
+            return refused(507, words)
         return JSONResponse({"bytes": size})
 
     def _hear_tracking(self, body: bytes) -> bytes:
         parsed_request(DraftRequest, body)
         tracking = self._service.draft().tracking
         if tracking is None:
-            raise ConfigError("tracking", "say first which system it is, and where it answers")
+            raise ConfigError(
+                "tracking", Words("say first which system it is, and where it answers")
+            )
         heard = self._hear(tracking, LISTEN_SECONDS)
         bodies = tuple(BodyView(body.name, body.position) for body in heard.bodies)
         return _HEARD.dump_json(HeardView(heard_words(heard, tracking.body), bodies))
@@ -128,10 +133,8 @@ class DraftApi:
         parsed_request(DraftRequest, body)
         drone = self._service.draft().drone
         if drone is None:
-            raise ConfigError("drone", "say first where the drone answers")
-        found, *words = self._check_drone(drone)
-        answers = words if found == "well" else [f"{found}: {'; '.join(words)}"]
-        return _HEARD.dump_json(HeardView(tuple(answers), ()))
+            raise ConfigError("drone", Words("say first where the drone answers"))
+        return _HEARD.dump_json(HeardView(self._check_drone(drone), ()))
 
     def _write_site(self, body: bytes) -> bytes:
         paths = self._service.write(parsed_request(DraftRequest, body).based_on)
@@ -150,7 +153,8 @@ class DraftApi:
         async for part in request.stream():
             body += part
             if len(body) > DRAFT_SIZE_MAX:
-                return error_response(413, f"too much; allowed: {DRAFT_SIZE_MAX >> 20} MiB")
+                words = Words("too much; allowed: {n} MiB", n=figure(DRAFT_SIZE_MAX >> 20))
+                return refused(413, words)
         return await self._answer(lambda: work(body), pool)
 
     async def _answer(
@@ -162,8 +166,9 @@ class DraftApi:
         except HouseflyError as error:
             return draft_refusal(error)
         except OSError as error:
-            return error_response(507, f"nothing was kept: {error.strerror}")
+            words = Words("nothing was kept: {why}", why=error.strerror or str(error))
+            return refused(507, words)
 
 
 def _refused() -> JSONResponse:
-    return error_response(403, "this page may not change the site")
+    return refused(403, Words("this page may not change the site"))

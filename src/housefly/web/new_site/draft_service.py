@@ -8,6 +8,7 @@ from hashlib import blake2b
 from pathlib import Path
 
 from housefly.errors import StaleEdits
+from housefly.messages.words import UNSAID, Words
 from housefly.room.draft.codec import draft_to_json
 from housefly.room.draft.files import load_draft, save_draft, write_site
 from housefly.room.draft.model import SiteDraft
@@ -31,13 +32,13 @@ class DraftService:
         self._before: list[SiteDraft] = []
         self._after: list[SiteDraft] = []
         self._checker = DraftChecker()
-        self._notes: tuple[str, ...] = ()
+        self._notes: tuple[Words, ...] = ()
 
     def draft(self) -> SiteDraft:
         """Return the draft as the file has it; the dialog in a terminal may have changed it."""
         return load_draft(self.folder) or SiteDraft(name=self.folder.resolve().name[:60])
 
-    def view(self, words: str = "") -> DraftView:
+    def view(self, words: Words = UNSAID) -> DraftView:
         """Return what the page shows."""
         return self._view(self.draft(), words)
 
@@ -45,10 +46,10 @@ class DraftService:
         self,
         based_on: str,
         to: Callable[[SiteDraft], SiteDraft],
-        words: str = "",
+        words: Words = UNSAID,
         *,
         merges: bool = False,
-        notes: tuple[str, ...] | None = None,
+        notes: tuple[Words, ...] | None = None,
     ) -> DraftView:
         """Change the draft.
 
@@ -84,11 +85,11 @@ class DraftService:
 
     def undo(self, based_on: str) -> DraftView:
         """Go back to the draft before."""
-        return self._step(based_on, self._before, self._after, "undone")
+        return self._step(based_on, self._before, self._after, Words("undone"))
 
     def redo(self, based_on: str) -> DraftView:
         """Take the last undo back."""
-        return self._step(based_on, self._after, self._before, "done again")
+        return self._step(based_on, self._after, self._before, Words("done again"))
 
     def write(self, based_on: str) -> tuple[Path, ...]:
         """Write room and site file; raises ConfigError in words while something hinders it."""
@@ -99,11 +100,11 @@ class DraftService:
         self._checker.close()
 
     def _step(
-        self, based_on: str, back: list[SiteDraft], on: list[SiteDraft], words: str
+        self, based_on: str, back: list[SiteDraft], on: list[SiteDraft], words: Words
     ) -> DraftView:
         now = self._checked(based_on)
         if not back:
-            return self._view(now, "there is nothing more to go back to")
+            return self._view(now, Words("there is nothing more to go back to"))
         save_draft(back[-1], self.folder)
         on.append(now)
         return self._view(back.pop(), words)
@@ -112,12 +113,14 @@ class DraftService:
         now = self.draft()
         if _version(now) != based_on:
             raise StaleEdits(
-                "the draft was changed elsewhere, in another tab or in a terminal: this is how it"
-                " is now; make your last change again"
+                Words(
+                    "the draft was changed elsewhere, in another tab or in a terminal: this is how"
+                    " it is now; make your last change again"
+                )
             )
         return now
 
-    def _view(self, draft: SiteDraft, words: str) -> DraftView:
+    def _view(self, draft: SiteDraft, words: Words) -> DraftView:
         check, settled = self._checker.of(draft)
         return DraftView(
             version=_version(draft),

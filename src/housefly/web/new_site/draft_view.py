@@ -7,10 +7,11 @@ from math import ceil
 
 import numpy as np
 
-from housefly.errors import HouseflyError
+from housefly.errors import ConfigError, HouseflyError
 from housefly.geometry import Vec2
 from housefly.hub.api.grid_view import grid_view
 from housefly.hub.api.pilot_queries import GridView
+from housefly.messages.words import Words, literal
 from housefly.room.draft.alignment import fit_words, rigid_fit
 from housefly.room.draft.missing import missing
 from housefly.room.draft.model import DraftBox, SiteDraft
@@ -30,16 +31,16 @@ class MissingView:
     """What a step lacks, and what mends it; ``hinders`` False is advice."""
 
     step: str
-    words: str
-    mend: str
+    words: Words
+    mend: Words
     hinders: bool
 
 
 @dataclass(frozen=True, slots=True)
 class FitView:
-    """Where the tracking frame is on the map, in words; ``trusted`` when nothing speaks against."""
+    """Where the tracking frame is on the map; ``trusted`` when nothing speaks against it."""
 
-    words: tuple[str, ...]
+    words: tuple[Words, ...]
     trusted: bool
 
 
@@ -58,7 +59,7 @@ class DraftView:
         fit: of the points of the tracking frame; None with fewer than two.
         settled: whether grid, scan, missing and fit are of this draft; else of an earlier one.
         undoable, redoable: whether there is a draft before and after this one.
-        words: what was done, or "".
+        words: what was done; UNSAID for nothing.
         notes: what the last file held.
     """
 
@@ -73,8 +74,8 @@ class DraftView:
     settled: bool
     undoable: bool
     redoable: bool
-    words: str
-    notes: tuple[str, ...]
+    words: Words
+    notes: tuple[Words, ...]
 
 
 def missing_views(draft: SiteDraft) -> tuple[MissingView, ...]:
@@ -98,8 +99,8 @@ def fit_view(draft: SiteDraft) -> FitView | None:
         return None
     try:
         fit = rigid_fit(draft.frame_points)
-    except HouseflyError as error:
-        return FitView((str(error).removeprefix("frame_points: "),), trusted=False)
+    except ConfigError as error:
+        return FitView((literal(error.problem),), trusted=False)
     return FitView(fit_words(fit, draft.frame_points), fit.is_trusted)
 
 

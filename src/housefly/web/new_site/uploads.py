@@ -7,6 +7,7 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 
 from housefly.errors import RoomError
+from housefly.messages.words import Words, figure
 
 FILE_SIZE_MAX, FILES_MAX = 256 * 2**20, 16
 """Largest file [bytes], and most files."""
@@ -27,7 +28,7 @@ class Uploads:
         """Return where a file is; raises RoomError when there is none of that name."""
         path = self._folder / _checked(name)
         if not path.is_file():
-            raise RoomError(f"{name!r} did not arrive: choose the file again")
+            raise RoomError(Words("{name} did not arrive: choose the file again", name=repr(name)))
         return path
 
     async def keep(self, name: str, parts: AsyncIterator[bytes]) -> int:
@@ -39,7 +40,9 @@ class Uploads:
         path = self._folder / _checked(name)
         others = [file for file in self._folder.iterdir() if file != path]
         if len(others) >= FILES_MAX:
-            raise RoomError(f"{FILES_MAX} files are here already: start the page again")
+            raise RoomError(
+                Words("{n} files are here already: start the page again", n=figure(FILES_MAX))
+            )
         try:
             return await _kept(path, parts)
         except BaseException:  # half a file, whose browser left or whose disk is full, is none
@@ -54,8 +57,12 @@ async def _kept(path: Path, parts: AsyncIterator[bytes]) -> int:
             size += len(part)
             if size > FILE_SIZE_MAX:
                 raise RoomError(
-                    f"{path.name} is larger than {FILE_SIZE_MAX >> 20} MiB: thin the scan out"
-                    " first, 5 cm between its points are enough"
+                    Words(
+                        "{name} is larger than {n} MiB: thin the scan out first, 5 cm between its"
+                        " points are enough",
+                        name=path.name,
+                        n=figure(FILE_SIZE_MAX >> 20),
+                    )
                 )
             file.write(part)
     return size
@@ -64,7 +71,10 @@ async def _kept(path: Path, parts: AsyncIterator[bytes]) -> int:
 def _checked(name: str) -> str:
     if not _NAME.fullmatch(name):
         raise RoomError(
-            f"the file is called {name[:60]!r}; allowed: up to 100 letters, digits, spaces and"
-            " . _ - + ( ), a letter or digit first"
+            Words(
+                "the file is called {name}; allowed: up to 100 letters, digits, spaces and"
+                " . _ - + ( ), a letter or digit first",
+                name=repr(name[:60]),
+            )
         )
     return name

@@ -11,7 +11,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from housefly.clock import Clock
-from housefly.config.validation import dotted, words_of
+from housefly.config.pydantic_words import words_of
+from housefly.config.validation import dotted
 from housefly.errors import MissingPartError
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import Order, OrderKind, Severity

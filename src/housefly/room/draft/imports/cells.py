@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from housefly.errors import RoomError
+from housefly.messages.words import Words, figure, joined
 from housefly.room.draft.model import SCANNED_MAX, DraftBox
 from housefly.room.reach import Mask
 from housefly.room.rectangles import rectangles
@@ -48,13 +49,15 @@ def boxes_of_cells(
 def refuse_too_many(boxes: tuple[DraftBox, ...], name: str) -> None:
     """Raise RoomError when a file makes more boxes than a room may have."""
     if len(boxes) > SCANNED_MAX:
-        raise RoomError(f"{name}: {_too_many(len(boxes))}")
+        raise RoomError(joined(": ", (name, _too_many(len(boxes)))))
 
 
-def _too_many(count: int) -> str:
-    return (
-        f"{count} boxes and more are needed, at most {SCANNED_MAX} are supported: cut out the part"
-        " to fly in, and clean it of single points"
+def _too_many(count: int) -> Words:
+    return Words(
+        "{n} boxes and more are needed, at most {m} are supported: cut out the part to fly in, and"
+        " clean it of single points",
+        n=figure(count),
+        m=figure(SCANNED_MAX),
     )
 
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from housefly.messages.words import Words
 from housefly.room.draft.model import SiteDraft
 
 USUAL_UNITS = {
-    1.0: "metres",
-    0.01: "centimetres",
-    0.001: "millimetres",
-    0.0254: "inches",
-    0.3048: "feet",
+    1.0: Words("metres"),
+    0.01: Words("centimetres"),
+    0.001: Words("millimetres"),
+    0.0254: Words("inches"),
+    0.3048: Words("feet"),
 }
 """Names by metres per unit."""
 
@@ -39,4 +40,4 @@ class Imported:
     """A draft with the room of a file, and what was found and assumed, a sentence each."""
 
     draft: SiteDraft
-    notes: tuple[str, ...]
+    notes: tuple[Words, ...]

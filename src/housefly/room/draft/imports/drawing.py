@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from housefly.geometry import Vec2
+from housefly.messages.words import UNSAID, Words, figure, joined, said
 
 _KINDS_MAX = 10
 """So many kinds are named in a sentence."""
@@ -57,22 +58,29 @@ class PlanDrawing:
     shapes: list[PlanShape] = field(default_factory=list)
     left_out: Counter[tuple[LeftOut, str]] = field(default_factory=Counter)
     unit: float | None = None
-    unit_words: str = ""
-    notes: tuple[str, ...] = ()
+    unit_words: Words = UNSAID
+    notes: tuple[Words, ...] = ()
 
     def leave_out(self, reason: LeftOut, kind: str) -> None:
         """Count one thing."""
         self.left_out[reason, kind] += 1
 
 
-def left_out_notes(left_out: Counter[tuple[LeftOut, str]]) -> tuple[str, ...]:
+def left_out_notes(left_out: Counter[tuple[LeftOut, str]]) -> tuple[Words, ...]:
     """Return a sentence for each reason, with how many of what."""
     notes = []
     for reason in LeftOut:
         kinds = Counter({kind: n for (why, kind), n in left_out.items() if why is reason})
         if kinds:
-            named = ", ".join(f"{n} {kind}" for kind, n in kinds.most_common(_KINDS_MAX))
+            named = [_counted(n, kind) for kind, n in kinds.most_common(_KINDS_MAX)]
             more = sum(kinds.values()) - sum(n for _, n in kinds.most_common(_KINDS_MAX))
-            named += f", {more} more" if more else ""
-            notes.append(f"left out: {named} ({reason.value})")
+            if more:
+                named.append(Words("{n} more", n=figure(more)))
+            notes.append(
+                Words("left out: {names} ({words})", names=joined(", ", named), words=said(reason))
+            )
     return tuple(notes)
+
+
+def _counted(count: int, kind: str) -> Words:
+    return Words("{n} {name}", n=figure(count), name=kind)

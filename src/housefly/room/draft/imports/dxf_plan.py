@@ -12,6 +12,7 @@ import numpy as np
 
 from housefly.errors import MissingPartError, RoomError
 from housefly.geometry import Vec2
+from housefly.messages.words import UNSAID, Words, error_words, figure
 from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing, PlanShape
 from housefly.room.draft.imports.plan import plan_draft
@@ -49,7 +50,8 @@ def read_dxf(path: Path) -> PlanDrawing:
         from ezdxf import filemanagement, recover
     except ImportError as error:
         raise MissingPartError(
-            "the reader of DXF (ezdxf)", "pip install 'housefly[import]'"
+            Words("the reader of {kind} ({name})", kind="DXF", name="ezdxf"),
+            "pip install 'housefly[import]'",
         ) from error
     try:
         try:
@@ -59,13 +61,18 @@ def read_dxf(path: Path) -> PlanDrawing:
             mended = len(auditor.errors) + len(auditor.fixes)
         drawing = dxf_drawing(document)
     except Exception as error:  # a broken file makes its reader fail in any way
-        raise RoomError(f"{path.name} cannot be read as DXF: {error}") from error
+        raise RoomError(
+            Words("{name} cannot be read as DXF: {why}", name=path.name, why=error_words(error))
+        ) from error
     if mended:
         drawing.notes += (
-            f"the file is damaged; faults in it that were mended or left out: {mended}",
+            Words(
+                "the file is damaged; faults in it that were mended or left out: {n}",
+                n=figure(mended),
+            ),
         )
     if not _ends(path):
-        drawing.notes += ("the file ends in the middle: it was cut off",)
+        drawing.notes += (Words("the file ends in the middle: it was cut off"),)
     return drawing
 
 
@@ -133,14 +140,14 @@ def _points(path: Any, sag: float) -> tuple[Vec2, ...]:
     return (*(a for a, b in pairwise(points) if a != b), points[-1])
 
 
-def _unit(header: Any) -> tuple[float | None, str]:
+def _unit(header: Any) -> tuple[float | None, Words]:
     """Return metres per unit as the file says them, and its words."""
     unit = _UNITS.get(int(header.get("$INSUNITS", 0)))
     if unit is not None:
-        return unit, f"{unit:.4g} m each, as the file says"
+        return unit, Words("{c} m each, as the file says", c=figure(unit, ".4g"))
     if int(header.get("$LUNITS", 2)) in _FEET_AND_INCHES:
-        return 0.0254, "inches, as the file writes its lengths"
-    return None, ""
+        return 0.0254, Words("inches, as the file writes its lengths")
+    return None, UNSAID
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,7 +186,9 @@ def _placed_entities(document: Any, drawing: PlanDrawing) -> Iterator[_PlacedEnt
             levels.pop()
             continue
         if len(levels) > _LEVELS_MAX:
-            raise ValueError(f"blocks are nested deeper than {_LEVELS_MAX} levels")
+            raise ValueError(
+                Words("blocks are nested deeper than {n} levels", n=figure(_LEVELS_MAX))
+            )
         found = walk.placed(entity, levels[-1])
         if isinstance(found, _Level):
             levels.append(found)
@@ -216,12 +225,15 @@ class _Walk:
             self._leave_out(LeftOut.NO_SHAPE, "ATTRIB")
         block = insert.block()
         if block is None or block.block.is_xref:
-            self._leave_out(LeftOut.BROKEN, f"INSERT of {insert.dxf.name!r}, which is not in it")
+            self._leave_out(LeftOut.BROKEN, _not_in_it(insert))
             return None
         self._inserts += max(1, insert.mcount)
         if self._inserts > _INSERTS_MAX:
             raise ValueError(
-                f"more than {_INSERTS_MAX} blocks are inserted; leave out what is no wall"
+                Words(
+                    "more than {n} blocks are inserted; leave out what is no wall",
+                    n=figure(_INSERTS_MAX),
+                )
             )
         found = self._layers.get(layer.casefold())
         is_hidden = level.is_hidden or _is_invisible(insert) or bool(found and found.is_frozen())
@@ -257,7 +269,13 @@ class _Walk:
     def _count(self) -> None:
         self._drawn += 1
         if self._drawn > _DRAWN_MAX:
-            raise ValueError(f"more than {_DRAWN_MAX} shapes; leave out what is no wall")
+            raise ValueError(
+                Words("more than {n} shapes; leave out what is no wall", n=figure(_DRAWN_MAX))
+            )
+
+
+def _not_in_it(insert: Any) -> Words:
+    return Words("{kind} of {name}, which is not in it", kind="INSERT", name=repr(insert.dxf.name))
 
 
 def _is_invisible(entity: Any) -> bool:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from housefly.config.text import is_file, shortened
 from housefly.errors import ConfigError, RoomError
+from housefly.messages.words import Words, figure, percentage
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.imports.cells import boxes_of_cells, refuse_too_many
 from housefly.room.draft.imports.contracts import Imported, ImportHints
@@ -44,9 +45,19 @@ def _ros_cells(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
     length, width = round(nx * edge, 4), round(ny * edge, 4)
     notes = (
         *ros_map.notes,
-        f"{path.name}: {length:.2f} m x {width:.2f} m, {len(boxes)} boxes; a ROS map is flat, so"
-        " its walls reach from the floor to the ceiling",
-        f"the room begins at (0, 0), which the ROS map calls ({origin[0]:.2f}, {origin[1]:.2f}) m",
+        Words(
+            "{name}: {a} m x {b} m, {n} boxes; a ROS map is flat, so its walls reach from the"
+            " floor to the ceiling",
+            name=path.name,
+            a=figure(length, ".2f"),
+            b=figure(width, ".2f"),
+            n=figure(len(boxes)),
+        ),
+        Words(
+            "the room begins at (0, 0), which the ROS map calls ({x}, {y}) m",
+            x=figure(origin[0], ".2f"),
+            y=figure(origin[1], ".2f"),
+        ),
     )
     found = replace(draft, bounds=(0.0, 0.0, length, width), scanned=boxes)
     return Imported(found, notes)
@@ -62,11 +73,13 @@ _IMPORTERS: dict[str, _Importer] = {
 IMPORT_SUFFIXES = tuple(_IMPORTERS)
 """Ends of file names that are read."""
 _WAYS_OUT = {
-    (".pgm", ".png"): "give the map's yaml file, which names the picture",
-    (".pdf", ".ai", ".vsdx"): "export the plan as .svg or .dxf",
-    (".dwg", ".skp", ".rvt", ".ifc"): "export the walls as .dxf",
-    (".usdz", ".fbx", ".dae", ".3ds", ".blend", ".off"): "export the scan as .glb or .ply",
-    (".xyz", ".txt", ".csv", ".pts", ".asc", ".rcp", ".fls"): "export the scan as .ply or .e57",
+    (".pgm", ".png"): Words("give the map's yaml file, which names the picture"),
+    (".pdf", ".ai", ".vsdx"): Words("export the plan as .svg or .dxf"),
+    (".dwg", ".skp", ".rvt", ".ifc"): Words("export the walls as .dxf"),
+    (".usdz", ".fbx", ".dae", ".3ds", ".blend", ".off"): Words("export the scan as .glb or .ply"),
+    (".xyz", ".txt", ".csv", ".pts", ".asc", ".rcp", ".fls"): Words(
+        "export the scan as .ply or .e57"
+    ),
 }
 """What to do with files that are often at hand, and not read."""
 
@@ -86,23 +99,25 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
     if hints.unit is not None and not _UNITS[0] <= hints.unit <= _UNITS[1]:
         raise ConfigError(
             "unit",
-            f"is {hints.unit:g}; allowed: {_UNITS[0]:g} to {_UNITS[1]:g} metres per unit of the"
-            " file",
+            Words(
+                "is {a}; allowed: {b} to {c} metres per unit of the file",
+                a=figure(hints.unit, "g"),
+                b=figure(_UNITS[0], "g"),
+                c=figure(_UNITS[1], "g"),
+            ),
         )
     read = _IMPORTERS.get(path.suffix.lower())
     if read is None:
-        end = path.suffix.lower()
-        way_out = next((f"{words}; " for ends, words in _WAYS_OUT.items() if end in ends), "")
-        raise RoomError(
-            f"{shortened(path.name)}: no room is read from such a file; {way_out}allowed:"
-            f" {', '.join(IMPORT_SUFFIXES)}"
-        )
+        raise RoomError(_unread(path))
     if not is_file(path):
-        raise RoomError(f"{shortened(str(path))} is no file; check its name")
+        raise RoomError(Words("{name} is no file; check its name", name=shortened(str(path))))
     if path.stat().st_size > FILE_SIZE_MAX:
         raise RoomError(
-            f"{path.name} has more than {FILE_SIZE_MAX // 1_000_000} MB; thin the scan out, 2 cm"
-            " between points are enough"
+            Words(
+                "{name} has more than {n} MB; thin the scan out, 2 cm between points are enough",
+                name=path.name,
+                n=figure(FILE_SIZE_MAX // 1_000_000),
+            )
         )
     empty = replace(
         draft,
@@ -125,16 +140,35 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
     if hints.unexplored == "free":
         seen = tuple(box for box in draft.scanned if box.thing != "unexplored")
         draft = replace(draft, scanned=seen)
-        found = replace(found, notes=(*found.notes, "unexplored floor counts as free, as you said"))
+        note = Words("unexplored floor counts as free, as you said")
+        found = replace(found, notes=(*found.notes, note))
     return Imported(replace(draft, places=suggested_places(draft)), found.notes)
 
 
-def _why_nowhere(draft: SiteDraft) -> str:
+def _unread(path: Path) -> Words:
+    """Return that no reader knows such a file, and what to do with it."""
+    end, name, allowed = path.suffix.lower(), shortened(path.name), ", ".join(IMPORT_SUFFIXES)
+    way_out = next((words for ends, words in _WAYS_OUT.items() if end in ends), None)
+    if way_out is None:
+        return Words(
+            "{name}: no room is read from such a file; allowed: {thing}", name=name, thing=allowed
+        )
+    return Words(
+        "{name}: no room is read from such a file; {words}; allowed: {thing}",
+        name=name,
+        words=way_out,
+        thing=allowed,
+    )
+
+
+def _why_nowhere(draft: SiteDraft) -> Words:
     """Return why the drone fits nowhere, by what covers the floor."""
     assert draft.bounds is not None
     x_min, y_min, x_max, y_max = draft.bounds
     unseen = sum(box.length * box.width for box in draft.scanned if box.thing == "unexplored")
     share = unseen / ((x_max - x_min) * (y_max - y_min))
     if share > _MOSTLY:
-        return f"the drone fits nowhere: {100 * share:.0f} % of the floor were never seen"
-    return "the drone fits nowhere: is the unit of the file right?"
+        return Words(
+            "the drone fits nowhere: {a} % of the floor were never seen", a=percentage(share)
+        )
+    return Words("the drone fits nowhere: is the unit of the file right?")

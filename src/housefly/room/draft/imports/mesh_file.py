@@ -11,12 +11,14 @@ from typing import Any
 import numpy as np
 
 from housefly.errors import MissingPartError, RoomError
+from housefly.messages.words import Words, figure
 from housefly.room.draft.imports.scan_part import ScanFile, ScanPart, refuse_too_many_points
 
 _TREE_MAX = 64 * 2**20
 """Longest JSON of a glTF [bytes]."""
 _DRACO = "KHR_draco_mesh_compression"
 _MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression", "MESHOPT_compression")
+_QUANTIZED = "KHR_mesh_quantization"
 _FLOAT = 5126
 """componentType of numbers that need no scaling."""
 
@@ -27,7 +29,7 @@ def read_mesh(path: Path) -> ScanFile:
         import trimesh
     except ImportError as error:
         raise MissingPartError(
-            "the reader of scans (trimesh)", "pip install 'housefly[import]'"
+            Words("the reader of scans ({name})", name="trimesh"), "pip install 'housefly[import]'"
         ) from error
     if path.suffix.lower() in (".glb", ".gltf"):
         _check_gltf(path)
@@ -42,9 +44,13 @@ def read_mesh(path: Path) -> ScanFile:
     shapes = [part for part in found if getattr(part, "vertices", None) is not None]
     lost = len(found) - len(shapes)
     if any(shape.vertices.ndim != 2 or shape.vertices.shape[1] != 3 for shape in shapes):
-        raise RoomError(f"{path.name} has points without three coordinates each")
-    notes = (f"left out: {lost} parts that are neither points nor surfaces",) if lost else ()
-    return ScanFile(tuple(_part(shape) for shape in shapes if len(shape.vertices)), None, notes)
+        raise RoomError(Words("{name} has points without three coordinates each", name=path.name))
+    note = Words("left out: {n} parts that are neither points nor surfaces", n=figure(lost))
+    return ScanFile(
+        tuple(_part(shape) for shape in shapes if len(shape.vertices)),
+        None,
+        (note,) if lost else (),
+    )
 
 
 def _part(shape: Any) -> ScanPart:
@@ -64,25 +70,43 @@ def _check_gltf(path: Path) -> None:
     needed = _words(tree.get("extensionsRequired"))
     used = _words(tree.get("extensionsUsed")) | needed
     if _DRACO in used and find_spec("DracoPy") is None:
-        raise _compressed(path, _DRACO, ", or pip install DracoPy")
+        raise RoomError(
+            Words(
+                "{name} stores its surfaces by {thing}, which is not read: export it without"
+                " compression, or pip install DracoPy",
+                name=path.name,
+                thing=_DRACO,
+            )
+        )
     for name in _MESHOPT:
         if name in needed:
-            raise _compressed(path, name)
+            raise RoomError(
+                Words(
+                    "{name} stores its surfaces by {thing}, which is not read: export it without"
+                    " compression",
+                    name=path.name,
+                    thing=name,
+                )
+            )
     if _scales_integers(tree):
-        raise _compressed(path, "KHR_mesh_quantization", " or quantization")
+        raise RoomError(
+            Words(
+                "{name} stores its surfaces by {thing}, which is not read: export it without"
+                " compression or quantization",
+                name=path.name,
+                thing=_QUANTIZED,
+            )
+        )
     for uri in _uris(tree):
         if not uri.startswith("data:") and not (path.parent / uri).is_file():
             raise RoomError(
-                f"{path.name} needs {uri!r}, which is not beside it: choose both files, or export"
-                " it as one .glb"
+                Words(
+                    "{name} needs {thing}, which is not beside it: choose both files, or export it"
+                    " as one .glb",
+                    name=path.name,
+                    thing=repr(uri),
+                )
             )
-
-
-def _compressed(path: Path, extension: str, way_out: str = "") -> RoomError:
-    return RoomError(
-        f"{path.name} stores its surfaces by {extension}, which is not read: export it without"
-        f" compression{way_out}"
-    )
 
 
 def _gltf_tree(path: Path) -> Any:

@@ -14,11 +14,12 @@ import numpy as np
 
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
+from housefly.messages.words import Words, figure, joined, literal
 from housefly.room.draft.imports.cells import boxes_of_cells
-from housefly.room.draft.imports.contracts import USUAL_UNITS, Imported, ImportHints
+from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing, PlanShape, left_out_notes
 from housefly.room.draft.imports.strays import without_strays
-from housefly.room.draft.imports.units import likely_units
+from housefly.room.draft.imports.units import plan_unit
 from housefly.room.draft.model import DraftBox, DraftWall, SiteDraft
 from housefly.room.reach import flood
 
@@ -29,12 +30,6 @@ _LINE_THICKNESS, _WIDTH_MAX = 0.03, 0.6
 """Walls in a plan are drawn by their faces; each face becomes so thick, and as thick as it is drawn
 up to that width, beyond which it is no wall's [m].
 """
-_SIDES = (2.0, 80.0)
-"""Of a plan whose unit is guessed [m]."""
-_SAID_SIDES = (1.0, 200.0)
-"""Of a plan whose unit was said, by somebody or by the file [m]."""
-_SCALES = (10, 20, 25, 50, 100, 200)
-"""At which plans are drawn on paper."""
 _EDGE = 0.1
 """Of the cells that tell inside from outside [m]."""
 _INSIDE_SHARE = 0.4
@@ -69,24 +64,31 @@ def plan_draft(draft: SiteDraft, drawing: PlanDrawing, name: str, hints: ImportH
     """
     if not drawing.shapes:
         notes = (*drawing.notes, *left_out_notes(drawing.left_out))
-        why = "".join(f"; {note}" for note in notes)
-        raise RoomError(
-            f"{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?{why}"
+        empty = Words(
+            "{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?",
+            name=name,
         )
+        raise RoomError(joined("; ", (empty, *notes)))
     on_walls, layer_note = _of_walls(drawing, hints)
     chosen, strays = without_strays(on_walls)
     for shape in strays:
         drawing.leave_out(LeftOut.FAR, shape.kind)
     ends = np.array([point for shape in chosen for point in shape.points])
     low, high = ends.min(axis=0), ends.max(axis=0)
-    unit, unit_note = _unit(
+    unit, unit_note = plan_unit(
         (float(high[0] - low[0]), float(high[1] - low[1])), name, hints, drawing
     )
     walls = tuple(_walls(chosen, (float(low[0]), float(low[1])), unit, drawing))
     if len(walls) > _LINES_MAX:
         raise RoomError(
-            f"{name} has {len(walls)} lines, at most {_LINES_MAX} are read: say which layers hold"
-            f" the walls; it has: {_layers(drawing.shapes)}"
+            Words(
+                "{name} has {n} lines, at most {m} are read: say which layers hold the walls; it"
+                " has: {thing}",
+                name=name,
+                n=figure(len(walls)),
+                m=figure(_LINES_MAX),
+                thing=_layers(drawing.shapes),
+            )
         )
     length, width = (float(side) * unit for side in high - low)
     outside, outside_note = _outside(walls, length, width, draft.height)
@@ -96,8 +98,14 @@ def plan_draft(draft: SiteDraft, drawing: PlanDrawing, name: str, hints: ImportH
         unit_note,
         outside_note,
         *left_out_notes(drawing.left_out),
-        f"{name}: {length:.2f} m x {width:.2f} m, {len(walls)} lines became walls up to the ceiling"
-        " (doors and windows too, where they are drawn on the same layer)",
+        Words(
+            "{name}: {a} m x {b} m, {n} lines became walls up to the ceiling (doors and windows"
+            " too, where they are drawn on the same layer)",
+            name=name,
+            a=figure(length, ".2f"),
+            b=figure(width, ".2f"),
+            n=figure(len(walls)),
+        ),
     )
     bounds = (0.0, 0.0, round(length, 3), round(width, 3))
     return Imported(replace(draft, bounds=bounds, walls=walls, scanned=outside), notes)
@@ -105,7 +113,7 @@ def plan_draft(draft: SiteDraft, drawing: PlanDrawing, name: str, hints: ImportH
 
 def _outside(
     walls: tuple[DraftWall, ...], length: float, width: float, height: float
-) -> tuple[tuple[DraftBox, ...], str]:
+) -> tuple[tuple[DraftBox, ...], Words]:
     """Return boxes where no way leads to from inside, and a word on whether the walls close."""
     nx, ny = ceil(length / _EDGE) + 2, ceil(width / _EDGE) + 2  # a border of open cells around
     is_open = np.ones((nx, ny), dtype=np.bool_)
@@ -119,17 +127,17 @@ def _outside(
     outside = np.asarray(flood(is_open, 0, 0), dtype=np.bool_)[1:-1, 1:-1]
     inside = is_open[1:-1, 1:-1] & ~outside
     if inside.sum() < _INSIDE_SHARE * inside.size:
-        return (), (
+        return (), Words(
             "its outer walls do not close, so nothing says what is outside: look at the map, and"
             " draw walls where they are missing"
         )
     return (
         boxes_of_cells(outside, _EDGE, height, "unexplored"),
-        "what is outside of its walls is not flown in",
+        Words("what is outside of its walls is not flown in"),
     )
 
 
-def _of_walls(drawing: PlanDrawing, hints: ImportHints) -> tuple[list[PlanShape], str]:
+def _of_walls(drawing: PlanDrawing, hints: ImportHints) -> tuple[list[PlanShape], Words]:
     """Return the shapes on layers of walls, and which these are; others are left out."""
     shapes = drawing.shapes
     if hints.layers:
@@ -139,59 +147,31 @@ def _of_walls(drawing: PlanDrawing, hints: ImportHints) -> tuple[list[PlanShape]
     if not any(are_walls):
         if hints.layers:
             raise RoomError(
-                f"no layer's name holds {' or '.join(map(repr, hints.layers))}; there are:"
-                f" {_layers(shapes)}"
+                Words(
+                    "no layer's name holds {name}; there are: {thing}",
+                    name=" or ".join(map(repr, hints.layers)),
+                    thing=_layers(shapes),
+                )
             )
-        words = "every line is taken for a wall: no layer is called so"
-        named = _layers(shapes) if any(shape.layer for shape in shapes) else ""
-        return shapes, f"{words}; say layers= if only some hold them: {named}" if named else words
+        if not any(shape.layer for shape in shapes):
+            return shapes, Words("every line is taken for a wall: no layer is called so")
+        return shapes, Words(
+            "every line is taken for a wall: no layer is called so; say layers= if only some hold"
+            " them: {name}",
+            name=_layers(shapes),
+        )
     chosen = [shape for shape, is_wall in zip(shapes, are_walls, strict=True) if is_wall]
     for shape, is_wall in zip(shapes, are_walls, strict=True):
         if not is_wall:
             drawing.leave_out(LeftOut.NO_WALL_LAYER, repr(shape.layer))
-    return chosen, f"walls are taken from the layers {_layers(chosen)}"
+    return chosen, Words("walls are taken from the layers {name}", name=_layers(chosen))
 
 
-def _layers(shapes: list[PlanShape]) -> str:
+def _layers(shapes: list[PlanShape]) -> Words:
     names = sorted({shape.layer for shape in shapes})
-    more = f" and {len(names) - _LAYERS_MAX} more" if len(names) > _LAYERS_MAX else ""
-    return ", ".join(map(repr, names[:_LAYERS_MAX])) + more
-
-
-def _unit(
-    sides: tuple[float, float], name: str, hints: ImportHints, drawing: PlanDrawing
-) -> tuple[float, str]:
-    """Return metres per unit, and why: as somebody said, as the file says, as rooms are."""
-    length, width = sides
-    if hints.unit is not None:
-        said = [hints.unit * side for side in sides]
-        if not all(_SAID_SIDES[0] <= side <= _SAID_SIDES[1] for side in said):
-            raise RoomError(
-                f"{name} is {said[0]:.4g} m x {said[1]:.4g} m with unit={hints.unit:g}; allowed:"
-                f" {_SAID_SIDES[0]:g} to {_SAID_SIDES[1]:g} m: say another unit"
-            )
-        return hints.unit, f"one unit is {hints.unit:g} m, as you said"
-    declared = drawing.unit
-    if declared and all(_SAID_SIDES[0] <= declared * side <= _SAID_SIDES[1] for side in sides):
-        return declared, (
-            f"its numbers ({length:.4g} x {width:.4g}) are {drawing.unit_words}: measure one wall,"
-            " and say the unit if it is not so long"
-        )
-    drawn = {declared * scale: f"drawn at 1:{scale}" for scale in _SCALES} if declared else {}
-    words = drawn | {unit: f"taken for {named}" for unit, named in USUAL_UNITS.items()}
-    choices = likely_units(words, sides, _SIDES)
-    if not choices:
-        raise RoomError(
-            f"{name} measures {length:.4g} x {width:.4g}: no room in any usual unit; say how many"
-            " metres one unit is"
-        )
-    unit = 1.0 if 1.0 in choices and not declared else choices[0]
-    found = f"{words[unit]}, a room of {unit * length:.3g} m x {unit * width:.3g} m"
-    why = f"cannot be {drawing.unit_words}, and were {found}" if declared else f"are {found}"
-    return unit, (
-        f"its numbers ({length:.4g} x {width:.4g}) {why}: measure one wall, and say the unit if it"
-        " is not so long"
-    )
+    shown = ", ".join(map(repr, names[:_LAYERS_MAX]))
+    more = len(names) - _LAYERS_MAX
+    return Words("{name} and {n} more", name=shown, n=figure(more)) if more > 0 else literal(shown)
 
 
 def _walls(
@@ -199,10 +179,10 @@ def _walls(
 ) -> Iterator[DraftWall]:
     """Yield the straight parts of shapes as walls, each once; what is too small is left out."""
     seen = set[tuple[Vec2, Vec2]]()
-    for shape, joined, count in _joined(shapes, _GAP / unit):
+    for shape, line, count in _joined(shapes, _GAP / unit):
         width = shape.width * unit
         thickness = round(width, 4) if _LINE_THICKNESS < width <= _WIDTH_MAX else _LINE_THICKNESS
-        points = _thinned([((x - low[0]) * unit, (y - low[1]) * unit) for x, y in joined])
+        points = _thinned([((x - low[0]) * unit, (y - low[1]) * unit) for x, y in line])
         if len(points) < 2:
             drawing.left_out[LeftOut.TOO_SMALL, shape.kind] += count
         for start, end in pairwise(points):

@@ -5,6 +5,7 @@ Their compiled parts end the whole process on some broken files, where Python's 
 
 from __future__ import annotations
 
+import json
 import re
 import resource
 import subprocess
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from housefly.errors import RoomError
+from housefly.messages.words import UNSAID, Words, error_words, figure, from_tree, tree
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.scan_part import ScanFile, cloud_part, refuse_too_many_points
 
@@ -34,8 +36,8 @@ _WKT_UNIT = re.compile(
     r'UNIT\["[^"]*(?:metre|meter|foot|feet)[^"]*",\s*([\d.eE+-]+)', re.IGNORECASE
 )
 
-_Read = tuple[FloatArray, float, str]
-"""Points, metres per unit or 0, and a note or nothing."""
+_Read = tuple[FloatArray, float, Words]
+"""Points, metres per unit or 0, and a note or UNSAID."""
 
 
 def read_apart(kind: str, path: Path) -> ScanFile:
@@ -54,11 +56,14 @@ def read_apart(kind: str, path: Path) -> ScanFile:
         done = subprocess.run(line, capture_output=True, check=False)
         said = done.stderr.decode(errors="replace").strip().splitlines() or [""]
         if done.returncode == _REFUSED:
-            raise RoomError(said[-1])
+            raise RoomError(from_tree(json.loads(said[-1])))
         if done.returncode != 0:
-            raise RoomError(f"{path.name} cannot be read: its reader broke; is the file whole?")
+            raise RoomError(
+                Words("{name} cannot be read: its reader broke; is the file whole?", name=path.name)
+            )
         with np.load(kept) as found:
-            points, unit, note = found["points"], float(found["unit"]), str(found["note"])
+            points, unit = found["points"], float(found["unit"])
+            note = from_tree(json.loads(str(found["note"])))
     return ScanFile((cloud_part(points),), unit or None, (note,) if note else ())
 
 
@@ -70,15 +75,25 @@ def main() -> int:
     try:
         points, unit, note = _READERS[kind](path)
     except RoomError as error:
-        print(error, file=sys.stderr)
+        _tell(error_words(error))
         return _REFUSED
     except Exception as error:  # a broken file makes its reader fail in any way
         said = str(error).strip().partition("\n")[0] or type(error).__name__
-        words = f"{path.name} cannot be read as a scan: {said}; is the file whole?"
-        print(words, file=sys.stderr)
+        _tell(
+            Words(
+                "{name} cannot be read as a scan: {why}; is the file whole?",
+                name=path.name,
+                why=said,
+            )
+        )
         return _REFUSED
-    np.savez(kept, points=points, unit=unit, note=note)
+    np.savez(kept, points=points, unit=unit, note=json.dumps(tree(note)))
     return 0
+
+
+def _tell(words: Words) -> None:
+    """Print words for the parent, on one line."""
+    print(json.dumps(tree(words)), file=sys.stderr)
 
 
 def _las(path: Path) -> _Read:
@@ -93,8 +108,8 @@ def _las(path: Path) -> _Read:
             is_noise = np.isin(np.asarray(chunk.classification), _NOISE)
             noise += int(is_noise.sum())
             parts.append(points[~is_noise])
-    note = f"left out: {noise} points that it calls noise" if noise else ""
-    return np.vstack(parts), _las_unit(header), note
+    note = Words("left out: {n} points that it calls noise", n=figure(noise))
+    return np.vstack(parts), _las_unit(header), note if noise else UNSAID
 
 
 def _las_unit(header: Any) -> float:
@@ -120,7 +135,7 @@ def _e57(path: Path) -> _Read:
     for number in numbers:
         scan = document.read_scan(number, ignore_missing_fields=True)
         parts.append(np.column_stack([scan[axis] for axis in axes]))
-    return np.vstack(parts), 1.0, ""
+    return np.vstack(parts), 1.0, UNSAID
 
 
 _READERS: dict[str, Callable[[Path], _Read]] = {"las": _las, "e57": _e57}

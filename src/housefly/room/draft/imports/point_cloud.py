@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
-from typing import BinaryIO, Protocol
+from typing import Protocol
 
 import numpy as np
 
-from housefly.errors import HouseflyError, MissingPartError, RoomError
+from housefly.errors import HouseflyError, RoomError
+from housefly.messages.words import Words, figure, literal
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.contracts import USUAL_UNITS, ImportHints
 from housefly.room.draft.imports.mesh_file import read_mesh
-from housefly.room.draft.imports.point_child import read_apart
+from housefly.room.draft.imports.point_file import read_e57, read_las, read_pcd
 from housefly.room.draft.imports.scan_part import (
     ScanFile,
     ScanPart,
-    cloud_part,
-    refuse_too_many_points,
     without_broken_points,
 )
 from housefly.room.draft.imports.units import likely_units
@@ -39,76 +36,6 @@ _FLOOR_BIN = 0.02
 _UP = {".glb": "y", ".gltf": "y", ".las": "z", ".laz": "z", ".e57": "z"}
 """The format says so."""
 
-_INSTALL = "pip install 'housefly[import]'"
-_HEADER_MAX = 4096
-"""Longest header of a PCD [bytes]."""
-_FIELDS_MAX = 10_000
-_RECORD_MAX = 2000
-"""Longest point of a LAS [bytes]; usual ones have up to 70."""
-
-
-def read_pcd(path: Path) -> ScanFile:
-    """Return the points of a PCD; raises RoomError, or what a broken file raises in pypcd4."""
-    if not find_spec("pypcd4"):
-        raise MissingPartError("the reader of PCD (pypcd4)", _INSTALL)
-    from pypcd4.pypcd4 import MetaData, PointCloud
-
-    with path.open("rb") as file:
-        try:
-            header = MetaData.parse_header(_pcd_header(file))
-        except ValueError as error:
-            raise RoomError(f"{path.name} has no good header of a PCD: {error}") from error
-        refuse_too_many_points(header.points, path.name)
-        if sum(header.count) > _FIELDS_MAX:
-            raise RoomError(f"{path.name} has more than {_FIELDS_MAX} numbers a point")
-        whole = header.points * header.build_dtype().itemsize
-        there = path.stat().st_size - file.tell()
-        if header.data.value == "binary" and there < whole:
-            raise RoomError(f"{path.name} ends in the middle: {there} of {whole} bytes are there")
-        if header.data.value.startswith("binary") and header.data.value != "binary":
-            packed, unpacked = struct.unpack("<II", file.read(8))
-            if unpacked != whole or there - 8 < packed:
-                raise RoomError(f"{path.name} is damaged: its points are not as long as it says")
-    cloud = PointCloud.from_path(path)
-    missing = [axis for axis in "xyz" if axis not in cloud.fields]
-    if missing:
-        raise RoomError(
-            f"{path.name} has no field {missing[0]!r}; it has: {', '.join(cloud.fields)}"
-        )
-    points = cloud.numpy(("x", "y", "z")).astype(np.float64)
-    lost = header.points - points.shape[0]
-    notes = (f"the file ends in the middle: {lost} points are missing",) if lost > 0 else ()
-    return ScanFile((cloud_part(points),), None, notes)
-
-
-def _read_las(path: Path) -> ScanFile:
-    """Return the points of a LAS or LAZ; raises RoomError."""
-    if not (find_spec("laspy") and find_spec("lazrs")):
-        raise MissingPartError("the reader of LAS and LAZ (laspy, lazrs)", _INSTALL)
-    with path.open("rb") as file:
-        head = file.read(247).ljust(247, b"\0")
-    start, records, _, length = struct.unpack_from("<IIBH", head, 96)
-    extended = struct.unpack_from("<I", head, 243)[0] if head[25] >= 4 else 0
-    whole = max(start, 54 * records, 60 * extended)
-    if head[:4] != b"LASF" or whole > path.stat().st_size or length > _RECORD_MAX:
-        raise RoomError(f"{path.name} has no good header of a LAS; is the file whole?")
-    return read_apart("las", path)
-
-
-def _read_e57(path: Path) -> ScanFile:
-    """Return the points of all scans of an E57 together; raises RoomError."""
-    if not find_spec("pye57"):
-        raise MissingPartError("the reader of E57 (pye57)", _INSTALL)
-    with path.open("rb") as file:
-        head = file.read(24).ljust(24, b"\0")
-    whole, there = struct.unpack_from("<Q", head, 16)[0], path.stat().st_size
-    if head[:8] != b"ASTM-E57":
-        raise RoomError(f"{path.name} has no good header of an E57; is the file whole?")
-    if whole != there:
-        raise RoomError(f"{path.name} ends in the middle: {there} of {whole} bytes are there")
-    return read_apart("e57", path)
-
-
 _READERS: dict[str, Callable[[Path], ScanFile]] = {
     ".ply": read_mesh,
     ".obj": read_mesh,
@@ -116,9 +43,9 @@ _READERS: dict[str, Callable[[Path], ScanFile]] = {
     ".gltf": read_mesh,
     ".stl": read_mesh,
     ".pcd": read_pcd,
-    ".las": _read_las,
-    ".laz": _read_las,
-    ".e57": _read_e57,
+    ".las": read_las,
+    ".laz": read_las,
+    ".e57": read_e57,
 }
 SCAN_SUFFIXES = tuple(_READERS)
 """Ends of the names of files that are read."""
@@ -129,7 +56,7 @@ class PointCloud:
     """Points in metres, z up, floor at 0, shape (n, 3), and what was assumed, in words."""
 
     points: FloatArray
-    notes: tuple[str, ...]
+    notes: tuple[Words, ...]
 
 
 class SampledSurface(Protocol):
@@ -150,7 +77,7 @@ def read_point_cloud(path: Path, hints: ImportHints) -> PointCloud:
     """
     scan = _scan_file(path)
     if not scan.parts:
-        raise RoomError(f"{path.name} holds neither points nor surfaces")
+        raise RoomError(Words("{name} holds neither points nor surfaces", name=path.name))
     parts, left_out = without_broken_points(scan.parts, path.name)
     area = sum(part.area for part in parts)
     coarse = np.vstack([_sampled(part, (area / _COARSE_POINTS) ** 0.5) for part in parts])
@@ -161,12 +88,17 @@ def read_point_cloud(path: Path, hints: ImportHints) -> PointCloud:
     points = _turned(points, axis)
     if points.shape[0] < _POINTS_MIN:
         raise RoomError(
-            f"{path.name} has {points.shape[0]} points; at least {_POINTS_MIN} are needed, better"
-            " one on each 2 cm of wall and floor"
+            Words(
+                "{name} has {n} points; at least {m} are needed, better one on each 2 cm of wall"
+                " and floor",
+                name=path.name,
+                n=figure(points.shape[0]),
+                m=figure(_POINTS_MIN),
+            )
         )
     floor = _floor(points)
     points[:, 2] -= floor
-    floor_note = f"the floor was taken at {floor:.2f} m in it"
+    floor_note = Words("the floor was taken at {a} m in it", a=figure(floor, ".2f"))
     return PointCloud(points, (*scan.notes, *left_out, axis_note, unit_note, floor_note))
 
 
@@ -176,12 +108,22 @@ def _scan_file(path: Path) -> ScanFile:
     except HouseflyError:
         raise
     except Exception as error:  # a broken file makes its reader fail in any way
-        said = str(error).strip().partition("\n")[0]
-        if isinstance(error, LookupError | TypeError | AttributeError) or not said:
-            said = f"its reader stops with {type(error).__name__} {said}".rstrip()
         raise RoomError(
-            f"{path.name} cannot be read as a scan: {said}; is the file whole?"
+            Words(
+                "{name} cannot be read as a scan: {why}; is the file whole?",
+                name=path.name,
+                why=_reader_words(error),
+            )
         ) from error
+
+
+def _reader_words(error: Exception) -> Words:
+    """Return what the reader of a broken file says, or that it says nothing to people."""
+    said = str(error).strip().partition("\n")[0]
+    if isinstance(error, LookupError | TypeError | AttributeError) or not said:
+        said = f"{type(error).__name__} {said}".rstrip()
+        return Words("its reader stops with {name}", name=said)
+    return literal(said)
 
 
 def fine_spacing(parts: Iterable[SampledSurface], wanted: float) -> float:
@@ -215,15 +157,15 @@ def _thinned(points: FloatArray) -> FloatArray:
     return points[::step]
 
 
-def _up_axis(points: FloatArray, path: Path, hints: ImportHints) -> tuple[str, str]:
+def _up_axis(points: FloatArray, path: Path, hints: ImportHints) -> tuple[str, Words]:
     if hints.up != "auto":
-        return hints.up, f"{hints.up} points up, as you said"
+        return hints.up, Words("{name} points up, as you said", name=hints.up)
     if axis := _UP.get(path.suffix.lower()):
-        return axis, f"{axis} points up, as the format has it"
+        return axis, Words("{name} points up, as the format has it", name=axis)
     # A floor is the largest level, and a room is rarely higher than it is wide.
     y, z = _floor_likeness(points[:, 1]), _floor_likeness(points[:, 2])
     axis = "y" if y > z else "z"
-    return axis, f"{axis} was taken to point up"
+    return axis, Words("{name} was taken to point up", name=axis)
 
 
 def _floor_likeness(values: FloatArray) -> float:
@@ -248,23 +190,44 @@ def _turned(points: FloatArray, axis: str) -> FloatArray:
 
 def _unit(
     points: FloatArray, path: Path, hints: ImportHints, declared: float | None
-) -> tuple[float, str]:
+) -> tuple[float, Words]:
     low, high = np.percentile(points, (0.1, 99.9), axis=0)
     length, width, height = (float(side) for side in high - low)
-    sides = f"{length:.4g} x {abs(width):.4g} x {height:.4g}"
+    sides = Words(
+        "{a} x {b} x {c}",
+        a=figure(length, ".4g"),
+        b=figure(abs(width), ".4g"),
+        c=figure(height, ".4g"),
+    )
     if hints.unit is not None:
-        return hints.unit, f"one unit is {hints.unit:g} m, as you said"
+        return hints.unit, Words("one unit is {a} m, as you said", a=figure(hints.unit, "g"))
     if declared is not None:
-        return declared, f"its numbers ({sides}) are {declared:.4g} m each, as the file says"
+        return declared, Words(
+            "its numbers ({thing}) are {a} m each, as the file says",
+            thing=sides,
+            a=figure(declared, ".4g"),
+        )
     if not (length > 0.0 and width > 0.0):
-        raise RoomError(f"{path.name} measures {sides}: all its points lie on one line or plane")
+        raise RoomError(
+            Words(
+                "{name} measures {thing}: all its points lie on one line or plane",
+                name=path.name,
+                thing=sides,
+            )
+        )
     choices = likely_units(USUAL_UNITS, (length, width), _SIDES, height, _HEIGHTS)
     if choices:
         unit = 1.0 if 1.0 in choices else choices[0]
-        return unit, f"its numbers ({sides}) were taken for {USUAL_UNITS[unit]}"
+        return unit, Words(
+            "its numbers ({thing}) were taken for {words}", thing=sides, words=USUAL_UNITS[unit]
+        )
     raise RoomError(
-        f"{path.name} measures {sides}: no room in any usual unit; say how many metres one unit is"
-        " (0.001 for millimetres), and which axis points up"
+        Words(
+            "{name} measures {thing}: no room in any usual unit; say how many metres one unit is"
+            " (0.001 for millimetres), and which axis points up",
+            name=path.name,
+            thing=sides,
+        )
     )
 
 
@@ -280,14 +243,3 @@ def _floor(points: FloatArray) -> float:
         (heights >= edges[best] - _FLOOR_BIN) & (heights <= edges[best + 1] + _FLOOR_BIN)
     ]
     return float(np.median(within))
-
-
-def _pcd_header(file: BinaryIO) -> list[str]:
-    lines = list[str]()
-    while file.tell() < _HEADER_MAX and (raw := file.readline(_HEADER_MAX)):
-        line = raw.decode("ascii", errors="replace").strip()
-        if line and not line.startswith("#"):
-            lines.append(line)
-        if line.startswith("DATA"):
-            break
-    return lines

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.errors import RoomError
+from housefly.messages.words import Words, figure
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.cells import (
     boxes_of_cells,
@@ -53,7 +54,11 @@ def scan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
     nx, ny = (int(n) for n in np.ceil((high + 2 * edge - origin) / edge))
     if nx * ny > _CELLS_MAX:
         raise RoomError(
-            f"{path.name} covers {nx * ny * edge**2:.0f} m^2; cut out the part to fly in"
+            Words(
+                "{name} covers {a} m^2; cut out the part to fly in",
+                name=path.name,
+                a=figure(nx * ny * edge**2, ".0f"),
+            )
         )
     cells = _Cells(inside, origin, (nx, ny), edge)
     layers = [cells.occupied(below, above) for below, above in pairwise(LEVELS)]
@@ -67,17 +72,34 @@ def scan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
     notes = (
         *cloud.notes,
         *edge_note,
-        f"{path.name}: {length:.2f} m x {width:.2f} m, {len(boxes)} boxes from {len(inside)}"
-        f" points; ceiling {top:.2f} m"
-        + ("" if ceiling is not None else " (not in the scan: as usual)"),
+        Words(
+            "{name}: {a} m x {b} m, {n} boxes from {m} points; {ceiling}",
+            name=path.name,
+            a=figure(length, ".2f"),
+            b=figure(width, ".2f"),
+            n=figure(len(boxes)),
+            m=figure(len(inside)),
+            ceiling=_ceiling_words(ceiling, top),
+        ),
         unexplored_note(seen | np.logical_or.reduce(layers), edge),
-        f"the room begins at (0, 0), which the scan calls ({x:.2f}, {y:.2f}) m",
+        Words(
+            "the room begins at (0, 0), which the scan calls ({x}, {y}) m",
+            x=figure(x, ".2f"),
+            y=figure(y, ".2f"),
+        ),
     )
     found = replace(draft, bounds=(0.0, 0.0, length, width), scanned=boxes, height=top)
     return Imported(found, notes)
 
 
-def _edge(points: FloatArray, name: str) -> tuple[float, tuple[str, ...]]:
+def _ceiling_words(found: float | None, top: float) -> Words:
+    """Return where the ceiling is [m], and whether the scan shows it."""
+    if found is None:
+        return Words("ceiling {c} m (not in the scan: as usual)", c=figure(top, ".2f"))
+    return Words("ceiling {c} m", c=figure(top, ".2f"))
+
+
+def _edge(points: FloatArray, name: str) -> tuple[float, tuple[Words, ...]]:
     """Return the edge of cells that the points are dense enough for, and a word on coarse ones.
 
     Raises:
@@ -87,15 +109,20 @@ def _edge(points: FloatArray, name: str) -> tuple[float, tuple[str, ...]]:
         spacing = _spacing(points, edge)
         if spacing is not None:
             is_coarse = edge > EDGES[0]
-            note = (
-                f"its points are about {100 * spacing:.0f} cm apart: cells of {100 * edge:.0f} cm"
+            note = Words(
+                "its points are about {a} cm apart: cells of {b} cm",
+                a=figure(100 * spacing, ".0f"),
+                b=figure(100 * edge, ".0f"),
             )
             return edge, (note,) if is_coarse else ()
     farthest = EDGES[-1] / 2
     raise RoomError(
-        f"{name} has points more than {100 * farthest:.0f} cm apart, too few to tell walls from"
-        " gaps: export it denser, 2 cm between points are best, or as a mesh; or is its unit"
-        " another one?"
+        Words(
+            "{name} has points more than {a} cm apart, too few to tell walls from gaps: export it"
+            " denser, 2 cm between points are best, or as a mesh; or is its unit another one?",
+            name=name,
+            a=figure(100 * farthest, ".0f"),
+        )
     )
 
 

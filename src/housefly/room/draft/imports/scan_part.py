@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.errors import RoomError
+from housefly.messages.words import Words, figure
 from housefly.numeric import FloatArray
 
 VERTICES_MAX = 30_000_000
@@ -49,7 +50,7 @@ class ScanFile:
 
     parts: tuple[ScanPart, ...]
     unit: float | None = None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Words, ...] = ()
 
 
 def cloud_part(points: FloatArray) -> ScanPart:
@@ -61,14 +62,19 @@ def refuse_too_many_points(count: int, name: str) -> None:
     """Raise RoomError for more points than this machine's memory should hold."""
     if count > VERTICES_MAX:
         raise RoomError(
-            f"{name} holds {count} points, at most {VERTICES_MAX} are read: thin the scan out,"
-            " 2 cm between points are enough"
+            Words(
+                "{name} holds {n} points, at most {m} are read: thin the scan out, 2 cm between"
+                " points are enough",
+                name=name,
+                n=figure(count),
+                m=figure(VERTICES_MAX),
+            )
         )
 
 
 def without_broken_points(
     parts: Iterable[ScanPart], name: str
-) -> tuple[tuple[ScanPart, ...], tuple[str, ...]]:
+) -> tuple[tuple[ScanPart, ...], tuple[Words, ...]]:
     """Return the parts without points that are not finite or far away, and how many these were.
 
     Raises:
@@ -79,7 +85,7 @@ def without_broken_points(
     found = [part.vertices[ok] for part, ok in zip(parts, finite, strict=True)]
     corners = np.vstack([np.empty((0, 3)), *found])
     if corners.shape[0] == 0:
-        raise RoomError(f"{name} holds no points, or none that is finite")
+        raise RoomError(Words("{name} holds no points, or none that is finite", name=name))
     low, middle, high = np.percentile(corners, (10.0, 50.0, 90.0), axis=0)
     reach = _FAR * float((high - low).max())
     near = [
@@ -89,8 +95,16 @@ def without_broken_points(
     broken = everything - corners.shape[0]
     far = corners.shape[0] - sum(int(ok.sum()) for ok in near)
     notes = (
-        f"left out: {count} of {everything} points ({why})"
-        for count, why in ((broken, "no numbers"), (far, "far away from all the rest"))
+        Words(
+            "left out: {n} of {m} points ({words})",
+            n=figure(count),
+            m=figure(everything),
+            words=why,
+        )
+        for count, why in (
+            (broken, Words("no numbers")),
+            (far, Words("far away from all the rest")),
+        )
         if count
     )
     kept = tuple(_kept(part, ok) for part, ok in zip(parts, near, strict=True))

@@ -9,6 +9,7 @@ import numpy as np
 
 from housefly.config.text import read_file
 from housefly.errors import MissingPartError, RoomError
+from housefly.messages.words import UNSAID, Words, error_words, figure
 from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing, PlanShape
 from housefly.room.draft.imports.plan import plan_draft
@@ -33,18 +34,23 @@ def read_svg(path: Path) -> PlanDrawing:
         import svgpathtools  # noqa: F401
     except ImportError as error:
         raise MissingPartError(
-            "the reader of SVG (svgpathtools)", "pip install 'housefly[import]'"
+            Words("the reader of {kind} ({name})", kind="SVG", name="svgpathtools"),
+            "pip install 'housefly[import]'",
         ) from error
     try:
         data = read_file(path, _FILE_MAX)
     except OSError as error:
-        raise RoomError(f"{path.name} cannot be read: {error}") from error
+        raise RoomError(
+            Words("{name} cannot be read: {why}", name=path.name, why=str(error))
+        ) from error
     if b"<!ENTITY" in data.replace(b"\0", b""):
-        raise RoomError(f"{path.name} defines entities; save it as plain SVG")
+        raise RoomError(Words("{name} defines entities; save it as plain SVG", name=path.name))
     try:
         return _drawing(ElementTree.fromstring(data))
     except (ElementTree.ParseError, ValueError, LookupError) as error:
-        raise RoomError(f"{path.name} cannot be read as SVG: {error}") from error
+        raise RoomError(
+            Words("{name} cannot be read as SVG: {why}", name=path.name, why=error_words(error))
+        ) from error
 
 
 def _drawing(root: ElementTree.Element) -> PlanDrawing:
@@ -69,11 +75,11 @@ def _drawing(root: ElementTree.Element) -> PlanDrawing:
     return drawing
 
 
-def _unit(root: ElementTree.Element) -> tuple[float | None, str]:
+def _unit(root: ElementTree.Element) -> tuple[float | None, Words]:
     """Return metres per unit where the picture has a size in metres, and the words for it."""
     width = absolute_metres(root.get("width", ""))
     if width is None:
-        return None, ""
+        return None, UNSAID
     box = view_box(root)
     unit = METRES_PER_PX if box is None else width / box[2]
-    return unit, f"{unit:.4g} m each, as the file says"
+    return unit, Words("{c} m each, as the file says", c=figure(unit, ".4g"))

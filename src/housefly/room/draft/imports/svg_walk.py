@@ -8,6 +8,7 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from housefly.messages.words import Words, figure
 from housefly.numeric import FloatArray
 from housefly.room.draft.imports.drawing import LeftOut, PlanDrawing
 from housefly.room.draft.imports.svg_lengths import (
@@ -101,9 +102,13 @@ class SvgWalk:
             return []
         self._visited += 1
         if self._visited > _ELEMENTS_MAX:
-            raise ValueError(f"more than {_ELEMENTS_MAX} elements; leave out what is no wall")
+            raise ValueError(
+                Words("more than {n} elements; leave out what is no wall", n=figure(_ELEMENTS_MAX))
+            )
         if around.level > _LEVELS_MAX:
-            raise ValueError(f"groups are nested deeper than {_LEVELS_MAX} levels")
+            raise ValueError(
+                Words("groups are nested deeper than {n} levels", n=figure(_LEVELS_MAX))
+            )
         try:
             here = self._inside(element, tag, around)
         except ValueError:
@@ -118,7 +123,7 @@ class SvgWalk:
         elif tag not in SHAPES:
             self._drawing.leave_out(LeftOut.NO_SHAPE, tag)
         elif _is_background(element, tag):
-            self._drawing.leave_out(LeftOut.NO_SHAPE, "rect as large as the page")
+            self._drawing.leave_out(LeftOut.NO_SHAPE, Words("rect as large as the page"))
         else:
             scale = float(abs(np.linalg.det(here.matrix[:2, :2]))) ** 0.5
             names, width = " ".join(here.names), here.style.width * scale
@@ -149,7 +154,10 @@ class SvgWalk:
         name = next((use.get(key, "") for key in _HREFS if use.get(key)), "")
         used = self._by_id.get(name[1:]) if name[:1] == "#" else None
         if used is None:
-            self._drawing.leave_out(LeftOut.BROKEN, f"use of {name!r}, which is not in it")
+            self._drawing.leave_out(
+                LeftOut.BROKEN,
+                Words("{kind} of {name}, which is not in it", kind="use", name=repr(name)),
+            )
             return []
         try:
             matrix = around.matrix @ _shifted(use, around.viewport)

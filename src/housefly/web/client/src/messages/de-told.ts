@@ -888,7 +888,6 @@ export const DE_TOLD: Templates = {
   "not connected to {name} yet": "noch nicht mit {name} verbunden",
   "not heard yet; it sends its state at least every {k} s":
     "noch nicht gehört; sendet sonst mindestens alle {k} s",
-  "nothing came from {name}": "von {name} kam nichts",
   "offline: its last will says so; is it switched on and in reach of the network?":
     "abgemeldet; ist das Gerät an und in Reichweite des Netzes?",
   "poses are refused, {pose}: {ask}": "Posen werden abgelehnt, {pose}: {ask}",
@@ -1014,4 +1013,19 @@ export const DE_TOLD: Templates = {
   "its heading is not that of the room": "ihre Richtung ist nicht die des Raums",
   "it does not land when setpoints end": "sie landet nicht, wenn keine Sollwerte mehr kommen",
   "its take-off goes to another height": "ihr Start führt auf eine andere Höhe",
+  // what cannot be looked at
+  "there is no free way to where {name} can be seen from":
+    "kein freier Weg führt dorthin, wo {name} zu sehen ist",
+  "there is no free way to where {name} is seen from":
+    "kein freier Weg führt dorthin, wo {name} zu sehen ist",
+  "there is no place within {d} m of {name} where the drone may hover and tracking sees it":
+    "im Umkreis von {d} m um {name} gibt es keinen Ort, wo die Drohne schweben darf und " +
+      "die Ortung sie sieht",
+  "{name} is nowhere in the picture: too near, too high or too low":
+    "{name} ist nirgends im Bild: zu nah, zu hoch oder zu tief",
+  "{name} cannot be seen from any place where the drone may hover: something stands in between":
+    "{name} ist von keinem Ort zu sehen, wo die Drohne schweben darf: etwas steht dazwischen",
+  "{who} is in the way": "{who} ist im Weg",
+  "nobody knows where {name} is": "niemand weiß, wo {name} ist",
+  "nobody remembers where {name} is": "niemand erinnert sich, wo {name} ist",
 };

@@ -821,7 +821,6 @@ export const JA_TOLD: Templates = {
   "not connected to {name} yet": "{name}にまだ接続していません",
   "not heard yet; it sends its state at least every {k} s":
     "まだ応答なし。通常は{k}秒以内ごとに送信します",
-  "nothing came from {name}": "{name}から何も届きません",
   "offline: its last will says so; is it switched on and in reach of the network?":
     "オフラインです。電源は入っていますか、ネットワークに届いていますか",
   "poses are refused, {pose}: {ask}": "位置を受け付けません。{pose}：{ask}",
@@ -939,4 +938,16 @@ export const JA_TOLD: Templates = {
   "its heading is not that of the room": "機首方位が部屋の座標と違います",
   "it does not land when setpoints end": "目標値が途絶えても着陸しません",
   "its take-off goes to another height": "離陸の高さが違います",
+  // what cannot be looked at
+  "there is no free way to where {name} can be seen from": "{name}が見える場所への道がありません",
+  "there is no free way to where {name} is seen from": "{name}が見える場所への道がありません",
+  "there is no place within {d} m of {name} where the drone may hover and tracking sees it":
+    "{name}から{d} m以内に、ホバリングでき計測に見える場所がありません",
+  "{name} is nowhere in the picture: too near, too high or too low":
+    "{name}は画面に入りません：近すぎるか、高すぎるか、低すぎます",
+  "{name} cannot be seen from any place where the drone may hover: something stands in between":
+    "ホバリングできるどの場所からも{name}が見えません：間に何かあります",
+  "{who} is in the way": "{who}が道にいます",
+  "nobody knows where {name} is": "{name}の場所は分かりません",
+  "nobody remembers where {name} is": "{name}の場所の記憶がありません",
 };

@@ -11,9 +11,7 @@ export type Templates = Readonly<Record<string, string>>;
 export interface Speech<Text extends string = string> {
   texts: Record<Text, string>;
   /** What the server says by a template: `short` of the English one to that of this language. */
-  templates?: Templates;
-  /** What it says without one, in this language; null where nobody has put it so. */
-  told?(english: string): string | null;
+  templates: Templates;
   /** What one may ask here; English ideas come with the names of the room. */
   ideas?: string[];
 }
@@ -105,7 +103,7 @@ const PLACE = /\{\w+\}/g;
 /** What the server says, in the language of the page, or as it is where nobody has put it so. */
 export function translated(said: Said): string {
   const [english, ...values] = typeof said === "string" ? [said] : said;
-  const own = speech.value?.templates?.[short(english)] ?? speech.value?.told?.(english);
+  const own = speech.value?.templates[short(english)];
   const words = values.length ? filled(own ?? english, english, values) : (own ?? english);
   if (own == null && words) {
     if (foreign.size >= FOREIGN_KEPT) foreign.clear();

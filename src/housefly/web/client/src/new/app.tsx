@@ -4,6 +4,7 @@ import { sentence } from "../format";
 import { LanguageChoice } from "../messages/language-choice";
 import { translated } from "../messages/speech";
 import { Told } from "../messages/told";
+import type { Said } from "../wire/draft-messages";
 import { act, busy, draft, keep, kept, said, trouble, view } from "./draft";
 import { DroneStep } from "./drone-step";
 import { Button } from "./fields";
@@ -63,7 +64,7 @@ export function App() {
   );
 }
 
-const told = (words: string) => <Told words={sentence(translated(words))} />;
+const told = (words: Said) => <Told words={sentence(translated(words))} />;
 
 function Top() {
   const { undoable, redoable } = view.value!;
@@ -139,8 +140,8 @@ function StepItem({ index }: { index: number }) {
       </h2>
       {missing
         .filter((one) => open || one.hinders)
-        .map((one) => (
-          <p key={one.words} class={one.hinders ? "lack" : "quiet advice"}>
+        .map((one, k) => (
+          <p key={k} class={one.hinders ? "lack" : "quiet advice"}>
             {told(one.words)} {open && told(one.mend)}
           </p>
         ))}

@@ -1,12 +1,11 @@
 // The draft as the page holds it: changed at once, kept by the server a moment later.
 import { batch, computed, signal } from "@preact/signals";
-import type { DraftView, HeardView, SiteDraft, WrittenView } from "../wire/draft-messages";
+import type { DraftView, HeardView, Said, SiteDraft, WrittenView } from "../wire/draft-messages";
 import { fetchAsSession } from "../wire/session";
 import { t } from "./messages/texts";
 
 export interface Trouble {
-  /** In English: what shows it puts it into the language of the page. */
-  words: string;
+  words: Said;
   /** What is wrong: "furniture.0.length"; "" is nothing that one could point to. */
   key: string;
 }
@@ -21,7 +20,7 @@ const KEPT_ALIVE = 50_000;
 export const view = signal<DraftView | null>(null);
 export const draft = signal<SiteDraft | null>(null);
 export const trouble = signal<Trouble | null>(null);
-export const said = signal("");
+export const said = signal<Said>("");
 export const busy = signal("");
 export const kept = signal(true);
 
@@ -137,7 +136,7 @@ export function leave(event: BeforeUnloadEvent): void {
 async function answered<Answer>(fetched: () => Promise<Response>): Promise<Answer | null> {
   try {
     const answer = await fetched();
-    const tree = (await answer.json()) as Answer & { error?: string; key?: string };
+    const tree = (await answer.json()) as Answer & { error?: Said; key?: string };
     if (answer.ok) {
       trouble.value = null;
       return tree;
@@ -176,6 +175,6 @@ function accept(fresh: DraftView, drafted: boolean): void {
   settle();
 }
 
-function complain(words: string, key: string): void {
-  trouble.value = { words: words.charAt(0).toUpperCase() + words.slice(1), key };
+function complain(words: Said, key: string): void {
+  trouble.value = { words, key };
 }

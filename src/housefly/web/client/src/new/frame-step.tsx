@@ -31,8 +31,8 @@ export function FrameStep() {
       />
       {fit && (
         <ul class="notes" data-well={fit.trusted} aria-label={t("What the points say")}>
-          {fit.words.map((words) => (
-            <li key={words}>
+          {fit.words.map((words, k) => (
+            <li key={k}>
               <Told words={translated(words)} />
             </li>
           ))}

@@ -8,8 +8,8 @@ export function Words({ said }: { said: HeardView | null }) {
     <div role="status">
       {said && (
         <ul class="notes">
-          {said.words.map((words) => (
-            <li key={words}>
+          {said.words.map((words, k) => (
+            <li key={k}>
               <Told words={translated(words)} />
             </li>
           ))}

@@ -172,8 +172,8 @@ function FileForm() {
       {known.value.source && <p>{t("Read from {file}.", { file: known.value.source })}</p>}
       {view.value!.notes.length > 0 && (
         <ul class="notes">
-          {view.value!.notes.map((note) => (
-            <li key={note}>
+          {view.value!.notes.map((note, k) => (
+            <li key={k}>
               <Told words={translated(note)} />
             </li>
           ))}

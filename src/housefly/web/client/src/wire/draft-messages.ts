@@ -82,15 +82,22 @@ export interface GridView {
   rows: string[];
 }
 
+/** Words of the server: of ours the template and its values, of another version a text. */
+export type Said = string | SaidWords;
+
+export interface SaidWords extends Array<Said | { n: string }> {
+  0: string;
+}
+
 export interface MissingView {
   step: string;
-  words: string;
-  mend: string;
+  words: Said;
+  mend: Said;
   hinders: boolean;
 }
 
 export interface FitView {
-  words: string[];
+  words: Said[];
   trusted: boolean;
 }
 
@@ -106,8 +113,8 @@ export interface DraftView {
   settled: boolean;
   undoable: boolean;
   redoable: boolean;
-  words: string;
-  notes: string[];
+  words: Said;
+  notes: Said[];
 }
 
 export interface BodyView {
@@ -116,7 +123,7 @@ export interface BodyView {
 }
 
 export interface HeardView {
-  words: string[];
+  words: Said[];
   bodies: BodyView[];
 }
 

@@ -66,7 +66,6 @@ export const DE_TOLD: Templates = {
   // the points of the tracking frame
   "the tracking frame has its origin at ({x}, {y}, {z}) m on the map, turned by {a} deg":
     "der Ortungsrahmen hat seinen Ursprung bei ({x}, {y}, {z}) m auf der Karte, gedreht um {a}°",
-  "left over: {name}": "Rest: {name}",
   ["the points fit as in a mirror: two were exchanged, or the tracking system counts " +
       "one axis the other way; take them again in the right order, or choose z up, " +
       "right-handed, in its software"]:
@@ -89,14 +88,6 @@ export const DE_TOLD: Templates = {
     "zwei Punkte können einander nicht prüfen: einen dritten nehmen",
   "two points are needed, and a third to check them":
     "zwei Punkte sind nötig und ein dritter, um sie zu prüfen",
-  ["the points are within {a} m of each other on the map; take points that are {b} m " +
-      "and more apart, better several metres"]:
-    "die Punkte liegen auf der Karte innerhalb von {a} m; Punkte nehmen, die {b} m und " +
-      "mehr auseinanderliegen, besser mehrere Meter",
-  ["the points are within {a} m of each other as tracking sees them; take points that " +
-      "are {b} m and more apart, better several metres"]:
-    "die Punkte liegen für die Ortung innerhalb von {a} m; Punkte nehmen, die {b} m und " +
-      "mehr auseinanderliegen, besser mehrere Meter",
   // what was done, and what was not
   "a room of {a} x {b} m, {c} m high": "ein Raum von {a} x {b} m, {c} m hoch",
   "read {name}": "{name} gelesen",
@@ -122,8 +113,8 @@ export const DE_TOLD: Templates = {
   "too much; allowed: {n} MiB": "zu viel; erlaubt: {n} MiB",
   "the browser left before the whole file was here":
     "der Browser ging, bevor die ganze Datei da war",
-  "the file cannot be kept: {name}": "die Datei kann nicht gespeichert werden: {name}",
-  "nothing was kept: {name}": "nichts wurde gespeichert: {name}",
+  "the file cannot be kept: {why}": "die Datei kann nicht gespeichert werden: {why}",
+  "nothing was kept: {why}": "nichts wurde gespeichert: {why}",
   "{name} did not arrive: choose the file again":
     "{name} kam nicht an: die Datei noch einmal wählen",
   "{n} files are here already: start the page again":
@@ -134,16 +125,10 @@ export const DE_TOLD: Templates = {
       "), a letter or digit first"]:
     "die Datei heißt {name}; erlaubt: bis zu 100 Buchstaben, Ziffern, Leerzeichen und . _ " +
       "- + ( ), vorn ein Buchstabe oder eine Ziffer",
-  "{words}; {then}": "{words}; {then}",
-  "{name}: {words}": "{name}: {words}",
   // a value that is not allowed
   "is not a known key": "ist kein bekannter Schlüssel",
   "is missing": "fehlt",
   "is {name}; {words}": "ist {name}; {words}",
-  "is {name}; allowed: a number from {a} to {b} m":
-    "ist {name}; erlaubt: eine Zahl von {a} bis {b} m",
-  "is {name}; allowed: {thing} metres per unit of the file":
-    "ist {name}; erlaubt als Meter je Einheit der Datei: {thing}",
   "input should be less than or equal to {n}": "höchstens {n}",
   "input should be greater than or equal to {n}": "mindestens {n}",
   "input should be greater than {n}": "größer als {n}",
@@ -157,29 +142,21 @@ export const DE_TOLD: Templates = {
   "input should be a valid integer, got a number with a fractional part": "eine ganze Zahl angeben",
   "string should have at least 1 character": "mindestens ein Zeichen",
   "string should have at most {n} characters": "höchstens {n} Zeichen",
-  "string should match pattern {name}": "es muss zu {name} passen",
   // what a tracking system and a drone say
-  "heard nothing: {name}": "nichts gehört: {name}",
-  "nothing came from {place}": "von {place} kam nichts",
+  "heard nothing: {why}": "nichts gehört: {why}",
   "{name} sends {n} frames a second": "{name} sendet {n} Bilder je Sekunde",
   "{name} at ({x}, {y}, {z}) m, heading {a} deg, in {n} % of the frames":
     "{name} bei ({x}, {y}, {z}) m, Richtung {a}°, in {n} % der Bilder",
-  "but: {name}": "aber: {name}",
-  ["the drone's body {name} is not among them (seen: {thing}): uncover its markers, or " +
-      "say its name as the tracking software has it"]:
-    "der Körper der Drohne {name} ist nicht dabei (gesehen: {thing}): ihre Marker " +
+  "but: {why}": "aber: {why}",
+  ["the drone's body {name} is not among them (seen: {names}): uncover its markers, " +
+      "or say its name as the tracking software has it"]:
+    "der Körper der Drohne {name} ist nicht dabei (gesehen: {names}): ihre Marker " +
       "freilegen oder ihren Namen so angeben, wie ihn die Ortungssoftware hat",
-  ["{name} is farther away than any room is long: is its unit millimetres? choose metres in " +
-      "the tracking software"]:
-    "{name} ist weiter weg, als ein Raum lang ist: sind das Millimeter? " +
-      "In der Ortungssoftware Meter wählen",
   "none": "keiner",
   "fewer than 20 frames a second: fly slowly, or raise the rate":
     "weniger als 20 Bilder je Sekunde: langsam fliegen oder die Rate erhöhen",
-  "{place} answers {n} times a second: {words}, battery {p} %, firmware {name}":
-    "{place} antwortet {n}-mal je Sekunde: {words}, Akku {p} %, Firmware {name}",
-  "not reached: {name}": "nicht erreicht: {name}",
-  "no report came from {place}": "von {place} kam kein Bericht",
+  "not reached: {why}": "nicht erreicht: {why}",
+  "no report came from {name}": "von {name} kam kein Bericht",
   "unknown": "unbekannt",
   "landed": "gelandet",
   "taking off": "hebt ab",
@@ -197,22 +174,10 @@ export const DE_TOLD: Templates = {
     "der Raum beginnt bei (0, 0), was die ROS-Karte ({x}, {y}) m nennt",
   "the room begins at (0, 0), which the scan calls ({x}, {y}) m":
     "der Raum beginnt bei (0, 0), was der Scan ({x}, {y}) m nennt",
-  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m":
-    "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; Decke {c} m",
-  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m (not in the scan: as usual)":
-    "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; Decke {c} m (nicht im Scan: wie üblich)",
   "walls are taken from the layers {name}": "Wände stammen aus den Ebenen {name}",
   "every line is taken for a wall: no layer is called so":
     "jede Linie gilt als Wand: Keine Ebene heißt so",
   "one unit is {a} m, as you said": "eine Einheit ist {a} m, wie angegeben",
-  ["its numbers ({a} x {b}) are taken for {words}: measure one wall, and say the unit " +
-      "if it is not so long"]:
-    "seine Zahlen ({a} x {b}) gelten als {words}: eine Wand messen und die Einheit " +
-      "angeben, wenn sie nicht so lang ist",
-  ["its numbers ({a} x {b}) are {c} m each, as the file says: measure one wall, and say " +
-      "the unit if it is not so long"]:
-    "seine Zahlen ({a} x {b}) sind laut Datei je {c} m: eine Wand messen und die Einheit " +
-      "angeben, wenn sie nicht so lang ist",
   "its numbers ({thing}) were taken for {words}": "seine Zahlen ({thing}) gelten als {words}",
   "metres": "Meter",
   "centimetres": "Zentimeter",
@@ -239,9 +204,6 @@ export const DE_TOLD: Templates = {
     "kein Ebenenname enthält {name}; es gibt: {thing}",
   "{name} is {a} m x {b} m with unit={c}; allowed: {d} to {e} m: say another unit":
     "{name} ist {a} m x {b} m mit unit={c}; erlaubt: {d} bis {e} m: eine andere Einheit angeben",
-  "{name} measures {thing}: no room in any usual unit; say how many metres one unit is":
-    "{name} misst {thing}: in keiner üblichen Einheit ein Raum; angeben, wie viele Meter " +
-      "eine Einheit ist",
   ["{name} measures {thing}: no room in any usual unit; say how many metres one unit is " +
       "(0.001 for millimetres), and which axis points up"]:
     "{name} misst {thing}: in keiner üblichen Einheit ein Raum; angeben, wie viele Meter " +
@@ -261,14 +223,12 @@ export const DE_TOLD: Templates = {
       "in, and clean it of single points"]:
     "{n} Quader und mehr wären nötig, höchstens {m} gehen: den Teil zum Fliegen " +
       "ausschneiden und von einzelnen Punkten säubern",
-  "{name} cannot be read as a scan: {thing}": "{name} kann nicht als Scan gelesen werden: {thing}",
-  "{name} cannot be read as SVG: {thing}": "{name} kann nicht als SVG gelesen werden: {thing}",
-  "{name} cannot be read as DXF: {thing}": "{name} kann nicht als DXF gelesen werden: {thing}",
-  "{name} cannot be read: {thing}": "{name} kann nicht gelesen werden: {thing}",
+  "{name} cannot be read as SVG: {why}": "{name} kann nicht als SVG gelesen werden: {why}",
+  "{name} cannot be read as DXF: {why}": "{name} kann nicht als DXF gelesen werden: {why}",
+  "{name} cannot be read: {why}": "{name} kann nicht gelesen werden: {why}",
   "{name}: no room is read from such a file; allowed: {thing}":
     "{name}: aus so einer Datei wird kein Raum gelesen; erlaubt: {thing}",
   "{name} is no file; check its name": "{name} ist keine Datei; den Namen prüfen",
-  "{name} is missing; install it with: {thing}": "{name} fehlt; zu installieren mit: {thing}",
   ["{a} % of its {b} m^2 were never seen: unexplored, not flown over " +
       "(unexplored=free changes that)"]:
     "{a} % seiner {b} m² wurden nie gesehen: unerkundet, wird nicht überflogen (oben änderbar)",
@@ -298,10 +258,6 @@ export const DE_TOLD: Templates = {
     "seine Zahlen ({a} x {b}) können nicht „{words}“ sein und gelten als {then}, " +
       "ein Raum von {c} m x {d} m: eine Wand messen und die Einheit angeben, wenn " +
       "sie nicht so lang ist",
-  ["its numbers ({a} x {b}) are inches, as the file writes its lengths: measure " +
-      "one wall, and say the unit if it is not so long"]:
-    "seine Zahlen ({a} x {b}) sind Zoll, wie die Datei Längen schreibt: eine Wand " +
-      "messen und die Einheit angeben, wenn sie nicht so lang ist",
   "inches, as the file writes its lengths": "Zoll, wie die Datei Längen schreibt",
   "{c} m each, as the file says": "je {c} m, wie die Datei sagt",
   "taken for {words}": "{words}",
@@ -309,7 +265,6 @@ export const DE_TOLD: Templates = {
   "feet": "Fuß",
   "its numbers ({thing}) are {a} m each, as the file says":
     "seine Zahlen ({thing}) sind laut Datei je {a} m",
-  "left out: {name} ({words})": "ausgelassen: {name} ({words})",
   "left out: {n} of {m} points ({words})": "ausgelassen: {n} von {m} Punkten ({words})",
   "left out: {n} points that it calls noise": "ausgelassen: {n} Punkte, die sie Rauschen nennt",
   "left out: {n} parts that are neither points nor surfaces":
@@ -359,11 +314,8 @@ export const DE_TOLD: Templates = {
     "{name} endet mittendrin: {a} von {b} Bytes sind da",
   "{name} is damaged: its points are not as long as it says":
     "{name} ist beschädigt: Die Punkte sind nicht so lang wie angegeben",
-  "{name} has no good header of a PCD: {thing}":
-    "{name} hat keinen guten Kopf einer PCD-Datei: {thing}",
-  "{name} has no good header of a LAS": "{name} hat keinen guten Kopf einer LAS-Datei",
-  "{name} has no good header of an E57": "{name} hat keinen guten Kopf einer E57-Datei",
-  "is the file whole?": "ist die Datei vollständig?",
+  "{name} has no good header of a PCD: {why}":
+    "{name} hat keinen guten Kopf einer PCD-Datei: {why}",
   "{name} has no field {thing}; it has: {place}": "{name} hat kein Feld {thing}; es hat: {place}",
   "{name} has more than {n} numbers a point": "{name} hat mehr als {n} Zahlen je Punkt",
   "{name} defines entities; save it as plain SVG":
@@ -377,4 +329,155 @@ export const DE_TOLD: Templates = {
   "export the scan as .glb or .ply": "den Scan als .glb oder .ply ausgeben",
   "export the scan as .ply or .e57": "den Scan als .ply oder .e57 ausgeben",
   "the floor was taken at {a} m in it": "der Boden liegt darin bei {a} m",
+  // files of ROS maps, plans and scans, and values of them
+  "0 or 1": "0 oder 1",
+  "a list x, y, yaw of three numbers [m, m, rad]":
+    "eine Liste x, y, yaw aus drei Zahlen [m, m, rad]",
+  "a number from {a} to {b}": "eine Zahl von {a} bis {b}",
+  "a number from {a} to {b} {unit}": "eine Zahl von {a} bis {b} {unit}",
+  "a rectangle is x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max":
+    "ein Rechteck ist x_min, y_min, x_max, y_max [m] mit x_min < x_max und y_min < y_max",
+  "as tracking sees them": "für die Ortung",
+  "blocks are nested deeper than {n} levels": "Blöcke sind mehr als {n} Ebenen tief verschachtelt",
+  "ceiling {c} m": "Decke {c} m",
+  "ceiling {c} m (not in the scan: as usual)": "Decke {c} m (nicht im Scan: wie üblich)",
+  "groups are nested deeper than {n} levels": "Gruppen sind mehr als {n} Ebenen tief verschachtelt",
+  "input should be a valid boolean": "wahr oder falsch angeben",
+  "input should be a valid integer": "eine ganze Zahl angeben",
+  "input should be a valid integer, unable to parse string as an integer":
+    "eine ganze Zahl angeben",
+  "input should be a valid string": "einen Text angeben",
+  "input should be a valid tuple": "eine Liste angeben",
+  "input should be {names}": "erlaubt: {names}",
+  "is not a known key: did you mean {names}?": "ist kein bekannter Schlüssel: Ist {names} gemeint?",
+  "is the text {thing}": "ist der Text {thing}",
+  "is {a}; allowed: {b} to {c} metres per unit of the file":
+    "ist {a}; erlaubt: {b} bis {c} Meter je Einheit der Datei",
+  "is {name}; allowed: a number from {a} to {b}": "ist {name}; erlaubt: eine Zahl von {a} bis {b}",
+  "is {name}; allowed: a number from {a} to {b} {unit}":
+    "ist {name}; erlaubt: eine Zahl von {a} bis {b} {unit}",
+  "is {thing}": "ist {thing}",
+  "its numbers ({a} x {b}) are {words}: measure one wall, and say the unit if it is not so long":
+    "seine Zahlen ({a} x {b}) sind {words}: eine Wand messen und die Einheit angeben, " +
+      "wenn sie nicht so lang ist",
+  "its reader stops with {name}": "der Leser bricht mit {name} ab",
+  "left out: {names} ({words})": "ausgelassen: {names} ({words})",
+  "left over: {names}": "Rest: {names}",
+  "m per pixel": "m je Bildpunkt",
+  "missing required argument": "es fehlt",
+  "more than {n} blocks are inserted; leave out what is no wall":
+    "mehr als {n} Blöcke sind eingefügt; weglassen, was keine Wand ist",
+  "more than {n} elements; leave out what is no wall":
+    "mehr als {n} Elemente; weglassen, was keine Wand ist",
+  "more than {n} shapes; leave out what is no wall":
+    "mehr als {n} Formen; weglassen, was keine Wand ist",
+  "on the map": "auf der Karte",
+  "rect as large as the page": "rect so groß wie die Seite",
+  "string should have at least {n} characters": "mindestens {n} Zeichen",
+  "string should match pattern '{name}'": "es muss zu '{name}' passen",
+  "the floor": "der Boden",
+  "the map's picture {name} cannot be read: {why}; allowed: pgm or png":
+    "das Bild der Karte {name} kann nicht gelesen werden: {why}; erlaubt: pgm oder png",
+  "the name of a pgm or png file beside the yaml":
+    "der Name einer pgm- oder png-Datei neben der yaml-Datei",
+  ["the points are within {a} m of each other {what}; take points that are {b} m and " +
+      "more apart, better several metres"]:
+    "die Punkte liegen {what} innerhalb von {a} m; Punkte nehmen, die {b} m und mehr " +
+      "auseinanderliegen, besser mehrere Meter",
+  "the reader of scans ({name})": "das Leseprogramm für Scans ({name})",
+  "the reader of {kind} ({name})": "das Leseprogramm für {kind} ({name})",
+  "{a} x {b} x {c}": "{a} x {b} x {c}",
+  "{kind} of {name}, which is not in it": "{kind} von {name}, das nicht darin ist",
+  "{kind} should have at most {n} items after validation, not {m}":
+    "höchstens {n} Einträge, nicht {m} ({kind})",
+  "{names} (save the map again)": "{names} (die Karte neu speichern)",
+  "{name} answers {n} times a second: {words}, battery {p} %, firmware {firmware}":
+    "{name} antwortet {n}-mal je Sekunde: {words}, Akku {p} %, Firmware {firmware}",
+  "{name} cannot be kept as .old: {why}": "{name} kann nicht als .old aufgehoben werden: {why}",
+  "{name} cannot be read as a scan: {why}; is the file whole?":
+    "{name} kann nicht als Scan gelesen werden: {why}; ist die Datei vollständig?",
+  "{name} cannot be read: its reader broke; is the file whole?":
+    "{name} kann nicht gelesen werden: das Leseprogramm brach ab; ist die Datei vollständig?",
+  "{name} cannot be read: {why}; give the map's yaml file":
+    "{name} kann nicht gelesen werden: {why}; die yaml-Datei der Karte angeben",
+  "{name} cannot be read: {why}; mend it or move it away":
+    "{name} kann nicht gelesen werden: {why}; die Datei berichtigen oder entfernen",
+  "{name} cannot be written: {why}": "{name} kann nicht geschrieben werden: {why}",
+  "{name} has decimals for pixels; save it as png or pgm with 8 bits each":
+    "{name} hat Kommazahlen als Bildpunkte; als png oder pgm mit je 8 Bit speichern",
+  "{name} has more than 16 bits a pixel; save it as png or pgm with 8":
+    "{name} hat mehr als 16 Bit je Bildpunkt; als png oder pgm mit 8 speichern",
+  "{name} has no good header of a LAS; is the file whole?":
+    "{name} hat keinen guten Kopf einer LAS-Datei; ist die Datei vollständig?",
+  "{name} has no good header of an E57; is the file whole?":
+    "{name} hat keinen guten Kopf einer E57-Datei; ist die Datei vollständig?",
+  "{name} is farther away than any room is long: {ask}":
+    "{name} ist weiter weg, als ein Raum lang ist: {ask}",
+  "{name} is no map's yaml: allowed are {n} characters, and {m} brackets":
+    "{name} ist keine yaml-Datei einer Karte: erlaubt sind {n} Zeichen und {m} Klammern",
+  "{name} is not a map's yaml file: it has no keys image, resolution, origin":
+    "{name} ist keine yaml-Datei einer Karte: die Schlüssel image, resolution und origin fehlen",
+  "{name} is not a yaml file: {why}": "{name} ist keine yaml-Datei: {why}",
+  "{name} is {a} m by {b} m; allowed: up to {c} m along each side":
+    "{name} hat {a} m mal {b} m; erlaubt: bis {c} m je Seite",
+  "{name} is {n} x {m} pixels; at most {p} a side can be imported":
+    "{name} hat {n} x {m} Bildpunkte; höchstens {p} je Seite können eingelesen werden",
+  "{name} measures {a} x {b}: no room in any usual unit; say how many metres one unit is":
+    "{name} misst {a} x {b}: in keiner üblichen Einheit ein Raum; angeben, wie viele " +
+      "Meter eine Einheit ist",
+  "{name} {n} cm": "{name} {n} cm",
+  "{name}: free_thresh ({a}) must be below occupied_thresh ({b})":
+    "{name}: free_thresh ({a}) muss unter occupied_thresh ({b}) liegen",
+  "{name}: origin has yaw {a} rad; only 0 can be imported: turn the picture and set yaw to 0":
+    "{name}: origin hat yaw {a} rad; nur 0 kann eingelesen werden: das Bild drehen und " +
+      "yaw auf 0 setzen",
+  "{name}: the map covers more than {a} m^2; cut out the part to fly in":
+    "{name}: die Karte umfasst mehr als {a} m²; den Teil zum Fliegen ausschneiden",
+  "{name}: the map has no free pixel; check negate (0 or 1) and free_thresh":
+    "{name}: die Karte hat keinen freien Bildpunkt; negate (0 oder 1) und free_thresh prüfen",
+  "{name}: {a} m x {b} m, {n} boxes from {m} points; {ceiling}":
+    "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; {ceiling}",
+  "{name}: {key} {found}; allowed: {words}": "{name}: {key} {found}; erlaubt: {words}",
+  "{n} more": "{n} weitere",
+  "{n} {name}": "{n} {name}",
+  "{part} is missing; install it with: {name}": "{part} fehlt; zu installieren mit: {name}",
+  "{words} {unit}": "{words} {unit}",
+  // what tracking and drone say of themselves, as on the console
+  "connected to {name}, but it is silent": "mit {name} verbunden, doch es kommt nichts",
+  "connected to {name}, but nothing new arrives; is {what} live, not paused?":
+    "mit {name} verbunden, doch es kommt nichts Neues; läuft {what}, ohne Pause?",
+  "found in the air by a new driver: it only hovers and lands":
+    "ein neuer Treiber fand sie in der Luft: sie schwebt nur und landet",
+  "frames arrive from {name}, but their time stands still; is {what} paused?":
+    "von {name} kommen Bilder, doch ihre Zeit steht; ist {what} angehalten?",
+  "frames do not come from {name}; set tracking.address to {other}":
+    "Daten kommen nicht von {name}; in tracking.address {other} eintragen",
+  "is its unit millimetres? choose metres in the tracking software":
+    "sind es Millimeter? In der Ortungssoftware Meter wählen",
+  ["no drone answers at {name} within {n} s: is it switched on, and is your computer " +
+      "in the drone's Wi-Fi?"]:
+    "unter {name} antwortet nach {n} s keine Drohne: ist sie eingeschaltet und der " +
+      "Rechner in ihrem WLAN?",
+  "nobody answers at {name}; is {what} running, and does it stream?":
+    "niemand antwortet unter {name}; läuft {what}, und sendet es?",
+  "not connected to {name} yet": "noch nicht mit {name} verbunden",
+  "nothing came from {name}": "von {name} kam nichts",
+  "poses are refused, {pose}: {ask}": "Posen werden abgelehnt, {pose}: {ask}",
+  "the connection to {name} was lost": "die Verbindung zu {name} ging verloren",
+  "the drone has not confirmed its limits yet":
+    "die Drohne hat ihre Grenzwerte noch nicht bestätigt",
+  "the drone keeps {setting} = {kept} instead of {wanted}":
+    "die Drohne behält {setting} = {kept} statt {wanted}",
+  "the room's process does not answer (its log: room.log)":
+    "der Prozess des Raums antwortet nicht (Protokoll: room.log)",
+  "what answers at {name} does not speak {protocol} ({error})":
+    "was unter {name} antwortet, spricht nicht {protocol} ({error})",
+  "{name} sends more than {n} frames a second; the rest is dropped":
+    "{name} sendet mehr als {n} Bilder je Sekunde; der Rest fällt weg",
+  "{name} streams with y up; choose z up in the tracking software":
+    "{name} sendet mit y nach oben; in der Ortungssoftware z nach oben wählen",
+  "{name}: reading failed ({error})": "{name}: Lesen misslang ({error})",
+  "{why}, {more}": "{why}, {more}",
+  "{why}: {more}": "{why}: {more}",
+  "{why}; {more}": "{why}; {more}",
 };

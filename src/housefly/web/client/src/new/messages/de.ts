@@ -1,6 +1,5 @@
 // The page of a new site in German.
 import type { Speech } from "../../messages/speech";
-import { teller } from "../../messages/templates";
 import type { Key } from "./en";
 import { DE_TOLD } from "./de-told";
 
@@ -209,4 +208,4 @@ const texts: Record<Key, string> = {
   "The real room": "Der echte Raum",
 };
 
-export const DE: Speech = { texts, told: teller(DE_TOLD, { point: ",", stop: "." }) };
+export const DE: Speech = { texts, templates: DE_TOLD };

@@ -56,7 +56,6 @@ export const JA_TOLD: Templates = {
   // the points of the tracking frame
   "the tracking frame has its origin at ({x}, {y}, {z}) m on the map, turned by {a} deg":
     "計測の座標系の原点は地図上の ({x}, {y}, {z}) m、回転 {a}°です",
-  "left over: {name}": "残りのずれ：{name}",
   ["the points fit as in a mirror: two were exchanged, or the tracking system counts " +
       "one axis the other way; take them again in the right order, or choose z up, " +
       "right-handed, in its software"]:
@@ -72,12 +71,6 @@ export const JA_TOLD: Templates = {
     "点が一直線上にあり、逆向きの軸を見つけられません。線の横にもう1点取ってください",
   "two points cannot check each other: take a third": "2点では互いに確かめられません。3点目を取ってください",
   "two points are needed, and a third to check them": "2点と、確認用の3点目が必要です",
-  ["the points are within {a} m of each other on the map; take points that are {b} m " +
-      "and more apart, better several metres"]:
-    "地図上の点が {a} m 以内にあります。{b} m 以上、できれば数メートル離れた点を取ってください",
-  ["the points are within {a} m of each other as tracking sees them; take points that " +
-      "are {b} m and more apart, better several metres"]:
-    "計測された点が {a} m 以内にあります。{b} m 以上、できれば数メートル離れた点を取ってください",
   // what was done, and what was not
   "a room of {a} x {b} m, {c} m high": "{a} x {b} m、高さ {c} m の部屋を作りました",
   "read {name}": "{name} を読み込みました",
@@ -99,8 +92,8 @@ export const JA_TOLD: Templates = {
   "this page may not change the site": "このページはサイトを変更できません",
   "too much; allowed: {n} MiB": "大きすぎます。{n} MiBまでです",
   "the browser left before the whole file was here": "ファイルが届き終わる前にブラウザーが離れました",
-  "the file cannot be kept: {name}": "ファイルを保存できません：{name}",
-  "nothing was kept: {name}": "何も保存されませんでした：{name}",
+  "the file cannot be kept: {why}": "ファイルを保存できません：{why}",
+  "nothing was kept: {why}": "何も保存されませんでした：{why}",
   "{name} did not arrive: choose the file again": "{name} が届きませんでした。もう一度選んでください",
   "{n} files are here already: start the page again": "すでにファイルが{n}個あります。housefly newを起動し直してください",
   "{name} is larger than {n} MiB: thin the scan out first, 5 cm between its points are enough":
@@ -108,15 +101,10 @@ export const JA_TOLD: Templates = {
   ["the file is called {name}; allowed: up to 100 letters, digits, spaces and . _ - + ( " +
       "), a letter or digit first"]:
     "ファイル名が {name} です。使えるのは100文字までの文字、数字、空白、. _ - + ( ) で、先頭は文字か数字です",
-  "{words}; {then}": "{words}。{then}",
-  "{name}: {words}": "{name}：{words}",
   // a value that is not allowed
   "is not a known key": "は知られていない項目です",
   "is missing": "がありません",
   "is {name}; {words}": "{name}です。{words}",
-  "is {name}; allowed: a number from {a} to {b} m": "{name}です。{a}から{b} mの数にしてください",
-  "is {name}; allowed: {thing} metres per unit of the file":
-    "{name}です。ファイルの1単位のメートル数は次の間です：{thing}",
   "input should be less than or equal to {n}": "{n}以下にしてください",
   "input should be greater than or equal to {n}": "{n}以上にしてください",
   "input should be greater than {n}": "{n}より大きくしてください",
@@ -130,26 +118,19 @@ export const JA_TOLD: Templates = {
   "input should be a valid integer, got a number with a fractional part": "整数を入力してください",
   "string should have at least 1 character": "1文字以上入力してください",
   "string should have at most {n} characters": "{n}文字までです",
-  "string should match pattern {name}": "形は {name} に合わせてください",
   // what a tracking system and a drone say
-  "heard nothing: {name}": "何も受信できません：{name}",
-  "nothing came from {place}": "{place} から何も届きません",
+  "heard nothing: {why}": "何も受信できません：{why}",
   "{name} sends {n} frames a second": "{name} は毎秒{n}フレームを送っています",
   "{name} at ({x}, {y}, {z}) m, heading {a} deg, in {n} % of the frames":
     "{name}：({x}, {y}, {z}) m、向き {a}°、フレームの{n} %",
-  "but: {name}": "ただし：{name}",
-  ["the drone's body {name} is not among them (seen: {thing}): uncover its markers, or " +
-      "say its name as the tracking software has it"]:
-    "ドローン {name} が見つかりません（見えているもの：{thing}）。マーカーを隠さないようにするか、計測ソフトでの名前を入力してください",
-  ["{name} is farther away than any room is long: is its unit millimetres? choose metres in " +
-      "the tracking software"]:
-    "{name} の位置が部屋より遠すぎます。単位はミリメートルではありませんか。計測ソフトでメートルを選んでください",
+  "but: {why}": "ただし：{why}",
+  ["the drone's body {name} is not among them (seen: {names}): uncover its markers, " +
+      "or say its name as the tracking software has it"]:
+    "ドローン {name} が見つかりません（見えているもの：{names}）。マーカーを隠さないようにするか、計測ソフトでの名前を入力してください",
   "none": "なし",
   "fewer than 20 frames a second: fly slowly, or raise the rate": "毎秒20フレーム未満です。ゆっくり飛ぶか、頻度を上げてください",
-  "{place} answers {n} times a second: {words}, battery {p} %, firmware {name}":
-    "{place} は毎秒{n}回応答：{words}、バッテリー {p} %、ファームウェア {name}",
-  "not reached: {name}": "つながりません：{name}",
-  "no report came from {place}": "{place} から報告がありません",
+  "not reached: {why}": "つながりません：{why}",
+  "no report came from {name}": "{name} から報告がありません",
   "unknown": "不明",
   "landed": "着陸済み",
   "taking off": "離陸中",
@@ -165,19 +146,9 @@ export const JA_TOLD: Templates = {
     "部屋の始点は (0, 0) で、ROSの地図では ({x}, {y}) m です",
   "the room begins at (0, 0), which the scan calls ({x}, {y}) m":
     "部屋の始点は (0, 0) で、スキャンでは ({x}, {y}) m です",
-  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m":
-    "{name}：{a} m x {b} m、{m}点から箱{n}個。天井 {c} m",
-  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m (not in the scan: as usual)":
-    "{name}：{a} m x {b} m、{m}点から箱{n}個。天井 {c} m（スキャンになく、標準の値）",
   "walls are taken from the layers {name}": "壁はレイヤー {name} から取りました",
   "every line is taken for a wall: no layer is called so": "壁という名のレイヤーがないため、すべての線を壁とします",
   "one unit is {a} m, as you said": "指定どおり、1単位は {a} m です",
-  ["its numbers ({a} x {b}) are taken for {words}: measure one wall, and say the unit " +
-      "if it is not so long"]:
-    "数値 ({a} x {b}) は{words}とみなしました。壁を1枚測り、長さが違えば単位を指定してください",
-  ["its numbers ({a} x {b}) are {c} m each, as the file says: measure one wall, and say " +
-      "the unit if it is not so long"]:
-    "数値 ({a} x {b}) は、ファイルによれば1単位 {c} m です。壁を1枚測り、長さが違えば単位を指定してください",
   "its numbers ({thing}) were taken for {words}": "数値 ({thing}) は{words}とみなしました",
   "metres": "メートル",
   "centimetres": "センチメートル",
@@ -199,8 +170,6 @@ export const JA_TOLD: Templates = {
   "no layer's name holds {name}; there are: {thing}": "{name} を含むレイヤーがありません。あるのは：{thing}",
   "{name} is {a} m x {b} m with unit={c}; allowed: {d} to {e} m: say another unit":
     "{name} は単位 {c} では {a} m x {b} m です。{d} から {e} m になるよう、別の単位を指定してください",
-  "{name} measures {thing}: no room in any usual unit; say how many metres one unit is":
-    "{name} の大きさ {thing} は、どの標準の単位でも部屋になりません。1単位が何メートルか指定してください",
   ["{name} measures {thing}: no room in any usual unit; say how many metres one unit is " +
       "(0.001 for millimetres), and which axis points up"]:
     "{name} の大きさ {thing} は、どの標準の単位でも部屋になりません。1単位が何メートルか（ミリメートルなら0.001）と、上向きの軸を指定してください",
@@ -216,14 +185,12 @@ export const JA_TOLD: Templates = {
   ["{n} boxes and more are needed, at most {m} are supported: cut out the part to fly " +
       "in, and clean it of single points"]:
     "箱が{n}個以上必要で、上限は{m}個です。飛ぶ部分を切り出し、孤立した点を除いてください",
-  "{name} cannot be read as a scan: {thing}": "{name} をスキャンとして読めません：{thing}",
-  "{name} cannot be read as SVG: {thing}": "{name} をSVGとして読めません：{thing}",
-  "{name} cannot be read as DXF: {thing}": "{name} をDXFとして読めません：{thing}",
-  "{name} cannot be read: {thing}": "{name} を読めません：{thing}",
+  "{name} cannot be read as SVG: {why}": "{name} をSVGとして読めません：{why}",
+  "{name} cannot be read as DXF: {why}": "{name} をDXFとして読めません：{why}",
+  "{name} cannot be read: {why}": "{name} を読めません：{why}",
   "{name}: no room is read from such a file; allowed: {thing}":
     "{name}：この種類のファイルからは部屋を読めません。使えるのは：{thing}",
   "{name} is no file; check its name": "{name} というファイルはありません。名前を確かめてください",
-  "{name} is missing; install it with: {thing}": "{name} がありません。次で入れられます：{thing}",
   ["{a} % of its {b} m^2 were never seen: unexplored, not flown over " +
       "(unexplored=free changes that)"]:
     "{b} m² のうち {a} % は見えていません。未知とし、その上は飛びません（上の項目で変えられます）",
@@ -246,16 +213,12 @@ export const JA_TOLD: Templates = {
   ["its numbers ({a} x {b}) cannot be {words}, and were {then}, a room of {c} m x " +
       "{d} m: measure one wall, and say the unit if it is not so long"]:
     "数値 ({a} x {b}) は「{words}」ではありえないため、{then}とみなし、{c} m x {d} m の部屋です。壁を1枚測り、長さが違えば単位を指定してください",
-  ["its numbers ({a} x {b}) are inches, as the file writes its lengths: measure " +
-      "one wall, and say the unit if it is not so long"]:
-    "数値 ({a} x {b}) は、ファイルの長さの書き方からインチです。壁を1枚測り、長さが違えば単位を指定してください",
   "inches, as the file writes its lengths": "ファイルの書き方によればインチ",
   "{c} m each, as the file says": "ファイルによれば1単位 {c} m",
   "taken for {words}": "{words}",
   "drawn at 1:{n}": "縮尺1:{n}の図",
   "feet": "フィート",
   "its numbers ({thing}) are {a} m each, as the file says": "数値 ({thing}) は、ファイルによれば1単位 {a} m です",
-  "left out: {name} ({words})": "読まなかったもの：{name}（{words}）",
   "left out: {n} of {m} points ({words})": "読まなかった点：{m}点中{n}点（{words}）",
   "left out: {n} points that it calls noise": "読まなかった点：雑音とされた{n}点",
   "left out: {n} parts that are neither points nor surfaces": "点でも面でもない{n}個の部分は読みませんでした",
@@ -292,10 +255,7 @@ export const JA_TOLD: Templates = {
   "{name} has points without three coordinates each": "{name} に座標が3つでない点があります",
   "{name} ends in the middle: {a} of {b} bytes are there": "{name} は途中で切れています（{b} バイト中 {a} バイト）",
   "{name} is damaged: its points are not as long as it says": "{name} は壊れています。点の長さが書かれた値と違います",
-  "{name} has no good header of a PCD: {thing}": "{name} のPCDヘッダーが正しくありません：{thing}",
-  "{name} has no good header of a LAS": "{name} のLASヘッダーが正しくありません",
-  "{name} has no good header of an E57": "{name} のE57ヘッダーが正しくありません",
-  "is the file whole?": "ファイルは完全ですか",
+  "{name} has no good header of a PCD: {why}": "{name} のPCDヘッダーが正しくありません：{why}",
   "{name} has no field {thing}; it has: {place}": "{name} に項目 {thing} がありません。あるのは：{place}",
   "{name} has more than {n} numbers a point": "{name} は1点に{n}個を超える数があります",
   "{name} defines entities; save it as plain SVG": "{name} は実体を定義しています。プレーンSVGで保存してください",
@@ -307,4 +267,134 @@ export const JA_TOLD: Templates = {
   "export the scan as .glb or .ply": "スキャンを .glb か .ply に書き出してください",
   "export the scan as .ply or .e57": "スキャンを .ply か .e57 に書き出してください",
   "the floor was taken at {a} m in it": "床はその中の高さ {a} m としました",
+  // files of ROS maps, plans and scans, and values of them
+  "0 or 1": "0か1",
+  "a list x, y, yaw of three numbers [m, m, rad]": "3つの数 x, y, yaw のリスト [m, m, rad]",
+  "a number from {a} to {b}": "{a}から{b}までの数",
+  "a number from {a} to {b} {unit}": "{a}から{b} {unit}までの数",
+  "a rectangle is x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max":
+    "長方形は x_min, y_min, x_max, y_max [m] で、x_min < x_max、y_min < y_max にしてください",
+  "as tracking sees them": "計測された",
+  "blocks are nested deeper than {n} levels": "ブロックの入れ子が{n}段を超えています",
+  "ceiling {c} m": "天井 {c} m",
+  "ceiling {c} m (not in the scan: as usual)": "天井 {c} m（スキャンになく、標準の値）",
+  "groups are nested deeper than {n} levels": "グループの入れ子が{n}段を超えています",
+  "input should be a valid boolean": "真か偽にしてください",
+  "input should be a valid integer": "整数を入力してください",
+  "input should be a valid integer, unable to parse string as an integer": "整数を入力してください",
+  "input should be a valid string": "文字列を入力してください",
+  "input should be a valid tuple": "リストにしてください",
+  "input should be {names}": "使えるのは：{names}",
+  "is not a known key: did you mean {names}?": "は知られていない項目です。{names} のことですか",
+  "is the text {thing}": "が文字列 {thing} です",
+  "is {a}; allowed: {b} to {c} metres per unit of the file": "{a}です。ファイルの1単位は{b}から{c}メートルまでです",
+  "is {name}; allowed: a number from {a} to {b}": "{name}です。{a}から{b}までの数にしてください",
+  "is {name}; allowed: a number from {a} to {b} {unit}": "{name}です。{a}から{b} {unit}までの数にしてください",
+  "is {thing}": "が {thing} です",
+  "its numbers ({a} x {b}) are {words}: measure one wall, and say the unit if it is not so long":
+    "数値 ({a} x {b}) は{words}です。壁を1枚測り、長さが違えば単位を指定してください",
+  "its reader stops with {name}": "読み取りが {name} で止まりました",
+  "left out: {names} ({words})": "読まなかったもの：{names}（{words}）",
+  "left over: {names}": "残りのずれ：{names}",
+  "m per pixel": "m／画素",
+  "missing required argument": "がありません",
+  "more than {n} blocks are inserted; leave out what is no wall":
+    "挿入されたブロックが{n}個を超えています。壁でないものを除いてください",
+  "more than {n} elements; leave out what is no wall": "要素が{n}個を超えています。壁でないものを除いてください",
+  "more than {n} shapes; leave out what is no wall": "図形が{n}個を超えています。壁でないものを除いてください",
+  "on the map": "地図上の",
+  "rect as large as the page": "ページと同じ大きさのrect",
+  "string should have at least {n} characters": "{n}文字以上入力してください",
+  "string should match pattern '{name}'": "形は '{name}' に合わせてください",
+  "the floor": "床",
+  "the map's picture {name} cannot be read: {why}; allowed: pgm or png":
+    "地図の画像 {name} を読めません：{why}。使えるのはpgmかpngです",
+  "the name of a pgm or png file beside the yaml": "yamlと同じ場所にあるpgmかpngのファイル名",
+  ["the points are within {a} m of each other {what}; take points that are {b} m and " +
+      "more apart, better several metres"]:
+    "{what}点が {a} m 以内にあります。{b} m 以上、できれば数メートル離れた点を取ってください",
+  "the reader of scans ({name})": "スキャンを読む部品（{name}）",
+  "the reader of {kind} ({name})": "{kind}を読む部品（{name}）",
+  "{a} x {b} x {c}": "{a} x {b} x {c}",
+  "{kind} of {name}, which is not in it": "中にない{name}の{kind}",
+  "{kind} should have at most {n} items after validation, not {m}": "{n}個までです。{m}個あります（{kind}）",
+  "{names} (save the map again)": "{names}（地図を保存し直してください）",
+  "{name} answers {n} times a second: {words}, battery {p} %, firmware {firmware}":
+    "{name} は毎秒{n}回応答：{words}、バッテリー {p} %、ファームウェア {firmware}",
+  "{name} cannot be kept as .old: {why}": "{name} を .old として残せません：{why}",
+  "{name} cannot be read as a scan: {why}; is the file whole?":
+    "{name} をスキャンとして読めません：{why}。ファイルは完全ですか",
+  "{name} cannot be read: its reader broke; is the file whole?":
+    "{name} を読めません。読み取りが異常終了しました。ファイルは完全ですか",
+  "{name} cannot be read: {why}; give the map's yaml file": "{name} を読めません：{why}。地図のyamlを選んでください",
+  "{name} cannot be read: {why}; mend it or move it away": "{name} を読めません：{why}。直すか、別の場所に移してください",
+  "{name} cannot be written: {why}": "{name} に書き込めません：{why}",
+  "{name} has decimals for pixels; save it as png or pgm with 8 bits each":
+    "{name} の画素が小数です。8ビットのpngかpgmで保存してください",
+  "{name} has more than 16 bits a pixel; save it as png or pgm with 8":
+    "{name} の画素が16ビットを超えています。8ビットのpngかpgmで保存してください",
+  "{name} has no good header of a LAS; is the file whole?": "{name} のLASヘッダーが正しくありません。ファイルは完全ですか",
+  "{name} has no good header of an E57; is the file whole?": "{name} のE57ヘッダーが正しくありません。ファイルは完全ですか",
+  "{name} is farther away than any room is long: {ask}": "{name} の位置が部屋より遠すぎます。{ask}",
+  "{name} is no map's yaml: allowed are {n} characters, and {m} brackets":
+    "{name} は地図のyamlではありません。{n}文字、括弧{m}個までです",
+  "{name} is not a map's yaml file: it has no keys image, resolution, origin":
+    "{name} は地図のyamlではありません。image、resolution、originがありません",
+  "{name} is not a yaml file: {why}": "{name} はyamlファイルではありません：{why}",
+  "{name} is {a} m by {b} m; allowed: up to {c} m along each side":
+    "{name}は {a} m x {b} m です。各辺 {c} m までです",
+  "{name} is {n} x {m} pixels; at most {p} a side can be imported":
+    "{name} は {n} x {m} 画素です。読めるのは各辺{p}までです",
+  "{name} measures {a} x {b}: no room in any usual unit; say how many metres one unit is":
+    "{name} の大きさ {a} x {b} は、どの標準の単位でも部屋になりません。1単位が何メートルか指定してください",
+  "{name} {n} cm": "{name} {n} cm",
+  "{name}: free_thresh ({a}) must be below occupied_thresh ({b})":
+    "{name}：free_thresh（{a}）は occupied_thresh（{b}）より小さくしてください",
+  "{name}: origin has yaw {a} rad; only 0 can be imported: turn the picture and set yaw to 0":
+    "{name}：origin の yaw が {a} rad です。読めるのは0だけです。画像を回し、yaw を0にしてください",
+  "{name}: the map covers more than {a} m^2; cut out the part to fly in":
+    "{name}：地図が {a} m² を超えています。飛ぶ部分を切り出してください",
+  "{name}: the map has no free pixel; check negate (0 or 1) and free_thresh":
+    "{name}：地図に空いた画素がありません。negate（0か1）と free_thresh を確かめてください",
+  "{name}: {a} m x {b} m, {n} boxes from {m} points; {ceiling}":
+    "{name}：{a} m x {b} m、{m}点から箱{n}個。{ceiling}",
+  "{name}: {key} {found}; allowed: {words}": "{name}：{key} {found}。使えるのは：{words}",
+  "{n} more": "ほか{n}個",
+  "{n} {name}": "{name} {n}個",
+  "{part} is missing; install it with: {name}": "{part} がありません。次で入れられます：{name}",
+  "{words} {unit}": "{words} {unit}",
+  // what tracking and drone say of themselves, as on the console
+  "connected to {name}, but it is silent": "{name}に接続しましたが、応答がありません",
+  "connected to {name}, but nothing new arrives; is {what} live, not paused?":
+    "{name}に接続しましたが、新しい値が届きません。{what}は動作中ですか、一時停止していませんか",
+  "found in the air by a new driver: it only hovers and lands": "新しいドライバーが飛行中に見つけました。停止飛行と着陸だけをします",
+  "frames arrive from {name}, but their time stands still; is {what} paused?":
+    "{name}から届く値の時刻が止まっています。{what}は一時停止中ですか",
+  "frames do not come from {name}; set tracking.address to {other}":
+    "データは{name}から届いていません。tracking.addressを{other}にしてください",
+  "is its unit millimetres? choose metres in the tracking software":
+    "単位がミリメートルではありませんか。計測ソフトでメートルを選んでください",
+  ["no drone answers at {name} within {n} s: is it switched on, and is your computer " +
+      "in the drone's Wi-Fi?"]:
+    "{name}で{n}秒以内にドローンが応答しません。電源は入っていますか、ドローンのWi-Fiに接続していますか",
+  "nobody answers at {name}; is {what} running, and does it stream?":
+    "{name}で応答がありません。{what}は動作中で、送信していますか",
+  "not connected to {name} yet": "{name}にまだ接続していません",
+  "nothing came from {name}": "{name}から何も届きません",
+  "poses are refused, {pose}: {ask}": "位置を受け付けません。{pose}：{ask}",
+  "the connection to {name} was lost": "{name}との接続が切れました",
+  "the drone has not confirmed its limits yet": "ドローンが制限値をまだ確認していません",
+  "the drone keeps {setting} = {kept} instead of {wanted}":
+    "ドローンの{setting}が{wanted}ではなく{kept}のままです",
+  "the room's process does not answer (its log: room.log)": "部屋のプロセスが応答しません（記録：room.log）",
+  "what answers at {name} does not speak {protocol} ({error})":
+    "{name}の応答は{protocol}ではありません（{error}）",
+  "{name} sends more than {n} frames a second; the rest is dropped":
+    "{name}は毎秒{n}件を超えて送信しています。残りは捨てます",
+  "{name} streams with y up; choose z up in the tracking software":
+    "{name}はy軸が上です。計測ソフトでz軸を上にしてください",
+  "{name}: reading failed ({error})": "{name}：読み取れません（{error}）",
+  "{why}, {more}": "{why}、{more}",
+  "{why}: {more}": "{why}：{more}",
+  "{why}; {more}": "{why}。{more}",
 };

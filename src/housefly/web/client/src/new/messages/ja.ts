@@ -1,6 +1,5 @@
 // The page of a new site in Japanese.
 import type { Speech } from "../../messages/speech";
-import { teller } from "../../messages/templates";
 import type { Key } from "./en";
 import { JA_TOLD } from "./ja-told";
 
@@ -198,4 +197,4 @@ const texts: Record<Key, string> = {
   "The real room": "実際の部屋で",
 };
 
-export const JA: Speech = { texts, told: teller(JA_TOLD, { point: ".", stop: "。" }) };
+export const JA: Speech = { texts, templates: JA_TOLD };
