@@ -24,7 +24,7 @@ from housefly.pilot.estimation.estimator_state import (
     Measurement,
     PoseEstimate,
 )
-from housefly.pilot.safety.limits import SafetyCode
+from housefly.pilot.safety.limits import SafetyModeCode
 from housefly.pilot.safety.rules import MODE_SEVERITY
 from housefly.pilot.site_parameters import pilot_parameters
 from housefly.pilot.step import (
@@ -51,7 +51,7 @@ def stepped(
     paper: bool = False,
     before: StepState = INITIAL_STEP,
     override: Override = NO_OVERRIDE,
-    mode: SafetyCode = SafetyCode.NOMINAL,
+    mode: SafetyModeCode = SafetyModeCode.NOMINAL,
     airborne: bool = True,
 ) -> tuple[StepState, EstimatorState, StepOutput, np.ndarray]:
     """Return states and decisions of one tick of a drone just seen, and the history."""
@@ -74,8 +74,8 @@ def flown(known: EstimatorState, history: np.ndarray) -> bool:
 def test_the_codes_of_compiled_code_are_those_of_the_messages_in_their_order() -> None:
     assert [code.name for code in AcceptorState] == [state.name for state in Behavior]
     assert [int(code) for code in AcceptorState] == [STATES.index(state) for state in Behavior]
-    assert [code.name for code in SafetyCode] == [mode.name for mode in SafetyMode]
-    assert [int(code) for code in SafetyCode] == [MODE_SEVERITY[mode] for mode in SafetyMode]
+    assert [code.name for code in SafetyModeCode] == [mode.name for mode in SafetyMode]
+    assert [int(code) for code in SafetyModeCode] == [MODE_SEVERITY[mode] for mode in SafetyMode]
 
 
 def _names(function: Any) -> tuple[str, ...]:
@@ -120,11 +120,11 @@ def test_what_is_asked_goes_to_the_estimator_as_it_leaves_the_gate() -> None:
     _, known, output, history = stepped(AWAY)
     assert output.command.flown and output.command.theta == output.asked.theta > 0.0
     assert history[known.delay_filter.newest]["ux"] > 0.0 and flown(known, history)
-    for change in ({"mode": SafetyCode.HOLD}, {"airborne": False}):
+    for change in ({"mode": SafetyModeCode.HOLD}, {"airborne": False}):
         state, known, output, history = stepped(AWAY, **change)
         assert output.flying and not output.command.flown and not flown(known, history)
         assert history[known.delay_filter.newest]["ux"] == output.command.theta == 0.0
-        assert state.gate == change.get("mode", SafetyCode.NOMINAL)
+        assert state.gate == change.get("mode", SafetyModeCode.NOMINAL)
 
 
 def test_an_override_takes_the_place_of_control_and_passes_the_same_gate() -> None:
@@ -133,13 +133,13 @@ def test_an_override_takes_the_place_of_control_and_passes_the_same_gate() -> No
         output = stepped(guidance, override=wild)[2]
         assert output.asked[:2] == (9.0, 0.1) and output.flying
         assert output.command[2:4] == (limit, 0.1)
-    assert not stepped(HOLD, override=wild, mode=SafetyCode.STOPPED)[2].command.flown
+    assert not stepped(HOLD, override=wild, mode=SafetyModeCode.STOPPED)[2].command.flown
 
 
 def test_an_override_that_is_no_number_levels_the_drone() -> None:
     state, known, output, history = stepped(HOLD, override=Override(True, nan, 0.0, 0.0, 0.0))
-    assert output.command == (SafetyCode.HOLD, False, 0.0, 0.0, 0.0, 0.0)
-    assert state.gate == SafetyCode.HOLD and not flown(known, history)
+    assert output.command == (SafetyModeCode.HOLD, False, 0.0, 0.0, 0.0, 0.0)
+    assert state.gate == SafetyModeCode.HOLD and not flown(known, history)
 
 
 @pytest.mark.parametrize("mode", ["default", "paper"])

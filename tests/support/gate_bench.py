@@ -7,7 +7,7 @@ from gate_flight import AIRFRAME
 from housefly.config.limits import LimitsConfig
 from housefly.messages import Action, Command, SafetyMode
 from housefly.pilot.control.steering import ControlOutput
-from housefly.pilot.safety.gate import Gate, GateAssessment, GateVerdict, released
+from housefly.pilot.safety.gate import Gate, GateAssessment, GateVerdict, gate_verdict
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import CommandLimits, GatedCommand, gated
 from housefly.pilot.safety.rule import SafetyRule
@@ -46,7 +46,7 @@ class GateBench:
             assessment.airborne,
             self._limits,
         )
-        return numbers, released(command.action, numbers, assessment)
+        return numbers, gate_verdict(command.action, numbers, assessment)
 
 
 def blind(inputs: GateInputs) -> GateAssessment:

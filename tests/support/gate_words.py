@@ -12,10 +12,10 @@ def rules_table() -> str:
     """Return one line a rule, worst first."""
     rows = []
     for rule in SAFETY_RULES:
-        after = f"{rule.after:g} s" if rule.after else "at once"
+        after = f"{rule.debounce:g} s" if rule.debounce else "at once"
         ends = rule.clears.value + (f", after {rule.lasts:g} s" if rule.lasts else "")
         rows.append(
-            f"| `{rule.code}` | {rule.condition} | {rule.counts.value} | {after}"
+            f"| `{rule.code}` | {rule.condition} | {rule.scope.value} | {after}"
             f" | {rule.mode.value} | {ends} |"
         )
     return "\n".join((*HEADER, *rows))

@@ -57,7 +57,7 @@ from housefly.pilot.estimation.estimation_report import (
 from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.kept_place import TO_FLOOR, KeptPlace, known_motion, sinking
-from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
+from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, gate_verdict
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
 from housefly.pilot.safety.limits import is_flown_in
 from housefly.pilot.safety.tracking_rules import is_disproved
@@ -349,7 +349,7 @@ class Pilot:
         self._target = output.target if guidance.active else None
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         action = Action.FLY if blind else self._action(output, guidance)
-        verdict = released(action, output.command, assessment, output.formed)
+        verdict = gate_verdict(action, output.command, assessment, output.formed)
         self._climb = output.command.vz if verdict.command.action is Action.FLY else 0.0
         self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
         self._seen = self._estimator.accepted if assessment.knows_place else None
@@ -545,7 +545,7 @@ class Pilot:
             silence=vehicle.silence,
             home_time=self._way_home.duration,
             has_way_home=self._way_home.exists,
-            below=self._missions.blind_landing.fault,
+            landing_blocker=self._missions.blind_landing.fault,
             missing_lean=self._estimator.monitor.lean.missing(vehicle.now)
             if self._estimator
             else None,

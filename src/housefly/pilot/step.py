@@ -106,7 +106,7 @@ class StepState(NamedTuple):
         progress: along the path.
         yaw: wanted headings.
         acceptor: the finite state acceptor.
-        gate: the ``SafetyCode`` found last.
+        gate: the ``SafetyModeCode`` found last.
         scale: how far a trajectory in space has been flown.
     """
 
@@ -174,7 +174,7 @@ class StepReport(NamedTuple):
 
     Attributes:
         acceptor: state of the finite state acceptor.
-        gate: the ``SafetyCode`` found last.
+        gate: the ``SafetyModeCode`` found last.
         yaw_target: wanted heading [rad].
         yaw_reference: heading to ask for [rad].
         scale: how far a trajectory in space has been flown.
@@ -239,7 +239,7 @@ def step_commanded(
         guidance: what the mission wants.
         profile: the path in use; any one while none is followed.
         override: what takes the place of control.
-        mode: the ``SafetyCode`` that the rules of the gate found.
+        mode: the ``SafetyModeCode`` that the rules of the gate found.
         airborne: the propellers carry the drone.
         now: [s].
         dt: how far references move on [s].

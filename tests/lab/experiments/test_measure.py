@@ -15,7 +15,7 @@ from housefly.lab.experiments.outcomes import OUTCOME
 from housefly.lab.experiments.route import CURVE_TOLERANCE, off_line, off_line_near, route_of
 from housefly.pilot.behavior.trajectory_profile import trajectory_profile
 from housefly.pilot.planning.trajectory.kinematic_state import TICK
-from housefly.pilot.safety.limits import SafetyCode
+from housefly.pilot.safety.limits import SafetyModeCode
 
 CORNER = ((1.0, 1.0), (1.5, 1.0), (2.0, 1.0), (3.0, 1.0), (3.0, 2.5))
 
@@ -53,7 +53,7 @@ def by_hand(
         "estimate_rms": np.sqrt(
             np.mean(sum((looks[f"est_{axis}"] - looks[axis]) ** 2 for axis in "xyz"))
         ),
-        "levelled": np.mean(task["safety"] == SafetyCode.HOLD),
+        "levelled": np.mean(task["safety"] == SafetyModeCode.HOLD),
         "ended_at": trace["t"][-1],
     }
 
@@ -171,8 +171,10 @@ def test_a_drone_that_is_lost_ends_unstable_with_finite_numbers(columns: dict[st
 def test_a_drone_that_is_not_seen_holds_itself_then_lands_and_the_flight_ends() -> None:
     drone = cases(Site(), 1, mocap_dropout=1.0)
     trace = fly_traced(drone, FlightPlan(Task.HOLD, ((0.0, 0.0),), 30.0, settle=0.0))
-    assert trace["safety"][20] == SafetyCode.NOMINAL
-    assert trace["safety"][100] == SafetyCode.HOLD and trace["safety"][-1] == SafetyCode.LAND
+    assert trace["safety"][20] == SafetyModeCode.NOMINAL
+    assert (
+        trace["safety"][100] == SafetyModeCode.HOLD and trace["safety"][-1] == SafetyModeCode.LAND
+    )
     assert trace["t"][-1] == pytest.approx(2.01, abs=0.011)
 
 

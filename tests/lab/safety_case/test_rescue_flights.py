@@ -17,8 +17,8 @@ from housefly.lab.safety_case.trial import (
     result_from_json,
 )
 from housefly.messages import OrderKind
-from housefly.pilot.safety import means
-from housefly.pilot.safety.means import Means
+from housefly.pilot.safety import control_source
+from housefly.pilot.safety.control_source import ControlSource
 
 SEED = 12
 """Before a corner, tracking at 30 Hz."""
@@ -46,7 +46,11 @@ def test_a_sensor_that_fails_before_a_corner_harms_nobody_whatever_a_person_orde
 def test_left_to_the_drones_own_hover_the_same_stop_ends_at_the_wall(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(means, "MEANS", dict.fromkeys(means.MEANS, Means.HOVER))
+    monkeypatch.setattr(
+        control_source,
+        "CONTROL_SOURCES",
+        dict.fromkeys(control_source.CONTROL_SOURCES, ControlSource.ONBOARD_HOVER),
+    )
     harmed = fly_trial(TrialKey(STUCK, SEED, order=PersonOrder.STOP))
     assert any(words.startswith("I1: touched") for words in harmed.violations)
 

@@ -28,6 +28,7 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.safety.control_source import STEERED_LANDING_TIME_MAX, ControlSource
 from housefly.pilot.safety.fallbacks import possible_mode
 from housefly.pilot.safety.gate import (
     AIRBORNE_ACTIONS,
@@ -38,13 +39,12 @@ from housefly.pilot.safety.gate import (
     GateAssessment,
     GateNotices,
     GateVerdict,
-    released,
+    gate_verdict,
 )
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import DESCENT_RATE, GatedCommand
-from housefly.pilot.safety.means import STEERED_MAX, Means
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObserver
-from housefly.pilot.safety.rule import COUNTED, RuleContext
+from housefly.pilot.safety.rule import IN_SCOPE, RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, ORDER_RULES, SAFETY_RULES
 
 LIMITS = LimitsConfig()
@@ -167,7 +167,9 @@ def test_a_drone_that_a_rule_holds_is_kept_or_left_to_itself_though_it_is_called
         found = gate.assess(replace(each, now=1.5 * n, home_time=1e4))
         is_held = any(rule.mode is SafetyMode.HOLD for rule in found.broken)
         if is_held and found.mode in (SafetyMode.RETURN, SafetyMode.HOLD) and not found.lands:
-            assert found.held and found.kept is (found.means is not Means.HOVER)
+            assert found.held and found.kept is (
+                found.control_source is not ControlSource.ONBOARD_HOVER
+            )
 
 
 @pytest.mark.parametrize("steers", [True, False])
@@ -242,8 +244,8 @@ def test_the_worst_broken_rule_decides(each: GateInputs) -> None:
     mode = gate.judge(Command(Action.HOVER), each).mode
     seen = FlightObserver(LIMITS).observe(each, held=False, landing=False)
     context = RuleContext(each, seen, LIMITS, FENCE, AIRFRAME)
-    counted = [rule for rule in SAFETY_RULES if COUNTED[rule.counts](context)]
-    at_once = [rule for rule in counted if rule.after == 0.0 and rule.broken(context)]
+    counted = [rule for rule in SAFETY_RULES if IN_SCOPE[rule.scope](context)]
+    at_once = [rule for rule in counted if rule.debounce == 0.0 and rule.is_broken(context)]
     worst = max((MODE_SEVERITY[possible_mode(rule.mode, context)] for rule in at_once), default=0)
     assert MODE_SEVERITY[mode] >= worst
     assert MODE_SEVERITY[mode] == worst or gate.landing
@@ -357,7 +359,7 @@ def test_a_steered_landing_that_does_not_come_down_becomes_the_drones_own() -> N
         for n in range(1, 200)
     ]
     assert actions[0] is Action.FLY and actions[-1] is Action.LAND
-    assert actions.count(Action.FLY) * 0.05 <= STEERED_MAX
+    assert actions.count(Action.FLY) * 0.05 <= STEERED_LANDING_TIME_MAX
 
 
 def test_a_steered_landing_without_a_number_is_the_drones_own() -> None:
@@ -390,7 +392,7 @@ def test_every_action_has_an_outcome_in_every_mode_in_the_air_and_on_the_ground(
         code, is_down = MODE_SEVERITY[mode], mode is SafetyMode.DESCEND
         airborne = status in AIRBORNE_STATUSES
         numbers = GatedCommand(code, is_down and airborne, 0.0, 0.0, -0.3 * is_down, 0.0)
-        verdict = released(action, numbers, GateAssessment(mode, "code", "words", status))
+        verdict = gate_verdict(action, numbers, GateAssessment(mode, "code", "words", status))
         assert isinstance(verdict.command.action, Action)
         if not airborne:
             assert verdict.command.action not in (Action.FLY, Action.HOVER)

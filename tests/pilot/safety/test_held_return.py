@@ -12,7 +12,7 @@ from gate_flight import FENCE, FINE, LIMITS, RULES
 
 from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
 from housefly.pilot.safety.gate import GateVerdict
-from housefly.pilot.safety.rule import Counting
+from housefly.pilot.safety.rule import RuleScope
 from housefly.pilot.safety.rules import SAFETY_RULES
 
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
@@ -21,7 +21,7 @@ CALLED_HOME = {"home_time": 440.0}
 HOLDING = sorted(
     code
     for code, rule in RULES.items()
-    if rule.mode is SafetyMode.HOLD and rule.counts is not Counting.GROUND
+    if rule.mode is SafetyMode.HOLD and rule.scope is not RuleScope.GROUND
 )
 
 
@@ -70,7 +70,7 @@ def test_a_return_waits_for_whatever_holds_the_drone_and_goes_on_after_it(code: 
     flight = HomewardFlight(code)
     held = flight.go_on(2.0, BROKEN[code][0], until=tells(code))[-1]
     assert tells(code)(held) and tells("flight_time")(held)
-    is_kept = RULES[code].steered
+    is_kept = RULES[code].may_steer
     assert (held.mode, held.command) == (
         SafetyMode.RETURN,
         FLY if is_kept else Command(Action.HOVER),

@@ -18,10 +18,10 @@ from housefly.messages import Action, DroneStatus, EventCode, SafetyMode, Teleme
 from housefly.messages.flight import Phase
 from housefly.messages.words import literal
 from housefly.pilot.estimation.consistency import TrackingConsistency
-from housefly.pilot.safety.gate import Gate, GateAssessment, released
+from housefly.pilot.safety.control_source import ControlSource
+from housefly.pilot.safety.gate import Gate, GateAssessment, gate_verdict
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
-from housefly.pilot.safety.means import Means
 from housefly.pilot.safety.rules import SAFETY_RULES
 
 FENCE = Geofence((0.0, 0.0, 10.0, 10.0), 2.5)
@@ -81,12 +81,12 @@ def test_every_rule_that_needs_something_says_what_stands_in_for_it() -> None:
 def test_one_without_a_hover_is_never_told_to_hover(mode: SafetyMode, action: Action) -> None:
     for status in DroneStatus:
         assessment = GateAssessment(mode, EventCode.STOPPED, literal("why"), status, hovers=False)
-        told = released(action, NOT_FLOWN, assessment).command.action
+        told = gate_verdict(action, NOT_FLOWN, assessment).command.action
         assert told is not Action.HOVER or not assessment.airborne
 
 
 def test_what_is_held_is_held_by_our_setpoint(bare: Airframe) -> None:
     gate = Gate(LimitsConfig(), FENCE, bare)
     stopped = gate.assess(replace(flying(1.0), stopped=True))
-    assert stopped.kept and stopped.means is Means.PLACE
-    assert gate.assess(replace(flying(1.1), pose_age=inf)).means is Means.LEVEL
+    assert stopped.kept and stopped.control_source is ControlSource.TRACKING
+    assert gate.assess(replace(flying(1.1), pose_age=inf)).control_source is ControlSource.LEVEL

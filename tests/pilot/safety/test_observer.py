@@ -9,7 +9,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import GRAVITY
 from housefly.messages import DroneStatus, Phase, Reference, Setpoint, Telemetry
 from housefly.pilot.safety.inputs import GateInputs
-from housefly.pilot.safety.observer import LATE_STEP, TILT_TIME, FlightObserver
+from housefly.pilot.safety.observer import LATE_STEP, TILT_TIME_CONSTANT, FlightObserver
 
 FINE = GateInputs(
     0.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False, flight_height=1.1
@@ -21,17 +21,17 @@ TICK = 0.01
 def test_what_we_ask_for_is_smoothed_about_as_the_drone_answers() -> None:
     observer = FlightObserver(LimitsConfig())
     leaning = replace(FINE, flown=Setpoint(theta=0.06, phi=-0.08))
-    for n in range(1 + round(TILT_TIME / TICK)):
+    for n in range(1 + round(TILT_TIME_CONSTANT / TICK)):
         seen = observer.observe(replace(leaning, now=TICK * n), held=False, landing=False)
     share = 1.0 - exp(-1.0)
-    assert TILT_TIME == 0.2  # of the drone's inner loops, about
+    assert TILT_TIME_CONSTANT == 0.2  # of the drone's inner loops, about
     assert seen.tilt_asked == pytest.approx(0.1 * share)
     report = Telemetry(0.0, DroneStatus.FLYING, 0.9, phi=-0.08 * share, theta=0.06 * share)
     seen = observer.observe(
-        replace(leaning, now=TILT_TIME, telemetry=report), held=False, landing=False
+        replace(leaning, now=TILT_TIME_CONSTANT, telemetry=report), held=False, landing=False
     )
     assert seen.tilt_error == pytest.approx(0.0, abs=1e-9)
-    seen = observer.observe(replace(FINE, now=TILT_TIME), held=False, landing=False)
+    seen = observer.observe(replace(FINE, now=TILT_TIME_CONSTANT), held=False, landing=False)
     assert isnan(seen.tilt_asked) and isnan(seen.tilt_error)
 
 
@@ -191,7 +191,7 @@ def test_a_take_off_drifts_in_both_directions_of_the_plane() -> None:
     rises = replace(FINE, status=DroneStatus.TAKING_OFF, velocity=(0.3, -0.4, 0.2))
     for n in range(300):
         seen = observer.observe(replace(rises, now=TICK * n), held=False, landing=False)
-    assert seen.drift == pytest.approx((0.3, -0.4))
+    assert seen.take_off_velocity == pytest.approx((0.3, -0.4))
 
 
 def test_a_step_counts_as_late_beyond_its_bound_only() -> None:

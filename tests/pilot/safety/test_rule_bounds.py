@@ -14,6 +14,12 @@ from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
+from housefly.pilot.safety.control_source import (
+    STEERED_LANDING_ERROR_MAX,
+    STEERED_LANDING_TIME_MAX,
+    ControlSource,
+    source_for_landing,
+)
 from housefly.pilot.safety.drone_rules import (
     CHARGE_WARNING,
     CLIFF_CHARGE,
@@ -21,7 +27,7 @@ from housefly.pilot.safety.drone_rules import (
     LATE_HOLD,
     LATE_LAND,
     LATE_STEPS_MAX,
-    LOW_HEIGHT,
+    ON_FLOOR_HEIGHT,
     STILL_SPEED,
     descent_time,
     lies_on_floor,
@@ -30,30 +36,29 @@ from housefly.pilot.safety.energy import GAUGE_STILL_TIME, NO_ENERGY, EnergyBudg
 from housefly.pilot.safety.fallbacks import possible_mode
 from housefly.pilot.safety.gate import Gate
 from housefly.pilot.safety.inputs import GateInputs, Geofence
-from housefly.pilot.safety.means import STEERED_ERROR_MAX, STEERED_MAX, Means, means_to_land
 from housefly.pilot.safety.motion_rules import (
-    BLOW_ACCELERATION,
-    BLOW_SPEED,
     CONTROL_ERROR_HOLD,
     CONTROL_ERROR_LAND,
-    HEIGHT_FAR,
-    HEIGHT_OFF,
+    HEIGHT_ERROR_LAND,
+    HEIGHT_ERROR_WARN,
+    IMPACT_ACCELERATION,
+    IMPACT_SPEED_CHANGE,
     SPEED_SLACK,
     STUCK_SPEED,
     STUCK_TILT,
     TAKE_OVER_TIME,
     TILT_WRONG_MAX,
-    UNEXPLAINED_SPEED,
+    UNEXPLAINED_SPEED_CHANGE,
     VELOCITY_ERROR_MAX,
     VERTICAL_SPEED_SLACK,
-    height_off,
+    height_error,
 )
 from housefly.pilot.safety.observer import (
     NOTHING_OBSERVED,
     TILT_ERROR_MAX,
     FlightObservations,
 )
-from housefly.pilot.safety.rule import COUNTED, Counting, RuleContext
+from housefly.pilot.safety.rule import IN_SCOPE, RuleContext, RuleScope
 from housefly.pilot.safety.tracking_rules import (
     DRIFT_LAND,
     DRIFT_WARN,
@@ -107,7 +112,8 @@ def blown_off(z: float, **changes: object) -> RuleContext:
     report = replace(REPORT, height=z)
     status = DroneStatus.TAKING_OFF
     known = context(status=status, position=(5.0, 2.0, z), velocity=None, telemetry=report)
-    seen = replace(known.seen, **{"start": (5.0, 2.0), "drift": (0.8, 0.0), **changes})  # type: ignore[arg-type]
+    blown = {"start": (5.0, 2.0), "take_off_velocity": (0.8, 0.0)}
+    seen = replace(known.seen, **{**blown, **changes})  # type: ignore[arg-type]
     return replace(known, seen=seen)
 
 
@@ -129,7 +135,7 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("loop_stalled", context(late=LATE_LAND), False),
     ("landing_refused", landing(landing_for=LIMITS.landing_timeout), False),
     ("landing_refused", landing(), True),
-    ("landing_refused", landing(position=(5.0, 2.0, LOW_HEIGHT)), True),
+    ("landing_refused", landing(position=(5.0, 2.0, ON_FLOOR_HEIGHT)), True),
     ("motors_running", landing(**ON_FLOOR, velocity=(STILL_SPEED, 0.0, 0.0)), False),
     ("motors_running", landing(**ON_FLOOR, velocity=(0.5 * STILL_SPEED, 0.0, 0.0)), True),
     (
@@ -147,9 +153,13 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ),
     ("tilt_error", context(tilt_error=TILT_ERROR_MAX), False),
     ("tilt_lost", context(tilt_wrong_for=TILT_WRONG_MAX), False),
-    ("contact", context(velocity_change=BLOW_SPEED), False),
-    ("contact", context(velocity_change=3.0, unexplained_change=UNEXPLAINED_SPEED), False),
-    ("contact", context(velocity_change=3.0, unexplained_change=UNEXPLAINED_SPEED + 0.01), True),
+    ("contact", context(velocity_change=IMPACT_SPEED_CHANGE), False),
+    ("contact", context(velocity_change=3.0, unexplained_change=UNEXPLAINED_SPEED_CHANGE), False),
+    (
+        "contact",
+        context(velocity_change=3.0, unexplained_change=UNEXPLAINED_SPEED_CHANGE + 0.01),
+        True,
+    ),
     ("stuck", context(tilt_asked=STUCK_TILT), False),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT), True),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT, velocity=(STUCK_SPEED, 0.0, 0.0)), False),
@@ -163,7 +173,7 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("take_off_aborted", blown_off(0.05), True),
     ("take_off_aborted", blown_off(0.2), False),
     ("take_off_aborted", blown_off(0.0, start=None), False),
-    ("take_off_aborted", blown_off(0.0, drift=None), False),
+    ("take_off_aborted", blown_off(0.0, take_off_velocity=None), False),
     ("outside_fence", context(position=(10.0 + LIMITS.fence_margin, 2.0, 1.1)), False),
     ("too_high", context(position=(5.0, 2.0, FENCE.ceiling)), False),
     ("too_high", context(position=(5.0, 2.0, 2.5)), True),
@@ -173,12 +183,12 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("too_low", context(position=(5.0, 2.0, 0.24), flight_height=0.5), True),
     (
         "contact",
-        context(telemetry=replace(REPORT, acceleration=(BLOW_ACCELERATION + GRAVITY, 0.0, 0.0))),
+        context(telemetry=replace(REPORT, acceleration=(IMPACT_ACCELERATION + GRAVITY, 0.0, 0.0))),
         False,
     ),
-    ("height_error", placed(z=HEIGHT_FAR), False),
-    ("height_not_reached", placed(z=HEIGHT_OFF), False),
-    ("height_off", placed(z=HEIGHT_OFF), False),
+    ("height_error", placed(z=HEIGHT_ERROR_LAND), False),
+    ("height_not_reached", placed(z=HEIGHT_ERROR_WARN), False),
+    ("height_off", placed(z=HEIGHT_ERROR_WARN), False),
     (
         "vertical_speed",
         context(velocity=(0.0, 0.0, LIMITS.vertical_speed_max + VERTICAL_SPEED_SLACK)),
@@ -206,7 +216,7 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
 
 def broken(code: str, seen: RuleContext) -> bool:
     """Whether a rule counts and is broken."""
-    return COUNTED[RULES[code].counts](seen) and RULES[code].broken(seen)
+    return IN_SCOPE[RULES[code].scope](seen) and RULES[code].is_broken(seen)
 
 
 @pytest.mark.parametrize(("code", "seen", "is_broken"), AT_BOUND)
@@ -232,22 +242,22 @@ def test_who_lands_untracked_counts_as_up_by_its_sonar_and_until_a_descent_has_h
 
 
 def test_a_landing_counts_from_its_first_moment() -> None:
-    assert not COUNTED[Counting.LANDING](context(landing_for=0.0))
-    assert COUNTED[Counting.LANDING](context(landing_for=1e-9))
+    assert not IN_SCOPE[RuleScope.LANDING](context(landing_for=0.0))
+    assert IN_SCOPE[RuleScope.LANDING](context(landing_for=1e-9))
 
 
 def test_the_floor_ends_where_a_drone_counts_as_up() -> None:
-    assert not lies_on_floor(placed(z=LOW_HEIGHT))
-    assert lies_on_floor(placed(z=0.99 * LOW_HEIGHT))
+    assert not lies_on_floor(placed(z=ON_FLOOR_HEIGHT))
+    assert lies_on_floor(placed(z=0.99 * ON_FLOOR_HEIGHT))
 
 
 def test_a_height_counts_from_the_moment_at_which_it_should_be_reached() -> None:
-    assert height_off(placed(z=1.0, climbing_for=6.0)) == 1.0
-    assert height_off(placed(z=1.0, climbing_for=5.99)) == 0.0
+    assert height_error(placed(z=1.0, climbing_for=6.0)) == 1.0
+    assert height_error(placed(z=1.0, climbing_for=5.99)) == 0.0
 
 
 def can_steer_landing(c: RuleContext) -> bool:
-    return means_to_land(c, steered=True) is Means.PLACE
+    return source_for_landing(c, steered=True) is ControlSource.TRACKING
 
 
 def test_a_landing_is_steered_up_to_its_bounds() -> None:
@@ -255,10 +265,12 @@ def test_a_landing_is_steered_up_to_its_bounds() -> None:
     assert can_steer_landing(context())
     assert not can_steer_landing(context(position=(*HERE[:2], lowest), reference=None))
     assert can_steer_landing(context(position=(*HERE[:2], lowest + 0.01), reference=None))
-    assert not can_steer_landing(context(landing_for=STEERED_MAX))
+    assert not can_steer_landing(context(landing_for=STEERED_LANDING_TIME_MAX))
     assert not can_steer_landing(context(late_steps=1))
     above = Reference((0.0, 0.0, 1.0), ZERO, 0.0)
-    assert not can_steer_landing(context(reference=above, position=(STEERED_ERROR_MAX, 0.0, 1.0)))
+    assert not can_steer_landing(
+        context(reference=above, position=(STEERED_LANDING_ERROR_MAX, 0.0, 1.0))
+    )
 
 
 def test_a_deaf_drone_that_has_sunk_for_long_enough_may_land_by_itself() -> None:
@@ -281,7 +293,7 @@ def test_words_say_what_is_left_and_what_struck() -> None:
     assert RULES["flight_time"].words(clock).startswith("21 s of flight left")
     over = context(time_left=-3.0, time_needed=35.0)
     assert RULES["flight_time"].words(over).startswith("0 s of flight left")
-    struck = replace(REPORT, acceleration=(BLOW_ACCELERATION + GRAVITY, 0.0, 0.0))
+    struck = replace(REPORT, acceleration=(IMPACT_ACCELERATION + GRAVITY, 0.0, 0.0))
     words = RULES["contact"].words(context(telemetry=struck, velocity_change=0.6))
     assert words.startswith("struck something, or tracking jumped: 0.6 m/s faster")
     low = landing(position=(5.0, 2.0, 0.04), velocity=(0.3, 0.0, 0.0))
@@ -299,24 +311,24 @@ def test_who_flies_towards_any_side_of_the_room_leaves_it_by_the_way_it_needs_to
     place, velocity = [0.0, 0.0], [0.0, 0.0]
     place[axis], velocity[axis] = 1.5 * side, speed * side
     way = AIRFRAME.braking.way_to_rest(speed)
-    inside = fence.leaving((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
+    inside = fence.overshoot((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert inside == pytest.approx(1.5 + way - 2.0)
-    away = fence.leaving((*place, 1.0), (*(-v for v in velocity), 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
+    away = fence.overshoot((*place, 1.0), (*(-v for v in velocity), 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert away <= 0.0
     place[axis] = 3.0 * side  # outside already: only what comes on top
-    beyond = fence.leaving((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
+    beyond = fence.overshoot((*place, 1.0), (*velocity, 0.0), AIRFRAME.braking)  # type: ignore[arg-type]
     assert beyond == pytest.approx(way)
 
 
 def test_who_rises_leaves_the_room_by_its_ceiling() -> None:
     fence = Geofence((-2.0, -2.0, 2.0, 2.0), 2.5)
     way = AIRFRAME.braking.way_to_rest(0.5)
-    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(
+    assert fence.overshoot((0.0, 0.0, 2.4), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(
         2.4 + way - 2.5
     )
-    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(way)
-    assert fence.leaving((0.0, 0.0, 2.7), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
-    assert fence.leaving((0.0, 0.0, 2.4), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
+    assert fence.overshoot((0.0, 0.0, 2.7), (0.0, 0.0, 0.5), AIRFRAME.braking) == pytest.approx(way)
+    assert fence.overshoot((0.0, 0.0, 2.7), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
+    assert fence.overshoot((0.0, 0.0, 2.4), (0.0, 0.0, -0.5), AIRFRAME.braking) == 0.0
 
 
 def test_nothing_is_assumed_of_a_step_that_says_nothing() -> None:

@@ -42,7 +42,7 @@ from housefly.messages import (
 )
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget
-from housefly.pilot.safety.gate import Gate, GateAssessment, released
+from housefly.pilot.safety.gate import Gate, GateAssessment, gate_verdict
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.motion_rules import vertical_speed
@@ -63,10 +63,10 @@ def test_every_rule_has_its_case() -> None:
 @pytest.mark.parametrize("code", sorted(set(RULES) - {"flight_time_over"}))
 def test_what_is_broken_is_told_half_a_second_after_its_time_and_never_sooner(code: str) -> None:
     change, _, observable = BROKEN[code]
-    due = RULES[code].after + observable
+    due = RULES[code].debounce + observable
     found = times(code, change, due + 0.6)
     assert found and found[0] <= due + 0.5
-    assert found[0] >= RULES[code].after - 1e-6
+    assert found[0] >= RULES[code].debounce - 1e-6
 
 
 AFTER_MAX = 0.5
@@ -93,7 +93,9 @@ SLOWER = {
 
 
 def test_every_rule_is_told_within_half_a_second_but_those_that_may_be_slower() -> None:
-    assert {code: rule.after for code, rule in RULES.items() if rule.after > AFTER_MAX} == SLOWER
+    assert {
+        code: rule.debounce for code, rule in RULES.items() if rule.debounce > AFTER_MAX
+    } == SLOWER
 
 
 @pytest.mark.parametrize(
@@ -113,7 +115,7 @@ def test_the_motors_of_a_drone_that_was_not_told_to_land_are_not_cut_on_the_floo
         status, phase = DroneStatus.TAKING_OFF, Phase.TAKING_OFF
         return replace(lying()(inputs, t), status=status, phase=phase)
 
-    assert times("motors_running", waiting, RULES["motors_running"].after + 1.0) == []
+    assert times("motors_running", waiting, RULES["motors_running"].debounce + 1.0) == []
 
 
 def test_a_noisy_velocity_is_no_drift_and_one_hard_stop_no_gusts() -> None:
@@ -136,14 +138,14 @@ def test_a_height_that_was_carried_on_through_blindness_is_not_told_as_seen() ->
 @pytest.mark.parametrize("code", sorted(RULES))
 def test_what_is_just_within_its_bounds_is_not_told(code: str) -> None:
     _, fine, observable = BROKEN[code]
-    seconds = RULES[code].after + min(observable, 62.0) + 5.0
+    seconds = RULES[code].debounce + min(observable, 62.0) + 5.0
     assert times(code, fine, seconds) == []
 
 
 @pytest.mark.parametrize("code", sorted(set(RULES) - {"flight_time_over"}))
 def test_what_is_broken_has_words_with_no_number_that_is_none(code: str) -> None:
     change, _, observable = BROKEN[code]
-    found = assessed(change, RULES[code].after + observable + 0.6)
+    found = assessed(change, RULES[code].debounce + observable + 0.6)
     words = [rule.words for _, each in found for rule in each.broken if rule.code == code]
     assert all(words) and not any("nan" in word or "inf " in word for word in words)
 
@@ -234,7 +236,7 @@ def test_the_page_says_at_what_drift_it_is_told_and_landed() -> None:
 def broken(code: str, seen_so_far: FlightObservations, **changes: object) -> bool:
     """Return what a rule says of these inputs and of what was observed before."""
     inputs = replace(FINE, **changes)  # type: ignore[arg-type]
-    return RULES[code].broken(RuleContext(inputs, seen_so_far, LIMITS, FENCE, AIRFRAME))
+    return RULES[code].is_broken(RuleContext(inputs, seen_so_far, LIMITS, FENCE, AIRFRAME))
 
 
 def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direction() -> None:
@@ -250,7 +252,7 @@ def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direct
 def test_what_is_exactly_at_its_bound_is_not_broken_yet() -> None:
     longest, standing = LIMITS.landing_timeout, {"status": DroneStatus.LANDED}
     rising = {"status": DroneStatus.TAKING_OFF, "position": (TAKE_OFF_DRIFT, 0.0, 0.05)}
-    started = FlightObservations(start=(0.0, 0.0), drift=(0.0, 0.0))
+    started = FlightObservations(start=(0.0, 0.0), take_off_velocity=(0.0, 0.0))
     drifts = {d: TrackingConsistency(drift=d) for d in (DRIFT_LAND, DRIFT_LAND + 0.01)}
     assert not broken("landing_refused", FlightObservations(landing_for=longest))
     assert broken("landing_refused", FlightObservations(landing_for=longest + 0.01))
@@ -336,12 +338,12 @@ def broken_in_flight(code: str) -> RuleEnding:
     rule = RULES[code]
 
     def noted(c: RuleContext) -> bool:
-        holds = rule.broken(c)
-        flight.held_at = c.now.now if holds else flight.held_at
+        holds = rule.is_broken(c)
+        flight.held_at = c.inputs.now if holds else flight.held_at
         return holds
 
     rules = tuple(
-        replace(each, broken=noted) if each.code == code else each
+        replace(each, is_broken=noted) if each.code == code else each
         for each in SAFETY_RULES
         # The charge of a case falls at once.
         if each.code == code or each.code not in ("battery_cliff", *SUDDEN.get(code, ()))
@@ -407,7 +409,7 @@ def test_after_a_cut_nothing_but_a_reset_passes_until_the_drone_was_reset(code: 
     for found in flight.go_on(20.0, fallen):
         assert found.mode is SafetyMode.CUT
         numbers = GatedCommand(found.severity, False, 0.0, 0.0, 0.0, 0.0)
-        passed = {action: released(action, numbers, found).command.action for action in Action}
+        passed = {action: gate_verdict(action, numbers, found).command.action for action in Action}
         assert passed.pop(Action.RESET) is Action.RESET
         assert set(passed.values()) == {Action.IDLE}
     reset = flight.go_on(1.0, now(status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR))

@@ -16,5 +16,5 @@ def test_what_is_as_old_as_the_span_still_counts() -> None:
 def test_what_is_kept_twice_in_a_row_counts_from_its_newest_time() -> None:
     window: Window[float] = Window(1.0)
     for at, value in ((0.0, 1.0), (0.5, 1.0), (0.75, 2.0)):
-        window.keep(at, value)
+        window.add_or_renew(at, value)
     assert window.values(1.5) == [1.0, 2.0] and window.values(1.6) == [2.0]

@@ -28,7 +28,7 @@ MODULES = OWNERS - PARTS
 @pytest.mark.parametrize("code", sorted(set(RULES) - {"flight_time_over"}))
 def test_people_are_told_what_is_wrong_with_value_and_limit(code: str) -> None:
     change, _, observable = BROKEN[code]
-    found = assessed(change, RULES[code].after + observable + 0.6)
+    found = assessed(change, RULES[code].debounce + observable + 0.6)
     words = (rule.words for _, each in found for rule in each.broken if rule.code == code)
     assert next(words) == WORDS[code]
 

@@ -16,8 +16,8 @@ from housefly.tasks.api.values import RehearsalReport, RequestSurface
 from housefly.tasks.document.library import BoundTask, bind, load_library
 from housefly.tasks.engine.task_record import TaskRecord
 from housefly.tasks.engine.task_rehearsals import (
-    MOST_ASKED,
-    RehearsalTurns,
+    STANDALONE_MAX,
+    RehearsalQueue,
     RehearsalUrgency,
     TaskRehearsals,
 )
@@ -53,9 +53,9 @@ class OneByOne:
 
 def test_flights_go_first_then_people_then_machines_one_at_a_time() -> None:
     rehearser = OneByOne()
-    turns = RehearsalTurns(rehearser)
+    queue = RehearsalQueue(rehearser)
     for name, urgency in (("a", MACHINE), ("b", MACHINE), ("c", PERSON), ("d", FLIGHT)):
-        turns.begin(task(name), urgency)
+        queue.begin(task(name), urgency)
     assert rehearser.order == ["a"]
     for _ in range(3):
         rehearser.end()
@@ -64,9 +64,9 @@ def test_flights_go_first_then_people_then_machines_one_at_a_time() -> None:
 
 def test_what_is_wanted_more_urgently_later_is_rehearsed_once() -> None:
     rehearser = OneByOne()
-    turns = RehearsalTurns(rehearser)
-    reports = {name: turns.begin(task(name), MACHINE) for name in "abc"}
-    turns.hurry(task("c"), reports["c"])
+    queue = RehearsalQueue(rehearser)
+    reports = {name: queue.begin(task(name), MACHINE) for name in "abc"}
+    queue.move_to_front(task("c"), reports["c"])
     for _ in range(3):
         rehearser.end()
     assert rehearser.order == ["a", "c", "b"]
@@ -75,8 +75,8 @@ def test_what_is_wanted_more_urgently_later_is_rehearsed_once() -> None:
 
 def test_what_nobody_waits_for_any_more_is_not_rehearsed() -> None:
     rehearser = OneByOne()
-    turns = RehearsalTurns(rehearser)
-    reports = [turns.begin(task(name), MACHINE) for name in "abc"]
+    queue = RehearsalQueue(rehearser)
+    reports = [queue.begin(task(name), MACHINE) for name in "abc"]
     assert reports[1].cancel() and not reports[0].cancel()
     rehearser.end()
     assert rehearser.order == ["a", "c"]
@@ -87,9 +87,9 @@ def test_a_rehearser_that_breaks_holds_up_no_other() -> None:
         def rehearse(self, task: BoundTask, drone: str) -> Future[RehearsalReport]:
             raise RuntimeError
 
-    turns = RehearsalTurns(Broken())
+    queue = RehearsalQueue(Broken())
     for _ in "ab":
-        assert isinstance(turns.begin(task("a"), FLIGHT).exception(0.0), RuntimeError)
+        assert isinstance(queue.begin(task("a"), FLIGHT).exception(0.0), RuntimeError)
 
 
 def waiting(ready: Callable[[], bool]) -> None:
@@ -109,10 +109,10 @@ def test_so_many_ask_for_rehearsals_at_once_and_a_flight_goes_first(machines: in
     with ThreadPoolExecutor(len(surfaces)) as threads:
         asked = []
         for surface in surfaces:
-            asked.append(threads.submit(rehearsals.now, task(surface.value), surface))
-            waiting(lambda: rehearsals.asked == sum(not one.done() for one in asked))
+            asked.append(threads.submit(rehearsals.rehearse_and_wait, task(surface.value), surface))
+            waiting(lambda: rehearsals.standalone == sum(not one.done() for one in asked))
         refused = [one for one in asked if one.done()]
-        assert len(asked) - len(refused) == MOST_ASKED
+        assert len(asked) - len(refused) == STANDALONE_MAX
         for one in refused:
             error = one.exception()
             assert isinstance(error, TaskError) and error.code == "rate_limit"
@@ -121,13 +121,13 @@ def test_so_many_ask_for_rehearsals_at_once_and_a_flight_goes_first(machines: in
         rehearsals.begin(record)
         rehearser.end()
         assert rehearser.order[1] == "flight"
-        for _ in range(MOST_ASKED):
+        for _ in range(STANDALONE_MAX):
             rehearser.end()
         for one in asked:
             if one not in refused:
                 assert one.result(10.0) == GOOD
         assert rehearser.order.count("mqtt") == min(machines, 1)
-    assert rehearsals.asked == 0
+    assert rehearsals.standalone == 0
 
 
 def test_many_rehearsals_hold_up_no_other_question(tmp_path: Path) -> None:
@@ -138,8 +138,8 @@ def test_many_rehearsals_hold_up_no_other_question(tmp_path: Path) -> None:
         asked = [answerers.submit(stage.ask, question) for _ in range(60)]
         board = answerers.submit(stage.ask, BoardQuestion())
         assert board.result(10.0).tasks == ()
-        waiting(lambda: sum(one.done() for one in asked) == 60 - MOST_ASKED)
+        waiting(lambda: sum(one.done() for one in asked) == 60 - STANDALONE_MAX)
         waiting(lambda: bool(stage.rehearsals.finish() or all(one.done() for one in asked)))
     codes = [error.code for one in asked if isinstance(error := one.exception(), TaskError)]
-    assert codes == ["rate_limit"] * (60 - MOST_ASKED)
+    assert codes == ["rate_limit"] * (60 - STANDALONE_MAX)
     stage.close()

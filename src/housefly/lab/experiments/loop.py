@@ -57,7 +57,7 @@ from housefly.pilot.estimation.estimator_state import (
     PoseEstimate,
 )
 from housefly.pilot.estimation.validation import SIGHTING_AGE_MAX
-from housefly.pilot.safety.limits import GatedCommand, SafetyCode, pose_age_mode
+from housefly.pilot.safety.limits import GatedCommand, SafetyModeCode, pose_age_mode
 from housefly.pilot.step import (
     INITIAL_STEP,
     NO_OVERRIDE,
@@ -174,7 +174,7 @@ def _fly_case(
             is_there = tick % every > 0 or looked_at(
                 score, route, body, here, output.target, eps3, now
             )
-            if state.gate == SafetyCode.LAND or not is_there:
+            if state.gate == SafetyModeCode.LAND or not is_there:
                 ended_at = now
                 break
         gust = gusted(gust, air, flight_buffers.random)
@@ -254,7 +254,7 @@ def _counted(
     score.ticks += 1.0
     score.switches += 1.0 if state.acceptor.state != acceptor else 0.0
     score.saturated += 1.0 if output.asked.wish > tilt_max else 0.0
-    score.levelled += 1.0 if state.gate == SafetyCode.HOLD else 0.0
+    score.levelled += 1.0 if state.gate == SafetyModeCode.HOLD else 0.0
 
 
 @compiled

@@ -28,7 +28,7 @@ TRACE = np.dtype(
 """One tick. SI units; truth without prefix, ``est_`` estimate, ``ref_`` reference, ``ask_`` what
 control asks (``ask_tilt``: the length that it would tilt without a limit), ``cmd_`` what left the
 gate. ``flying`` 0: the drone's own hover. ``behavior``: an ``AcceptorState``. ``safety``: a
-``SafetyCode``. ``sightings``: how many arrived; ``seen_*``: the newest of them.
+``SafetyModeCode``. ``sightings``: how many arrived; ``seen_*``: the newest of them.
 """
 Trace = NDArray[Any]
 """Structured array of dtype ``TRACE``."""

@@ -1,1 +1,1 @@
-"""The last gate before the drone: may only make a command smaller."""
+"""The safety gate, the last before the drone: may only make a command smaller."""

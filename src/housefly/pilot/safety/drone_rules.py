@@ -1,4 +1,4 @@
-"""Rules of the last gate about the drone itself: orders, its own word, charge, clock, our loop."""
+"""Rules of the safety gate about the drone itself: orders, its word, charge, clock, our loop."""
 
 from __future__ import annotations
 
@@ -12,18 +12,16 @@ from housefly.pilot.behavior.drone_faults import LANDING_FAULTS, fault_list
 from housefly.pilot.safety.energy import CLIFF_SPAN, GAUGE_STILL_TIME
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
 from housefly.pilot.safety.observer import HOLD_SPAN, LATE_SPAN
-from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import RuleContext, RuleScope, SafetyRule
 from housefly.pilot.safety.rule_words import (
-    above_time,
     coming_home,
     holding_itself,
     landing,
     slowly,
+    with_time_limit,
 )
 
-C, M, N = EventCode, SafetyMode, Counting
-
-LOW_HEIGHT = 0.1
+ON_FLOOR_HEIGHT = 0.1
 """A drone is on the floor when no higher than this above where it stood [m] ..."""
 STILL_SPEED = 0.1
 """... and lies still when slower than this, by tracking and by its own word [m/s]."""
@@ -56,21 +54,21 @@ def descent_time(c: RuleContext) -> float:
     return c.fence.ceiling / DESCENT_RATE + DESCENT_MARGIN
 
 
-def rise(c: RuleContext) -> float:
+def height_above_standing(c: RuleContext) -> float:
     """Return how far above where it stood the drone is [m]; infinite where that is unknown."""
-    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
+    if c.inputs.position is None or too_old(c.inputs.pose_age, c.limits.pose_age_level):
         return inf
-    return c.now.position[2] - c.seen.standing_height
+    return c.inputs.position[2] - c.seen.standing_height
 
 
 def lies_on_floor(c: RuleContext) -> bool:
     """Return whether tracking sees the drone as low as it stood before."""
-    return rise(c) < LOW_HEIGHT
+    return height_above_standing(c) < ON_FLOOR_HEIGHT
 
 
 def _lies_still(c: RuleContext) -> bool:
-    heard, velocity = c.now.telemetry, c.now.velocity
-    if heard is None or velocity is None or too_old(c.now.telemetry_age, c.limits.telemetry_age):
+    heard, velocity = c.inputs.telemetry, c.inputs.velocity
+    if heard is None or velocity is None or too_old(c.inputs.telemetry_age, c.limits.telemetry_age):
         return False
     is_still = hypot(*velocity) < STILL_SPEED and hypot(*heard.velocity[:2]) < STILL_SPEED
     return is_still and lies_on_floor(c)
@@ -78,57 +76,57 @@ def _lies_still(c: RuleContext) -> bool:
 
 def _is_still_up(c: RuleContext) -> bool:
     """Return whether it is above the floor; without a fresh pose by its sonar, and by time."""
-    if not too_old(c.now.pose_age, c.limits.pose_age_level):
+    if not too_old(c.inputs.pose_age, c.limits.pose_age_level):
         return not lies_on_floor(c)
-    sonar, told = c.airframe.sonar, c.now.telemetry
+    sonar, told = c.airframe.sonar, c.inputs.telemetry
     is_high = sonar is not None and told is not None and told.height >= sonar.floor_reading_max
     return is_high or c.seen.landing_for < c.limits.landing_timeout + descent_time(c)
 
 
 def _complaints(c: RuleContext, *, ends_flight: bool) -> Words:
-    return fault_list(one for one in c.now.faults if (one in LANDING_FAULTS) is ends_flight)
+    return fault_list(one for one in c.inputs.faults if (one in LANDING_FAULTS) is ends_flight)
 
 
 DRONE_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
-        code=C.CUT,
-        mode=M.CUT,
-        counts=N.ALWAYS,
+        code=EventCode.CUT,
+        mode=SafetyMode.CUT,
+        scope=RuleScope.ALWAYS,
         condition="someone ordered it",
-        broken=lambda c: c.now.cutting,
+        is_broken=lambda c: c.inputs.cutting,
         words=lambda _: Words("motors are being cut by order"),
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code=C.EMERGENCY,
-        mode=M.CUT,
-        counts=N.ALWAYS,
+        code=EventCode.EMERGENCY,
+        mode=SafetyMode.CUT,
+        scope=RuleScope.ALWAYS,
         condition="the drone says so",
-        broken=lambda c: c.now.status is DroneStatus.EMERGENCY,
+        is_broken=lambda c: c.inputs.status is DroneStatus.EMERGENCY,
         words=lambda _: Words("the motors are cut: reset when nobody is near"),
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code=C.MOTORS_RUNNING,
-        mode=M.CUT,
-        counts=N.LANDING,
+        code=EventCode.MOTORS_RUNNING,
+        mode=SafetyMode.CUT,
+        scope=RuleScope.LANDING,
         condition="it lies still on the floor, told to land",
-        broken=_lies_still,
+        is_broken=_lies_still,
         words=lambda _: Words(
             "on the floor for {n} s with its motors running: cutting them",
             n=figure(LYING_TIME, ".0f"),
         ),
-        after=LYING_TIME,
+        debounce=LYING_TIME,
         clears=Clearing.RESET,
     ),
     SafetyRule(
-        code=C.LANDING_REFUSED,
-        mode=M.DESCEND,
-        counts=N.LANDING,
+        code=EventCode.LANDING_REFUSED,
+        mode=SafetyMode.DESCEND,
+        scope=RuleScope.LANDING,
         condition="not on the floor so long after it was told to land",
-        broken=lambda c: (
+        is_broken=lambda c: (
             c.seen.landing_for > c.limits.landing_timeout
-            and not too_old(c.now.telemetry_age, c.limits.telemetry_age)
+            and not too_old(c.inputs.telemetry_age, c.limits.telemetry_age)
             and _is_still_up(c)
         ),
         words=lambda c: Words(
@@ -139,69 +137,69 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code=C.TELEMETRY_LOST,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.TELEMETRY_LOST,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="no word from the drone",
-        broken=lambda c: too_old(c.now.telemetry_age, c.limits.telemetry_age),
+        is_broken=lambda c: too_old(c.inputs.telemetry_age, c.limits.telemetry_age),
         words=lambda c: landing(
-            above_time(
-                Words("the drone is silent for {n} s", n=figure(c.now.telemetry_age, ".1f")),
+            with_time_limit(
+                Words("the drone is silent for {n} s", n=figure(c.inputs.telemetry_age, ".1f")),
                 c.limits.telemetry_age,
             )
         ),
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.DRONE_FAULT,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.DRONE_FAULT,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="a complaint of the drone that ends a flight",
-        broken=lambda c: bool(_complaints(c, ends_flight=True)),
+        is_broken=lambda c: bool(_complaints(c, ends_flight=True)),
         words=lambda c: Words(
             "the drone says: {what}; landing", what=_complaints(c, ends_flight=True)
         ),
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.NOT_CONFIGURED,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.NOT_CONFIGURED,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="its limits are not confirmed for so long",
-        broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.configured,
+        is_broken=lambda c: c.inputs.telemetry is not None and not c.inputs.telemetry.configured,
         words=lambda _: landing(
             Words(
                 "the drone has not confirmed its limits for {n} s", n=figure(CONFIGURING_TIME, "g")
             )
         ),
-        after=CONFIGURING_TIME,
+        debounce=CONFIGURING_TIME,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code=C.BATTERY_LOW,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.BATTERY_LOW,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="charge below the floor, or not a number",
-        broken=lambda c: not c.now.battery >= c.limits.battery_floor,
+        is_broken=lambda c: not c.inputs.battery >= c.limits.battery_floor,
         words=lambda c: landing(
             Words(
                 "battery {p}% is below {q}%",
-                p=percentage(c.now.battery),
+                p=percentage(c.inputs.battery),
                 q=percentage(c.limits.battery_floor),
             )
         ),
-        after=BATTERY_DEBOUNCE,
+        debounce=BATTERY_DEBOUNCE,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.BATTERY_CLIFF,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.BATTERY_CLIFF,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="the charge falls all at once",
-        broken=lambda c: c.seen.energy.charge_lost > CLIFF_CHARGE,
+        is_broken=lambda c: c.seen.energy.charge_lost > CLIFF_CHARGE,
         words=lambda c: landing(
             Words(
                 "the battery lost {p}% in {n} s (limit {q}%)",
@@ -210,16 +208,16 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
                 q=percentage(CLIFF_CHARGE),
             )
         ),
-        after=0.4,
+        debounce=0.4,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.FLIGHT_TIME_OVER,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.FLIGHT_TIME_OVER,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="the charge at take-off is used up, by the clock",
-        broken=lambda c: c.seen.energy.time_left <= 0.0,
+        is_broken=lambda c: c.seen.energy.time_left <= 0.0,
         words=lambda c: landing(
             Words(
                 "in the air for {n} s, as long as the charge at take-off allows"
@@ -228,29 +226,31 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
                 m=figure(c.limits.flight_time, ".0f"),
             )
         ),
-        after=BATTERY_DEBOUNCE,
+        debounce=BATTERY_DEBOUNCE,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.LOOP_STALLED,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.LOOP_STALLED,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="the pilot ran far too late",
-        broken=lambda c: too_old(c.now.late, LATE_LAND),
+        is_broken=lambda c: too_old(c.inputs.late, LATE_LAND),
         words=lambda c: landing(
-            above_time(Words("the pilot ran {n} s late", n=figure(c.now.late, ".1f")), LATE_LAND)
+            with_time_limit(
+                Words("the pilot ran {n} s late", n=figure(c.inputs.late, ".1f")), LATE_LAND
+            )
         ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code=C.HELD_TOO_OFTEN,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.HELD_TOO_OFTEN,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="held for too much of the last 10 s",
-        broken=lambda c: c.seen.held_for > HELD_TIME_MAX,
+        is_broken=lambda c: c.seen.held_for > HELD_TIME_MAX,
         words=lambda c: landing(
-            above_time(
+            with_time_limit(
                 Words(
                     "held for {n} of the last {m} s",
                     n=figure(c.seen.held_for, ".1f"),
@@ -260,42 +260,42 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
             )
         ),
         clears=Clearing.GROUND,
-        steered=True,
-        waits=True,
+        may_steer=True,
+        may_wait=True,
     ),
     SafetyRule(
-        code=C.STOPPED,
-        mode=M.STOPPED,
-        counts=N.ALWAYS,
+        code=EventCode.STOPPED,
+        mode=SafetyMode.STOPPED,
+        scope=RuleScope.ALWAYS,
         condition="STOP is latched",
-        broken=lambda c: c.now.stopped,
+        is_broken=lambda c: c.inputs.stopped,
         words=lambda _: Words("STOP: hovering until resumed"),
         clears=Clearing.RESUME,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.BATTERY_RETURN,
-        mode=M.RETURN,
-        counts=N.AIRBORNE,
+        code=EventCode.BATTERY_RETURN,
+        mode=SafetyMode.RETURN,
+        scope=RuleScope.AIRBORNE,
         condition="charge for no more than the planner's way home, at the measured drain",
-        broken=lambda c: c.now.battery < c.seen.energy.charge_needed,
+        is_broken=lambda c: c.inputs.battery < c.seen.energy.charge_needed,
         words=lambda c: coming_home(
             Words(
                 "battery {p}%, the way home ({n} s) needs {q}%",
-                p=percentage(c.now.battery),
-                n=figure(c.now.home_time, ".0f"),
+                p=percentage(c.inputs.battery),
+                n=figure(c.inputs.home_time, ".0f"),
                 q=percentage(c.seen.energy.charge_needed),
             )
         ),
-        after=BATTERY_DEBOUNCE,
+        debounce=BATTERY_DEBOUNCE,
         clears=Clearing.ORDER,
     ),
     SafetyRule(
-        code=C.FLIGHT_TIME,
-        mode=M.RETURN,
-        counts=N.AIRBORNE,
+        code=EventCode.FLIGHT_TIME,
+        mode=SafetyMode.RETURN,
+        scope=RuleScope.AIRBORNE,
         condition="time for no more than the way home, by the clock",
-        broken=lambda c: c.seen.energy.time_left < c.seen.energy.time_needed,
+        is_broken=lambda c: c.seen.energy.time_left < c.seen.energy.time_needed,
         words=lambda c: coming_home(
             Words(
                 "{n} s of flight left by the clock, the way home needs {m} s",
@@ -303,49 +303,49 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
                 m=figure(c.seen.energy.time_needed, ".0f"),
             )
         ),
-        after=BATTERY_DEBOUNCE,
+        debounce=BATTERY_DEBOUNCE,
         clears=Clearing.ORDER,
     ),
     SafetyRule(
-        code=C.CONFIGURING,
-        mode=M.HOLD,
-        counts=N.AIRBORNE,
+        code=EventCode.CONFIGURING,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.AIRBORNE,
         condition="its limits are not confirmed",
-        broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.configured,
+        is_broken=lambda c: c.inputs.telemetry is not None and not c.inputs.telemetry.configured,
         words=lambda _: Words(
             "{why}: it holds itself", why=Words("the drone has not confirmed its limits")
         ),
     ),
     SafetyRule(
-        code=C.COMMANDS_UNHEARD,
-        mode=M.HOLD,
-        counts=N.AIRBORNE,
+        code=EventCode.COMMANDS_UNHEARD,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.AIRBORNE,
         condition="the drone hears no commands, by its own word",
-        broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.hears_us,
+        is_broken=lambda c: c.inputs.telemetry is not None and not c.inputs.telemetry.hears_us,
         words=lambda _: Words(
             "{why}: it holds itself",
-            why=above_time(Words("commands reach the drone late or not at all"), COMMANDS_GAP),
+            why=with_time_limit(Words("commands reach the drone late or not at all"), COMMANDS_GAP),
         ),
-        after=COMMANDS_GAP,
+        debounce=COMMANDS_GAP,
         lasts=COMMANDS_LATE_FOR,
     ),
     SafetyRule(
-        code=C.LOOP_LATE,
-        mode=M.HOLD,
-        counts=N.AIRBORNE,
+        code=EventCode.LOOP_LATE,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.AIRBORNE,
         condition="the pilot ran too late",
-        broken=lambda c: too_old(c.now.late, LATE_HOLD),
+        is_broken=lambda c: too_old(c.inputs.late, LATE_HOLD),
         words=lambda _: holding_itself(
             Words("the pilot runs more than {n} s late", n=figure(LATE_HOLD, "g"))
         ),
         lasts=1.0,
     ),
     SafetyRule(
-        code=C.LOOP_SLOW,
-        mode=M.SLOW,
-        counts=N.AIRBORNE,
+        code=EventCode.LOOP_SLOW,
+        mode=SafetyMode.SLOW,
+        scope=RuleScope.AIRBORNE,
         condition="the pilot often runs late",
-        broken=lambda c: c.seen.late_steps >= LATE_STEPS_MAX,
+        is_broken=lambda c: c.seen.late_steps >= LATE_STEPS_MAX,
         words=lambda c: slowly(
             Words(
                 "the pilot is often late ({k} times within {n} s)",
@@ -356,51 +356,53 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         lasts=2.0,
     ),
     SafetyRule(
-        code=C.PEOPLE_UNSEEN,
-        mode=M.SLOW,
-        counts=N.AIRBORNE,
+        code=EventCode.PEOPLE_UNSEEN,
+        mode=SafetyMode.SLOW,
+        scope=RuleScope.AIRBORNE,
         condition="a sensor that looks for people is silent",
-        broken=lambda c: c.now.silence.is_too_long,
-        words=lambda c: slowly(above_time(c.now.silence.consequence, c.now.silence.limit)),
+        is_broken=lambda c: c.inputs.silence.is_too_long,
+        words=lambda c: slowly(
+            with_time_limit(c.inputs.silence.consequence, c.inputs.silence.limit)
+        ),
     ),
     SafetyRule(
-        code=C.DRONE_COMPLAINS,
-        mode=M.WARN,
-        counts=N.ALWAYS,
+        code=EventCode.DRONE_COMPLAINS,
+        mode=SafetyMode.WARN,
+        scope=RuleScope.ALWAYS,
         condition="any other complaint of the drone",
-        broken=lambda c: bool(_complaints(c, ends_flight=False)),
+        is_broken=lambda c: bool(_complaints(c, ends_flight=False)),
         words=lambda c: Words("the drone says: {what}", what=_complaints(c, ends_flight=False)),
     ),
     SafetyRule(
-        code=C.DRONE_SETTINGS,
-        mode=M.WARN,
-        counts=N.ALWAYS,
+        code=EventCode.DRONE_SETTINGS,
+        mode=SafetyMode.WARN,
+        scope=RuleScope.ALWAYS,
         condition="settings or sensors not as they should be",
-        broken=lambda c: c.now.telemetry is not None and bool(c.now.telemetry.notes),
-        words=lambda c: joined("; ", c.now.telemetry.notes if c.now.telemetry else ()),
+        is_broken=lambda c: c.inputs.telemetry is not None and bool(c.inputs.telemetry.notes),
+        words=lambda c: joined("; ", c.inputs.telemetry.notes if c.inputs.telemetry else ()),
     ),
     SafetyRule(
-        code=C.BATTERY_WEAK,
-        mode=M.WARN,
-        counts=N.AIRBORNE,
+        code=EventCode.BATTERY_WEAK,
+        mode=SafetyMode.WARN,
+        scope=RuleScope.AIRBORNE,
         condition="charge soon for no more than the way home",
-        broken=lambda c: c.now.battery < c.seen.energy.charge_needed + CHARGE_WARNING,
+        is_broken=lambda c: c.inputs.battery < c.seen.energy.charge_needed + CHARGE_WARNING,
         words=lambda c: Words(
             "battery {p}%: it turns home at {q}%",
-            p=percentage(c.now.battery),
+            p=percentage(c.inputs.battery),
             q=percentage(c.seen.energy.charge_needed),
         ),
-        after=BATTERY_DEBOUNCE,
+        debounce=BATTERY_DEBOUNCE,
     ),
     SafetyRule(
-        code=C.BATTERY_GAUGE,
-        mode=M.WARN,
-        counts=N.AIRBORNE,
+        code=EventCode.BATTERY_GAUGE,
+        mode=SafetyMode.WARN,
+        scope=RuleScope.AIRBORNE,
         condition="the charge has not changed for so long",
-        broken=lambda c: c.seen.energy.gauge_still_for >= GAUGE_STILL_TIME,
+        is_broken=lambda c: c.seen.energy.gauge_still_for >= GAUGE_STILL_TIME,
         words=lambda c: Words(
             "the battery has shown {p}% for {n} s (limit {m} s): flying by the clock, {k} s left",
-            p=percentage(c.now.battery),
+            p=percentage(c.inputs.battery),
             n=figure(c.seen.energy.gauge_still_for, ".0f"),
             m=figure(GAUGE_STILL_TIME, ".0f"),
             k=figure(c.seen.energy.time_left, ".0f"),

@@ -52,51 +52,53 @@ class EnergyMonitor:
     def __init__(self, limits: LimitsConfig) -> None:
         self._limits = limits
         self._airborne = Stopwatch()
-        self._still = Stopwatch()
-        self._lately: Window[float] = Window(CLIFF_SPAN)
-        self._at_take_off = nan
-        self._last = nan
-        self._stuck_at = nan
+        self._gauge_still = Stopwatch()
+        self._recent_charges: Window[float] = Window(CLIFF_SPAN)
+        self._charge_at_take_off = nan
+        self._charge = nan
+        self._stuck_charge = nan
 
     def observe(self, inputs: GateInputs) -> EnergyBudget:
         """Take one step in."""
         now, charge = inputs.now, inputs.battery
         airborne_for = self._airborne.update(inputs.airborne, now)
         if not inputs.airborne:
-            self._lately.clear()
-        is_higher = not charge <= self._at_take_off
+            self._recent_charges.clear()
+        is_higher = not charge <= self._charge_at_take_off
         if isfinite(charge) and (is_higher or not inputs.airborne):
-            self._at_take_off = charge
+            self._charge_at_take_off = charge
         if isfinite(charge):
-            self._lately.keep(now, charge)
-        still = inputs.airborne and charge == self._last
-        self._last = charge
-        still_for = self._still.update(still, now)
+            self._recent_charges.add_or_renew(now, charge)
+        still = inputs.airborne and charge == self._charge
+        self._charge = charge
+        still_for = self._gauge_still.update(still, now)
         if still_for >= GAUGE_STILL_TIME:
-            self._stuck_at = charge
-        elif isfinite(charge) and charge != self._stuck_at:
-            self._stuck_at = nan
+            self._stuck_charge = charge
+        elif isfinite(charge) and charge != self._stuck_charge:
+            self._stuck_charge = nan
         return EnergyBudget(
             airborne_for=airborne_for,
-            time_left=self._budget() - airborne_for,
+            time_left=self._endurance() - airborne_for,
             time_needed=inputs.home_time + LANDING_TIME,
             charge_needed=charge_for(inputs.home_time, self._drain(airborne_for), self._limits),
-            charge_lost=max([0.0, *self._lately.values(now)]) - charge if isfinite(charge) else 0.0,
+            charge_lost=max([0.0, *self._recent_charges.values(now)]) - charge
+            if isfinite(charge)
+            else 0.0,
             gauge_still_for=still_for,
-            gauge_stuck=isfinite(self._stuck_at),
+            gauge_stuck=isfinite(self._stuck_charge),
         )
 
-    def _budget(self) -> float:
+    def _endurance(self) -> float:
         """Return how long the charge at take-off lasts [s]; infinite where it is unknown."""
-        if not isfinite(self._at_take_off):
+        if not isfinite(self._charge_at_take_off):
             return inf
-        usable = max(0.0, self._at_take_off - self._limits.battery_floor)
+        usable = max(0.0, self._charge_at_take_off - self._limits.battery_floor)
         return usable * self._limits.flight_time
 
     def _drain(self, airborne_for: float) -> float:
         """Return the drain to count on [1/s]: that of the limits, or a greater measured one."""
         expected = 1.0 / self._limits.flight_time
-        used = self._at_take_off - self._last
+        used = self._charge_at_take_off - self._charge
         if airborne_for < DRAIN_KNOWN_AFTER or not used >= DRAIN_KNOWN_SHARE:
             return expected
         return max(expected, DRAIN_MARGIN * used / airborne_for)

@@ -1,8 +1,9 @@
-"""The last gate before the drone: it may only make a command smaller.
+"""The safety gate, the last before the drone: it may only make a command smaller.
 
 What holds the drone or lands it is flown by our setpoint or by the drone's own hover
-(``means``). A landing, once begun here, is kept until the drone says that it stands; then nothing
-moves without a fresh order. One thing is added: what a drone lacks in lean whose attitude hangs.
+(``control_source``). A landing, once begun here, is kept until the drone says that it stands; then
+nothing moves without a fresh order. One thing is added: what a drone lacks in lean whose attitude
+hangs.
 """
 
 from __future__ import annotations
@@ -30,18 +31,18 @@ from housefly.messages.steering import (
 from housefly.messages.words import UNSAID, Words, joined
 from housefly.numeric import clipped
 from housefly.pilot.control.forms import NOT_FORMED, FormedCommand
+from housefly.pilot.safety.control_source import (
+    ControlSource,
+    knows_place,
+    lands_on_floor,
+    source_for_hold,
+    source_for_landing,
+)
 from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
-from housefly.pilot.safety.means import (
-    Means,
-    knows_place,
-    lands_on_floor,
-    means_to_hold,
-    means_to_land,
-)
 from housefly.pilot.safety.observer import FlightObserver
-from housefly.pilot.safety.rule import COUNTED, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import IN_SCOPE, RuleContext, SafetyRule
 from housefly.pilot.safety.rule_words import holding_itself
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 
@@ -52,7 +53,7 @@ _HELD = {A.FLY: A.HOVER, A.TAKE_OFF: A.HOVER, A.RESET: A.HOVER}
 KEPT_SLACK = 0.5
 """Who is held by our setpoint and comes to rest this much farther away is not kept by it [m]."""
 _LANDINGS = (M.LAND, M.DESCEND)
-_FLOWN_BY_MEANS = (M.HOLD, M.STOPPED, M.LAND)
+_BY_CONTROL_SOURCE = (M.HOLD, M.STOPPED, M.LAND)
 _LANDED = dict.fromkeys((A.FLY, A.HOVER, A.TAKE_OFF, A.IDLE, A.RESET), A.LAND)
 
 AIRBORNE_ACTIONS: dict[SafetyMode, dict[Action, Action]] = {
@@ -117,7 +118,7 @@ class GateAssessment:
         code, reason: of the deciding rule; None and "" when nothing is wrong.
         status: the drone's own status.
         broken: every broken rule, worst first.
-        means: by what a hold or a landing is flown.
+        control_source: by what a hold or a landing is flown.
         lands: a landing is under way, of the gate or of the mission.
         to_floor: our setpoint has to sink to the floor: the drone's own last bit is in doubt.
         knows_place: tracking is believed.
@@ -132,7 +133,7 @@ class GateAssessment:
     reason: Words
     status: DroneStatus
     broken: tuple[BrokenRule, ...] = ()
-    means: Means = Means.HOVER
+    control_source: ControlSource = ControlSource.ONBOARD_HOVER
     lands: bool = False
     to_floor: bool = False
     knows_place: bool = False
@@ -150,7 +151,7 @@ class GateAssessment:
     @property
     def steered(self) -> bool:
         """Whether our setpoint flies the landing that is under way."""
-        is_ours = self.means is not Means.HOVER
+        is_ours = self.control_source is not ControlSource.ONBOARD_HOVER
         return self.lands and is_ours and self.mode not in (SafetyMode.DESCEND, SafetyMode.CUT)
 
     @property
@@ -161,7 +162,7 @@ class GateAssessment:
     @property
     def kept(self) -> bool:
         """Whether our setpoint keeps the place of a drone that is held."""
-        return self.held and self.means is not Means.HOVER
+        return self.held and self.control_source is not ControlSource.ONBOARD_HOVER
 
     @property
     def waits(self) -> bool:
@@ -235,8 +236,8 @@ class Gate:
         self._fence = fence
         self._airframe = airframe
         rules = tuple(rule for rule in rules if not rule.needs & airframe.lacks)
-        self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
-        self._waiting = frozenset(rule.code for rule in rules if rule.waits)
+        self._rules = tuple((rule, list(IN_SCOPE).index(rule.scope)) for rule in rules)
+        self._waiting = frozenset(rule.code for rule in rules if rule.may_wait)
         self._observer = FlightObserver(limits)
         self._since: dict[EventCode, float] = {}
         self._until: dict[EventCode, float] = {}
@@ -292,7 +293,7 @@ class Gate:
             reason=worst.words if worst else UNSAID,
             status=inputs.status,
             broken=broken,
-            means=self._means(broken, context, lands),
+            control_source=self._control_source(broken, context, lands),
             lands=lands,
             to_floor=lands_on_floor(context),
             knows_place=knows_place(context),
@@ -303,12 +304,14 @@ class Gate:
             hovers=self._airframe.capabilities.hovers,
         )
 
-    def _means(self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool) -> Means:
-        is_steered = all(rule.steered for rule in broken if rule.mode in _FLOWN_BY_MEANS)
+    def _control_source(
+        self, broken: tuple[BrokenRule, ...], c: RuleContext, lands: bool
+    ) -> ControlSource:
+        is_steered = all(rule.steered for rule in broken if rule.mode in _BY_CONTROL_SOURCE)
         if lands:
-            return means_to_land(c, is_steered)
+            return source_for_landing(c, is_steered)
         is_held = any(rule.mode in (M.HOLD, M.STOPPED) for rule in broken)
-        return means_to_hold(c, is_steered and self._keeps_place(c.now, is_held))
+        return source_for_hold(c, is_steered and self._keeps_place(c.inputs, is_held))
 
     def _keeps_place(self, now: GateInputs, is_held: bool) -> bool:
         """Return whether a drone that is held has stayed where it could come to rest."""
@@ -332,7 +335,7 @@ class Gate:
         reasons = (landing, *due, *filter(None, (before,)))
         is_steered = all(rule.steered for rule in reasons)
         may_wait = all(rule.code in self._waiting for rule in reasons)
-        is_ours = means_to_land(c, is_steered) is Means.PLACE
+        is_ours = source_for_landing(c, is_steered) is ControlSource.TRACKING
         landing = replace(
             landing,
             steered=is_steered and is_ours,
@@ -340,7 +343,7 @@ class Gate:
         )
         self._landing = landing
         if landing.waits:
-            landing = replace(landing, words=_once_it_can(landing.words, c.now.below))
+            landing = replace(landing, words=_once_it_can(landing.words, c.inputs.landing_blocker))
         if landing.code not in (rule.code for rule in due):
             landing = replace(landing, mode=possible_mode(SafetyMode.LAND, c))
         others = (rule for rule in broken if rule.code != landing.code)
@@ -355,28 +358,30 @@ class Gate:
         return RuleContext(inputs, seen, self._limits, self._fence, self._airframe)
 
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
-        counted = [counts(context) for counts in COUNTED.values()]
+        in_scope = [is_in_scope(context) for is_in_scope in IN_SCOPE.values()]
         remembered = self._since.keys() | self._until.keys()
         found = [
             BrokenRule(
                 rule.code,
                 possible_mode(rule.mode, context),
                 rule.words(context),
-                rule.steered,
+                rule.may_steer,
                 rule.clears,
             )
-            for rule, kind in self._rules
-            if ((is_wrong := counted[kind] and rule.broken(context)) or rule.code in remembered)
-            and self._is_broken(rule, is_wrong, context)
+            for rule, scope in self._rules
+            if (
+                (is_wrong := in_scope[scope] and rule.is_broken(context)) or rule.code in remembered
+            )
+            and self._debounced(rule, is_wrong, context)
         ]
         return tuple(sorted(found, key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True))
 
-    def _is_broken(self, rule: SafetyRule, is_wrong: bool, context: RuleContext) -> bool:
-        now = context.now.now
+    def _debounced(self, rule: SafetyRule, is_wrong: bool, context: RuleContext) -> bool:
+        now = context.inputs.now
         if not is_wrong:
             self._since.pop(rule.code, None)
-            return now < self._until.get(rule.code, -inf) and context.now.airborne
-        if now - self._since.setdefault(rule.code, now) < rule.after:
+            return now < self._until.get(rule.code, -inf) and context.inputs.airborne
+        if now - self._since.setdefault(rule.code, now) < rule.debounce:
             return False
         if rule.lasts:
             self._until[rule.code] = now + rule.lasts
@@ -387,7 +392,7 @@ def _once_it_can(why: Words, below: Words) -> Words:
     return Words("{why}, once it can: {what}", why=why, what=below)
 
 
-def released(
+def gate_verdict(
     action: Action,
     gated: GatedCommand,
     assessment: GateAssessment,

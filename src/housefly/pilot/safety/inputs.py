@@ -1,4 +1,4 @@
-"""What the last gate is told in one step, and the box that the drone has to stay in."""
+"""What the safety gate is told in one step, and the box that the drone has to stay in."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ class GateInputs:
         home_time: how long the way home takes from here [s].
         has_way_home: the planner has a way home from here.
         silence: of the sensors that look for people.
-        below: why a drone that can hold its place without tracking is not to land there, in words;
-            UNSAID to land.
+        landing_blocker: why a drone that can hold its place without tracking is not to land there,
+            in words; UNSAID to land.
         missing_lean: by how much more a drone whose attitude stands still has to be asked to lean,
             theta and phi [rad]; None where it tells how it leans.
         steers: our setpoint may hold the drone and land it; mode paper leaves that to the drone.
@@ -71,7 +71,7 @@ class GateInputs:
     home_time: float = 0.0
     has_way_home: bool = True
     silence: PeopleSilence = NO_SILENCE
-    below: Words = UNSAID
+    landing_blocker: Words = UNSAID
     missing_lean: Vec2 | None = None
     steers: bool = True
 
@@ -102,12 +102,15 @@ class Geofence:
         """Return how far a point lies outside in the plane [m]; infinite when it is no number."""
         return self._beyond((position[0], position[1]))
 
-    def leaving(self, position: Vec3, velocity: Vec3, braking: BrakingConstants) -> float:
+    def overshoot(self, position: Vec3, velocity: Vec3, braking: BrakingConstants) -> float:
         """Return how much farther outside the drone will be where it can come to rest [m]."""
         (x, y, z), (vx, vy, vz) = position, velocity
-        here, rest = (x, y), (x + _way(vx, braking), y + _way(vy, braking))
+        here, rest = (
+            (x, y),
+            (x + _stopping_distance(vx, braking), y + _stopping_distance(vy, braking)),
+        )
         sideways = self._beyond(rest) - self._beyond(here)
-        top = z + _way(max(vz, 0.0), braking) - max(self.ceiling, z)
+        top = z + _stopping_distance(max(vz, 0.0), braking) - max(self.ceiling, z)
         farther = max(sideways, top)
         return farther if isfinite(farther) else 0.0
 
@@ -118,6 +121,6 @@ class Geofence:
         return max(0.0, *gaps) if x == x and y == y else float("inf")
 
 
-def _way(speed: float, braking: BrakingConstants) -> float:
+def _stopping_distance(speed: float, braking: BrakingConstants) -> float:
     way = braking.way_to_rest(abs(speed))
     return way if speed > 0.0 else -way

@@ -1,4 +1,4 @@
-"""The numbers of the last gate, compiled: how old is too old, and what may leave."""
+"""The numbers of the safety gate, compiled: how old is too old, and what may leave."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from housefly.numeric import clipped, compiled
 from housefly.pilot.control.steering import ControlOutput
 
 
-class SafetyCode(IntEnum):
+class SafetyModeCode(IntEnum):
     """The modes as compiled code knows them, in the order of ``messages.SafetyMode``."""
 
     NOMINAL = 0
@@ -40,7 +40,7 @@ class GatedCommand(NamedTuple):
     """What leaves the gate.
 
     Attributes:
-        mode: a ``SafetyCode``.
+        mode: a ``SafetyModeCode``.
         flown: our setpoint flies the drone; else its own hover does, or it stands.
         theta, phi, vz, yaw_rate: the setpoint within its limits, zero when it is not flown.
     """
@@ -61,18 +61,18 @@ def too_old(age: float, bound: float) -> bool:
 
 @compiled
 def is_flown_in(mode: int) -> bool:
-    """Return whether our setpoints fly the drone in this ``SafetyCode``."""
-    return mode <= SafetyCode.SLOW.value or mode == SafetyCode.RETURN.value
+    """Return whether our setpoints fly the drone in this ``SafetyModeCode``."""
+    return mode <= SafetyModeCode.SLOW.value or mode == SafetyModeCode.RETURN.value
 
 
 @compiled
 def pose_age_mode(age: float, level_after: float, land_after: float) -> int:
-    """Return the ``SafetyCode`` that the age of the pose asks for; times in seconds."""
+    """Return the ``SafetyModeCode`` that the age of the pose asks for; times in seconds."""
     if too_old(age, land_after):
-        return SafetyCode.LAND.value
+        return SafetyModeCode.LAND.value
     if too_old(age, level_after):
-        return SafetyCode.HOLD.value
-    return SafetyCode.NOMINAL.value
+        return SafetyModeCode.HOLD.value
+    return SafetyModeCode.NOMINAL.value
 
 
 @compiled
@@ -84,15 +84,15 @@ def gated(
     Args:
         asked: by control.
         flying: control flies; else it leaves the drone to its own hover.
-        mode: the ``SafetyCode`` that the rules found.
+        mode: the ``SafetyModeCode`` that the rules found.
         airborne: the propellers carry the drone.
         limits: of the command.
     """
     tilt_is_finite = isfinite(asked.theta) and isfinite(asked.phi)
     is_finite = tilt_is_finite and isfinite(asked.vz) and isfinite(asked.yaw_rate)
     if flying and not is_finite and is_flown_in(mode):
-        mode = SafetyCode.HOLD.value
-    if mode == SafetyCode.DESCEND.value and airborne:
+        mode = SafetyModeCode.HOLD.value
+    if mode == SafetyModeCode.DESCEND.value and airborne:
         sink = -min(DESCENT_RATE, limits.vertical_speed_max)
         is_braked = flying and is_finite
         theta = clipped(asked.theta, limits.tilt_max) if is_braked else 0.0

@@ -1,4 +1,4 @@
-"""Rules of the last gate about motion: where the drone is, how it moves, and what was asked."""
+"""Rules of the safety gate about motion: where the drone is, how it moves, and what was asked."""
 
 from __future__ import annotations
 
@@ -19,24 +19,22 @@ from housefly.pilot.safety.observer import (
     control_error,
     velocity_error,
 )
-from housefly.pilot.safety.rule import Counting, RuleContext, SafetyRule
+from housefly.pilot.safety.rule import RuleContext, RuleScope, SafetyRule
 from housefly.pilot.safety.rule_words import (
-    above_angle,
-    above_length,
-    above_speed,
-    above_time,
     held,
     holding_itself,
     landing,
+    with_angle_limit,
+    with_length_limit,
+    with_speed_limit,
+    with_time_limit,
 )
-
-A, C, M, N = Ability, EventCode, SafetyMode, Counting
 
 CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
 CEILING_CLEARANCE = 0.3
 """No higher than this below the ceiling of the room [m]."""
-HEIGHT_OFF, HEIGHT_FAR = 0.25, 0.4
+HEIGHT_ERROR_WARN, HEIGHT_ERROR_LAND = 0.25, 0.4
 """Off the wanted height by this: warn, land [m]."""
 CLIMB_TIME = 6.0
 """After a take-off, and when another height is wanted, it has this long to reach it [s]."""
@@ -50,11 +48,11 @@ then passed on what was said to it ...
 """
 TILT_WRONG_MAX = 0.8
 """... and who leaned so for longer than this in the last ``HOLD_SPAN`` lands [s]."""
-BLOW_ACCELERATION = 6.0
-"""A specific force that differs from gravity by more than this is a blow [m/s^2] ..."""
-BLOW_SPEED = 0.55
+IMPACT_ACCELERATION = 6.0
+"""A specific force that differs from gravity by more than this is an impact [m/s^2] ..."""
+IMPACT_SPEED_CHANGE = 0.55
 """... and so is a change of velocity within 0.2 s by more than this [m/s] ..."""
-UNEXPLAINED_SPEED = 0.25
+UNEXPLAINED_SPEED_CHANGE = 0.25
 """... of which the lean of the drone, that brakes after a gust, leaves more than this [m/s]."""
 STUCK_TILT, STUCK_SPEED = 0.1, 0.08
 """Stuck is who is tilted by more than this [rad] and slower than this [m/s]."""
@@ -64,40 +62,43 @@ VELOCITY_ERROR_MAX = 0.3
 """The velocity may differ from that of the reference by this [m/s] ..."""
 TAKE_OVER_TIME = 1.5
 """... once the pilot has had so long to stop what the take-off left it with [s]."""
-LEAVING_MAX = 0.1
+FENCE_OVERSHOOT_MAX = 0.1
 """A drone is held that would come to rest this much farther outside [m]."""
 
 
-def height_off(c: RuleContext) -> float:
+def height_error(c: RuleContext) -> float:
     """Return how far above its height the drone is [m]; 0 where that is unknown or too early."""
-    is_old = too_old(c.now.pose_age, c.limits.pose_age_level)
-    if c.now.position is None or is_old or c.seen.climbing_for < CLIMB_TIME:
+    is_old = too_old(c.inputs.pose_age, c.limits.pose_age_level)
+    if c.inputs.position is None or is_old or c.seen.climbing_for < CLIMB_TIME:
         return 0.0
-    off = c.now.position[2] - c.now.flight_height
+    off = c.inputs.position[2] - c.inputs.flight_height
     return off if isfinite(off) else 0.0
 
 
-def blow(c: RuleContext) -> float:
+def impact(c: RuleContext) -> float:
     """Return the specific force beyond gravity in the drone's report [m/s^2]; 0 where unknown."""
-    if c.now.telemetry is None or c.now.telemetry.acceleration is None:
+    if c.inputs.telemetry is None or c.inputs.telemetry.acceleration is None:
         return 0.0
-    return abs(hypot(*c.now.telemetry.acceleration) - GRAVITY)
+    return abs(hypot(*c.inputs.telemetry.acceleration) - GRAVITY)
 
 
 def _is_thrown(c: RuleContext) -> bool:
     """Return whether its velocity is suddenly another, and not because it leans."""
     seen = c.seen
-    return seen.velocity_change > BLOW_SPEED and seen.unexplained_change > UNEXPLAINED_SPEED
+    return (
+        seen.velocity_change > IMPACT_SPEED_CHANGE
+        and seen.unexplained_change > UNEXPLAINED_SPEED_CHANGE
+    )
 
 
 def vertical_speed(c: RuleContext) -> float:
     """Return how fast the drone climbs by tracking [m/s]; 0 where unknown."""
-    return c.now.velocity[2] if c.now.velocity else 0.0
+    return c.inputs.velocity[2] if c.inputs.velocity else 0.0
 
 
 def level_speed(c: RuleContext) -> float:
     """Return how fast the drone flies in the plane, by tracking [m/s]; 0 where unknown."""
-    return hypot(*c.now.velocity[:2]) if c.now.velocity else 0.0
+    return hypot(*c.inputs.velocity[:2]) if c.inputs.velocity else 0.0
 
 
 def speed_bound(limits: LimitsConfig) -> float:
@@ -106,54 +107,54 @@ def speed_bound(limits: LimitsConfig) -> float:
 
 
 def _is_stuck(c: RuleContext) -> bool:
-    if not c.seen.tilt_asked > STUCK_TILT or c.now.velocity is None:
+    if not c.seen.tilt_asked > STUCK_TILT or c.inputs.velocity is None:
         return False
-    onboard = hypot(*c.now.telemetry.velocity[:2]) if c.now.telemetry else 0.0
-    return max(hypot(*c.now.velocity[:2]), onboard) < STUCK_SPEED
+    onboard = hypot(*c.inputs.telemetry.velocity[:2]) if c.inputs.telemetry else 0.0
+    return max(hypot(*c.inputs.velocity[:2]), onboard) < STUCK_SPEED
 
 
-def _leaving(c: RuleContext) -> float:
-    if c.now.position is None or c.now.velocity is None:
+def _fence_overshoot(c: RuleContext) -> float:
+    if c.inputs.position is None or c.inputs.velocity is None:
         return 0.0
-    return c.fence.leaving(c.now.position, c.now.velocity, c.airframe.braking)
+    return c.fence.overshoot(c.inputs.position, c.inputs.velocity, c.airframe.braking)
 
 
 def _is_drifting(c: RuleContext) -> bool:
     is_taken_over = c.seen.cruising_for > TAKE_OVER_TIME
-    return is_taken_over and velocity_error(c.now) > VELOCITY_ERROR_MAX
+    return is_taken_over and velocity_error(c.inputs) > VELOCITY_ERROR_MAX
 
 
 def _is_too_high(c: RuleContext) -> bool:
     """Return whether it is seen above the ceiling: a height carried on for long is a guess."""
-    if c.now.position is None or c.now.position[2] <= c.fence.ceiling:
+    if c.inputs.position is None or c.inputs.position[2] <= c.fence.ceiling:
         return False
-    is_guessed = c.now.pose_age > c.limits.pose_age_level
-    return not (is_guessed and isfinite(c.now.position[2]))
+    is_guessed = c.inputs.pose_age > c.limits.pose_age_level
+    return not (is_guessed and isfinite(c.inputs.position[2]))
 
 
 def _stands_above(c: RuleContext) -> float:
-    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
+    if c.inputs.position is None or too_old(c.inputs.pose_age, c.limits.pose_age_level):
         return 0.0
-    return c.now.position[2] - c.seen.standing_height
+    return c.inputs.position[2] - c.seen.standing_height
 
 
 def _contact_words(c: RuleContext) -> Words:
-    if blow(c) > BLOW_ACCELERATION:
+    if impact(c) > IMPACT_ACCELERATION:
         return Words(
             "struck something: a blow of {d} m/s^2 (limit {m} m/s^2), landing",
-            d=figure(blow(c), ".0f"),
-            m=figure(BLOW_ACCELERATION, "g"),
+            d=figure(impact(c), ".0f"),
+            m=figure(IMPACT_ACCELERATION, "g"),
         )
     return Words(
         "struck something, or tracking jumped: {d} m/s faster or slower at once"
         " (limit {m} m/s), landing",
         d=figure(c.seen.velocity_change, ".1f"),
-        m=figure(BLOW_SPEED, "g"),
+        m=figure(IMPACT_SPEED_CHANGE, "g"),
     )
 
 
 def _height_words(c: RuleContext) -> Words:
-    off, height = height_off(c), figure(c.now.flight_height, ".2f")
+    off, height = height_error(c), figure(c.inputs.flight_height, ".2f")
     by = figure(abs(off), ".2f")
     if off > 0.0:
         return Words("{d} m above its height of {m} m", d=by, m=height)
@@ -161,104 +162,108 @@ def _height_words(c: RuleContext) -> Words:
 
 
 def _error_words(c: RuleContext, limit: float) -> Words:
-    error = figure(control_error(c.now), ".1f")
-    return above_length(Words("{d} m from where it should be", d=error), limit, "g")
+    error = figure(control_error(c.inputs), ".1f")
+    return with_length_limit(Words("{d} m from where it should be", d=error), limit, "g")
 
 
 MOTION_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
-        code=C.OUTSIDE_FENCE,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.OUTSIDE_FENCE,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="too far outside the map",
-        broken=lambda c: (
-            c.now.position is not None and c.fence.outside(c.now.position) > c.limits.fence_margin
+        is_broken=lambda c: (
+            c.inputs.position is not None
+            and c.fence.outside(c.inputs.position) > c.limits.fence_margin
         ),
         words=lambda c: landing(
             Words("more than {d} m outside the map", d=figure(c.limits.fence_margin))
         ),
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.TOO_HIGH,
-        mode=M.LAND,
-        counts=N.AIRBORNE,
+        code=EventCode.TOO_HIGH,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
         condition="above the highest height plus slack, or too near to the ceiling of the room",
-        broken=_is_too_high,
+        is_broken=_is_too_high,
         words=lambda c: landing(Words("higher than {d} m", d=figure(c.fence.ceiling, ".1f"))),
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.TOO_LOW,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.TOO_LOW,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="below the lowest height",
-        broken=lambda c: (
-            c.now.position is not None
-            and c.now.position[2] < min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF)
+        is_broken=lambda c: (
+            c.inputs.position is not None
+            and c.inputs.position[2]
+            < min(c.limits.height_min, c.inputs.flight_height - HEIGHT_ERROR_WARN)
         ),
         words=lambda c: landing(
             Words(
                 "lower than {d} m",
-                d=figure(min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF), ".2f"),
+                d=figure(
+                    min(c.limits.height_min, c.inputs.flight_height - HEIGHT_ERROR_WARN), ".2f"
+                ),
             )
         ),
-        after=0.4,
+        debounce=0.4,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.HEIGHT_ERROR,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.HEIGHT_ERROR,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="far from its height",
-        broken=lambda c: abs(height_off(c)) > HEIGHT_FAR,
-        words=lambda c: landing(above_length(_height_words(c), HEIGHT_FAR)),
-        after=2.0,
+        is_broken=lambda c: abs(height_error(c)) > HEIGHT_ERROR_LAND,
+        words=lambda c: landing(with_length_limit(_height_words(c), HEIGHT_ERROR_LAND)),
+        debounce=2.0,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.HEIGHT_NOT_REACHED,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.HEIGHT_NOT_REACHED,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="off its height for long",
-        broken=lambda c: abs(height_off(c)) > HEIGHT_OFF,
+        is_broken=lambda c: abs(height_error(c)) > HEIGHT_ERROR_WARN,
         words=lambda c: landing(
-            Words("{why} for long (limit {d} m)", why=_height_words(c), d=figure(HEIGHT_OFF))
+            Words("{why} for long (limit {d} m)", why=_height_words(c), d=figure(HEIGHT_ERROR_WARN))
         ),
-        after=10.0,
+        debounce=10.0,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.VERTICAL_SPEED,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.VERTICAL_SPEED,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="climbs or sinks faster than the largest climb rate plus slack",
-        broken=lambda c: (
+        is_broken=lambda c: (
             abs(vertical_speed(c)) > c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK
         ),
         words=lambda c: landing(
-            above_speed(
+            with_speed_limit(
                 Words("climbs at {d} m/s", d=figure(vertical_speed(c), "+.1f")),
                 c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK,
                 ".1f",
             )
         ),
-        after=0.2,
+        debounce=0.2,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code=C.TILT_LOST,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.TILT_LOST,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="leans otherwise than told, again",
-        broken=lambda c: c.seen.tilt_wrong_for > TILT_WRONG_MAX,
+        is_broken=lambda c: c.seen.tilt_wrong_for > TILT_WRONG_MAX,
         words=lambda c: landing(
-            above_time(
+            with_time_limit(
                 Words(
                     "leaned otherwise than told for {d} of the last {n} s",
                     d=figure(c.seen.tilt_wrong_for, ".1f"),
@@ -268,65 +273,65 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             )
         ),
         clears=Clearing.GROUND,
-        needs=frozenset({A.ATTITUDE, A.TILT}),
+        needs=frozenset({Ability.ATTITUDE, Ability.TILT}),
         instead="`control_lost`: where it is, not how it leans",
     ),
     SafetyRule(
-        code=C.CONTACT,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.CONTACT,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="a blow: acceleration, or a velocity that is suddenly another",
-        broken=lambda c: blow(c) > BLOW_ACCELERATION or _is_thrown(c),
+        is_broken=lambda c: impact(c) > IMPACT_ACCELERATION or _is_thrown(c),
         words=_contact_words,
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.STUCK,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.STUCK,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="it leans as told and neither tracking nor its own report sees it move",
-        broken=_is_stuck,
+        is_broken=_is_stuck,
         words=lambda c: Words(
             "leans {n} degrees and does not move (limit {m}): stuck on something, landing",
             n=figure(degrees(c.seen.tilt_asked), ".0f"),
             m=figure(degrees(STUCK_TILT), ".0f"),
         ),
-        after=1.5,
+        debounce=1.5,
         clears=Clearing.GROUND,
-        needs=frozenset({A.TILT}),
+        needs=frozenset({Ability.TILT}),
         instead="`control_lost`: it falls behind its reference",
     ),
     SafetyRule(
-        code=C.CONTROL_LOST,
-        mode=M.LAND,
-        counts=N.CRUISE,
+        code=EventCode.CONTROL_LOST,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.CRUISE,
         condition="very far from where it should be",
-        broken=lambda c: control_error(c.now) > CONTROL_ERROR_LAND,
+        is_broken=lambda c: control_error(c.inputs) > CONTROL_ERROR_LAND,
         words=lambda c: landing(_error_words(c, CONTROL_ERROR_LAND)),
         clears=Clearing.GROUND,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.NEAR_FENCE,
-        mode=M.HOLD,
-        counts=N.CRUISE,
+        code=EventCode.NEAR_FENCE,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.CRUISE,
         condition="would come to rest outside the map, or at its ceiling (v^2 / 2a and reaction)",
-        broken=lambda c: _leaving(c) > LEAVING_MAX,
+        is_broken=lambda c: _fence_overshoot(c) > FENCE_OVERSHOOT_MAX,
         words=lambda c: held(
-            Words("about to leave the map by {d} m", d=figure(_leaving(c), ".1f"))
+            Words("about to leave the map by {d} m", d=figure(_fence_overshoot(c), ".1f"))
         ),
         lasts=0.5,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.TILT_ERROR,
-        mode=M.HOLD,
-        counts=N.CRUISE,
+        code=EventCode.TILT_ERROR,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.CRUISE,
         condition="leans otherwise than told",
-        broken=lambda c: c.seen.tilt_error > TILT_ERROR_MAX,
+        is_broken=lambda c: c.seen.tilt_error > TILT_ERROR_MAX,
         words=lambda c: holding_itself(
-            above_angle(
+            with_angle_limit(
                 Words(
                     "leans {n} degrees otherwise than told",
                     n=figure(degrees(c.seen.tilt_error), ".0f"),
@@ -334,40 +339,40 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
                 degrees(TILT_ERROR_MAX),
             )
         ),
-        after=0.5,
+        debounce=0.5,
         lasts=TILT_HOLD_TIME,
-        needs=frozenset({A.ATTITUDE, A.TILT}),
+        needs=frozenset({Ability.ATTITUDE, Ability.TILT}),
         instead="`control_error`: where it is, not how it leans",
     ),
     SafetyRule(
-        code=C.CONTROL_ERROR,
-        mode=M.HOLD,
-        counts=N.CRUISE,
+        code=EventCode.CONTROL_ERROR,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.CRUISE,
         condition="far from where it should be",
-        broken=lambda c: control_error(c.now) > CONTROL_ERROR_HOLD,
+        is_broken=lambda c: control_error(c.inputs) > CONTROL_ERROR_HOLD,
         words=lambda c: held(_error_words(c, CONTROL_ERROR_HOLD)),
-        after=0.5,
-        steered=True,
+        debounce=0.5,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.DRIFTING,
-        mode=M.HOLD,
-        counts=N.CRUISE,
+        code=EventCode.DRIFTING,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.CRUISE,
         condition="moves otherwise than told",
-        broken=_is_drifting,
+        is_broken=_is_drifting,
         words=lambda _: held(
             Words("moves more than {d} m/s otherwise than told", d=figure(VELOCITY_ERROR_MAX, "g"))
         ),
-        after=0.5,
+        debounce=0.5,
         lasts=1.0,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.TOO_FAST,
-        mode=M.HOLD,
-        counts=N.CRUISE,
+        code=EventCode.TOO_FAST,
+        mode=SafetyMode.HOLD,
+        scope=RuleScope.CRUISE,
         condition="faster than it cruises and makes way, plus slack",
-        broken=lambda c: level_speed(c) > speed_bound(c.limits),
+        is_broken=lambda c: level_speed(c) > speed_bound(c.limits),
         words=lambda c: held(
             Words(
                 "flies at {d} m/s (limit {m} m/s)",
@@ -375,25 +380,25 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
                 m=figure(speed_bound(c.limits), ".1f"),
             )
         ),
-        after=0.2,
+        debounce=0.2,
         lasts=1.0,
-        steered=True,
+        may_steer=True,
     ),
     SafetyRule(
-        code=C.HEIGHT_OFF,
-        mode=M.WARN,
-        counts=N.CRUISE,
+        code=EventCode.HEIGHT_OFF,
+        mode=SafetyMode.WARN,
+        scope=RuleScope.CRUISE,
         condition="off its height",
-        broken=lambda c: abs(height_off(c)) > HEIGHT_OFF,
-        words=lambda c: above_length(_height_words(c), HEIGHT_OFF),
-        after=0.5,
+        is_broken=lambda c: abs(height_error(c)) > HEIGHT_ERROR_WARN,
+        words=lambda c: with_length_limit(_height_words(c), HEIGHT_ERROR_WARN),
+        debounce=0.5,
     ),
     SafetyRule(
-        code=C.NOT_ON_FLOOR,
-        mode=M.WARN,
-        counts=N.GROUND,
+        code=EventCode.NOT_ON_FLOOR,
+        mode=SafetyMode.WARN,
+        scope=RuleScope.GROUND,
         condition="it stands higher than it did",
-        broken=lambda c: _stands_above(c) > STANDS_HIGH,
+        is_broken=lambda c: _stands_above(c) > STANDS_HIGH,
         words=lambda c: Words(
             "stands {d} m above the floor (limit {m} m): on something",
             d=figure(_stands_above(c), ".2f"),

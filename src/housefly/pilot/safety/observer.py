@@ -1,4 +1,4 @@
-"""What the last gate works out of one flight so far: what no single step shows."""
+"""What the safety gate works out of one flight so far: what no single step shows."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget, EnergyMonitor
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.timers import Stopwatch, Window
 
-TILT_TIME = 0.2
+TILT_TIME_CONSTANT = 0.2
 """Time constant with which what we ask for is smoothed, about that of the drone's answer [s]."""
 VELOCITY_SPAN = 0.2
 """Velocities are compared over this span [s]."""
@@ -25,9 +25,9 @@ RECOVERY_TIME = 1.0
 """After old poses or late steps the drone's own velocity is put right for so long [s]."""
 HOLD_SPAN = 10.0
 """How far back holding, and leaning otherwise than told, are added up [s]."""
-DRIFT_TIME = 0.15
+TAKE_OFF_TIME_CONSTANT = 0.15
 """Time constant with which the velocity of a take-off is smoothed [s]: filters may be noisy."""
-VELOCITY_ERROR_SPAN = 4.0
+VELOCITY_ERROR_TIME_CONSTANT = 4.0
 """Time constant of the mean square of the velocity error [s]."""
 VELOCITY_ERROR_CAP = 0.3
 """A larger error counts as this: one hard stop is not seconds of gusts [m/s]."""
@@ -68,7 +68,7 @@ class FlightObservations:
         climbing_for: how long the drone has flown at its present wanted height [s].
         standing_height: tracked height of a drone that stands [m].
         start: where it took off [m]; None before it was seen standing.
-        drift: smoothed velocity in the plane while it takes off [m/s]; None else.
+        take_off_velocity: smoothed velocity in the plane while it takes off [m/s]; None else.
         tilt_asked: smoothed tilt that we ask for [rad]; nan while the drone flies itself.
         tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
             either is unknown.
@@ -76,7 +76,7 @@ class FlightObservations:
         velocity_change: within ``VELOCITY_SPAN``, in the plane [m/s].
         unexplained_change: the same, less what the reported lean did [m/s]; infinite where that is
             unknown.
-        velocity_error: rms off the wanted velocity, over ``VELOCITY_ERROR_SPAN`` [m/s].
+        velocity_error: rms off the wanted velocity, over ``VELOCITY_ERROR_TIME_CONSTANT`` [m/s].
         held_for: how long it was held in the last ``HOLD_SPAN`` [s].
         late_steps: how many steps of the last ``LATE_SPAN`` were late.
         landing_for: how long a landing has been wanted [s].
@@ -87,7 +87,7 @@ class FlightObservations:
     climbing_for: float = 0.0
     standing_height: float = 0.0
     start: Vec2 | None = None
-    drift: Vec2 | None = None
+    take_off_velocity: Vec2 | None = None
     tilt_asked: float = nan
     tilt_error: float = nan
     tilt_wrong_for: float = 0.0
@@ -112,13 +112,13 @@ class FlightObserver:
         self._now = inf
         self._cruising, self._climbing, self._landing = Stopwatch(), Stopwatch(), Stopwatch()
         self._height = inf
-        self._standing = inf
+        self._standing_height = inf
         self._start: Vec2 | None = None
-        self._drift: Vec2 | None = None
-        self._asked: Vec2 | None = None
+        self._take_off_velocity: Vec2 | None = None
+        self._tilt_asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
         self._unexplained: Window[Vec2] = Window(VELOCITY_SPAN)
-        self._leant: Vec2 = (0.0, 0.0)
+        self._lean_velocity: Vec2 = (0.0, 0.0)
         self._error_squared = 0.0
         self._steady = Stopwatch()
         self._held: Window[float] = Window(HOLD_SPAN)
@@ -140,8 +140,8 @@ class FlightObserver:
         elapsed = max(now - self._now, 0.0)
         dt = min(elapsed, STEP_MAX)
         self._now = now
-        self._stand(inputs)
-        self._tilt(inputs, dt)
+        self._learn_standing_height(inputs)
+        self._smooth_tilt_asked(inputs, dt)
         tilt_error = self._tilt_error(inputs)
         is_tilted = inputs.cruising and tilt_error > TILT_ERROR_MAX
         steady = self._steady_for(inputs)
@@ -150,17 +150,17 @@ class FlightObserver:
         return FlightObservations(
             cruising_for=self._cruising.update(inputs.cruising, now),
             climbing_for=self._climbing_for(inputs),
-            standing_height=self._standing if isfinite(self._standing) else 0.0,
+            standing_height=self._standing_height if isfinite(self._standing_height) else 0.0,
             start=self._start,
-            drift=self._drifting(inputs, dt),
-            tilt_asked=hypot(*self._asked) if self._asked else nan,
+            take_off_velocity=self._smoothed_take_off_velocity(inputs, dt),
+            tilt_asked=hypot(*self._tilt_asked) if self._tilt_asked else nan,
             tilt_error=tilt_error,
-            tilt_wrong_for=_added_up(self._tilted, now, dt if is_tilted else 0.0),
+            tilt_wrong_for=_total_time(self._tilted, now, dt if is_tilted else 0.0),
             velocity_change=self._velocity_change(inputs, steady),
             unexplained_change=self._unexplained_change(inputs, dt),
             velocity_error=self._velocity_error(inputs, steady, dt),
             # Not cut off: a pilot whose every step is late would be held for ever.
-            held_for=_added_up(
+            held_for=_total_time(
                 self._held, now, min(elapsed, HOLD_SPAN) if held and inputs.airborne else 0.0
             ),
             late_steps=self._late_steps(inputs),
@@ -168,22 +168,24 @@ class FlightObserver:
             energy=self._energy.observe(inputs),
         )
 
-    def _stand(self, inputs: GateInputs) -> None:
+    def _learn_standing_height(self, inputs: GateInputs) -> None:
         """Learn where a drone stands; of its heights the lowest, it may be on something."""
         is_seen = inputs.position is not None and inputs.pose_age <= self._limits.pose_age_level
         if inputs.status is DroneStatus.LANDED and is_seen and inputs.position is not None:
             height = inputs.position[2]
             self._start = inputs.position[:2]
-            self._standing = min(self._standing, height) if isfinite(height) else self._standing
+            self._standing_height = (
+                min(self._standing_height, height) if isfinite(height) else self._standing_height
+            )
 
-    def _drifting(self, inputs: GateInputs, dt: float) -> Vec2 | None:
+    def _smoothed_take_off_velocity(self, inputs: GateInputs, dt: float) -> Vec2 | None:
         if inputs.status is not DroneStatus.TAKING_OFF or inputs.velocity is None:
-            self._drift = None
+            self._take_off_velocity = None
             return None
-        (vx, vy), (x, y) = inputs.velocity[:2], self._drift or (0.0, 0.0)
-        share = 1.0 - exp(-dt / DRIFT_TIME)
-        self._drift = (x + share * (vx - x), y + share * (vy - y))
-        return self._drift
+        (vx, vy), (x, y) = inputs.velocity[:2], self._take_off_velocity or (0.0, 0.0)
+        share = 1.0 - exp(-dt / TAKE_OFF_TIME_CONSTANT)
+        self._take_off_velocity = (x + share * (vx - x), y + share * (vy - y))
+        return self._take_off_velocity
 
     def _climbing_for(self, inputs: GateInputs) -> float:
         is_same = inputs.flight_height == self._height or (
@@ -192,23 +194,23 @@ class FlightObserver:
         self._height = inputs.flight_height
         return self._climbing.update(inputs.cruising and is_same, inputs.now)
 
-    def _tilt(self, inputs: GateInputs, dt: float) -> None:
+    def _smooth_tilt_asked(self, inputs: GateInputs, dt: float) -> None:
         if not isinstance(inputs.flown, Setpoint):
-            self._asked = None
+            self._tilt_asked = None
             return
         theta, phi = inputs.flown.theta, inputs.flown.phi
-        before = self._asked or (0.0, 0.0)
-        share = 1.0 - exp(-dt / TILT_TIME)
-        self._asked = (
+        before = self._tilt_asked or (0.0, 0.0)
+        share = 1.0 - exp(-dt / TILT_TIME_CONSTANT)
+        self._tilt_asked = (
             before[0] + share * (theta - before[0]),
             before[1] + share * (phi - before[1]),
         )
 
     def _tilt_error(self, inputs: GateInputs) -> float:
-        heard = inputs.telemetry
-        if self._asked is None or heard is None:
+        telemetry = inputs.telemetry
+        if self._tilt_asked is None or telemetry is None:
             return nan
-        return hypot(self._asked[0] - heard.theta, self._asked[1] - heard.phi)
+        return hypot(self._tilt_asked[0] - telemetry.theta, self._tilt_asked[1] - telemetry.phi)
 
     def _steady_for(self, inputs: GateInputs) -> float:
         """Return for how long poses have been fresh and steps on time [s]."""
@@ -229,14 +231,16 @@ class FlightObserver:
 
     def _unexplained_change(self, inputs: GateInputs, dt: float) -> float:
         """Return how much the velocity changed beyond what the lean did: a brake is no blow."""
-        told, (x, y) = inputs.telemetry, self._leant
-        is_known = told is not None and all(map(isfinite, (inputs.yaw, told.theta, told.phi)))
-        if inputs.velocity is None or told is None or not is_known:
+        telemetry, (x, y) = inputs.telemetry, self._lean_velocity
+        is_known = telemetry is not None and all(
+            map(isfinite, (inputs.yaw, telemetry.theta, telemetry.phi))
+        )
+        if inputs.velocity is None or telemetry is None or not is_known:
             self._unexplained.clear()
             return inf
         c, s = cos(inputs.yaw), sin(inputs.yaw)
-        ahead, left = GRAVITY * dt * sin(told.theta), -GRAVITY * dt * sin(told.phi)
-        x, y = self._leant = x + c * ahead - s * left, y + s * ahead + c * left
+        ahead, left = GRAVITY * dt * sin(telemetry.theta), -GRAVITY * dt * sin(telemetry.phi)
+        x, y = self._lean_velocity = x + c * ahead - s * left, y + s * ahead + c * left
         vx, vy, _ = inputs.velocity
         self._unexplained.add(inputs.now, (vx - x, vy - y))
         before_x, before_y = self._unexplained.oldest(inputs.now)
@@ -257,7 +261,7 @@ class FlightObserver:
             and isfinite(error)
             and steady >= RECOVERY_TIME
         ):
-            share = 1.0 - exp(-dt / VELOCITY_ERROR_SPAN)
+            share = 1.0 - exp(-dt / VELOCITY_ERROR_TIME_CONSTANT)
             self._error_squared += share * (error * error - self._error_squared)
         return sqrt(self._error_squared)
 
@@ -267,7 +271,7 @@ class FlightObserver:
         return len(self._late.values(inputs.now))
 
 
-def _added_up(spans: Window[float], now: float, dt: float) -> float:
+def _total_time(spans: Window[float], now: float, dt: float) -> float:
     """Take in a span of this length [s], and return the sum of those of late."""
     if dt:
         spans.add(now, dt)

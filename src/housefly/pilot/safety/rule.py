@@ -1,4 +1,4 @@
-"""What one rule of the last gate is."""
+"""What one rule of the safety gate is."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.observer import FlightObservations
 
 
-class Counting(Enum):
-    """When a rule counts."""
+class RuleScope(Enum):
+    """In which part of a flight a rule counts."""
 
     ALWAYS = "always"
     AIRBORNE = "in the air"
@@ -32,14 +32,14 @@ class RuleContext:
     """What a rule may look at.
 
     Attributes:
-        now: what is known in this step.
+        inputs: what is known in this step.
         seen: what the flight has shown so far.
         limits: of the site.
         fence: of the room.
         airframe: of the drone.
     """
 
-    now: GateInputs
+    inputs: GateInputs
     seen: FlightObservations
     limits: LimitsConfig
     fence: Geofence
@@ -53,41 +53,41 @@ class SafetyRule:
     Attributes:
         code: of its events.
         mode: what is done about it.
-        counts: when it counts.
+        scope: in which part of a flight it counts.
         condition: what is wrong, for the documentation.
-        broken: whether it is wrong now, where it counts.
+        is_broken: whether it is wrong now, where it counts.
         words: for people, with value and limit.
-        after: it counts once it was wrong for this long [s].
+        debounce: it counts once it was wrong for this long [s].
         lasts: it goes on counting for this long [s].
         clears: what ends the answer; it says so to people, and a test holds the gate to it.
-        steered: the pilot may steer the hold or the landing: what is wrong is not what it knows,
+        may_steer: the pilot may steer the hold or the landing: what is wrong is not what it knows,
             and not how the drone obeys.
-        waits: the landing may wait for the floor below to be clear: the drone's own motion is not
-            what is wrong.
+        may_wait: the landing may wait for the floor below to be clear: the drone's own motion is
+            not what is wrong.
         needs: what the drone has to have for it; with one that lacks it the rule does not count ...
         instead: ... and this stands in for it, for the documentation.
     """
 
     code: EventCode
     mode: SafetyMode
-    counts: Counting
+    scope: RuleScope
     condition: str
-    broken: Callable[[RuleContext], bool]
+    is_broken: Callable[[RuleContext], bool]
     words: Callable[[RuleContext], Words]
-    after: float = 0.0
+    debounce: float = 0.0
     lasts: float = 0.0
     clears: Clearing = Clearing.ITSELF
-    steered: bool = False
-    waits: bool = False
+    may_steer: bool = False
+    may_wait: bool = False
     needs: frozenset[Ability] = frozenset()
     instead: str = ""
 
 
-COUNTED: dict[Counting, Callable[[RuleContext], bool]] = {
-    Counting.ALWAYS: lambda _: True,
-    Counting.AIRBORNE: lambda c: c.now.airborne,
-    Counting.FLYING: lambda c: c.now.status is DroneStatus.FLYING,
-    Counting.CRUISE: lambda c: c.now.cruising,
-    Counting.LANDING: lambda c: c.now.airborne and c.seen.landing_for > 0.0,
-    Counting.GROUND: lambda c: c.now.status is DroneStatus.LANDED,
+IN_SCOPE: dict[RuleScope, Callable[[RuleContext], bool]] = {
+    RuleScope.ALWAYS: lambda _: True,
+    RuleScope.AIRBORNE: lambda c: c.inputs.airborne,
+    RuleScope.FLYING: lambda c: c.inputs.status is DroneStatus.FLYING,
+    RuleScope.CRUISE: lambda c: c.inputs.cruising,
+    RuleScope.LANDING: lambda c: c.inputs.airborne and c.seen.landing_for > 0.0,
+    RuleScope.GROUND: lambda c: c.inputs.status is DroneStatus.LANDED,
 }

@@ -1,4 +1,4 @@
-"""Parts of what the rules of the last gate say: what is done about it, and the limit."""
+"""Parts of what the rules of the safety gate say: what is done about it, and the limit."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ def slowly(why: Words) -> Words:
     return Words("{why}: slowly", why=why)
 
 
-def above_time(why: Words, limit: float, form: str = "g") -> Words:
+def with_time_limit(why: Words, limit: float, form: str = "g") -> Words:
     """Say what is wrong, and its limit [s]."""
     return Words("{why} (limit {n} s)", why=why, n=figure(limit, form))
 
 
-def above_length(why: Words, limit: float, form: str = "") -> Words:
+def with_length_limit(why: Words, limit: float, form: str = "") -> Words:
     """Say what is wrong, and its limit [m]."""
     return Words("{why} (limit {d} m)", why=why, d=figure(limit, form))
 
 
-def above_speed(why: Words, limit: float, form: str) -> Words:
+def with_speed_limit(why: Words, limit: float, form: str) -> Words:
     """Say what is wrong, and its limit [m/s]."""
     return Words("{why} (limit {d} m/s)", why=why, d=figure(limit, form))
 
 
-def above_angle(why: Words, limit: float) -> Words:
+def with_angle_limit(why: Words, limit: float) -> Words:
     """Say what is wrong, and its limit [deg]."""
     return Words("{why} (limit {n})", why=why, n=figure(limit, ".0f"))

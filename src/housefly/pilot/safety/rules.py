@@ -1,4 +1,4 @@
-"""The rules of the last gate as one table, worst first; docs/safety.md shows it."""
+"""The rules of the safety gate as one table, worst first; docs/safety.md shows it."""
 
 from __future__ import annotations
 

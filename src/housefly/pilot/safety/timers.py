@@ -36,7 +36,7 @@ class Window(Generic[T]):
         """Take in what is seen at a time [s]."""
         self._seen.append((now, value))
 
-    def keep(self, now: float, value: T) -> None:
+    def add_or_renew(self, now: float, value: T) -> None:
         """Take in what is seen at a time [s]; what is seen again has its newest time only."""
         if self._seen and self._seen[-1][1] == value:
             self._seen.pop()

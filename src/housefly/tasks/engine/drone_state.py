@@ -45,21 +45,21 @@ def drone_availability(
     return DroneAvailability(readiness.is_ready, readiness.words)
 
 
-class DronePlace(Enum):
-    """Where the drone is, as far as its pilot tells."""
+class LandedState(Enum):
+    """Whether the drone flies or stands, as far as its pilot tells."""
 
-    AIR = "in the air"
-    GROUND = "on the ground"
+    IN_AIR = "in the air"
+    ON_GROUND = "on the ground"
     UNKNOWN = "nobody knows"
 
 
-def drone_place(inbox: StepInbox, now: float) -> DronePlace:
-    """Return where the drone is; arguments as above."""
+def landed_state(inbox: StepInbox, now: float) -> LandedState:
+    """Return whether the drone flies or stands; arguments as above."""
     if inbox.age(now) > SILENT_TIME:
-        return DronePlace.UNKNOWN
+        return LandedState.UNKNOWN
     if inbox.status in AIRBORNE_STATUSES:
-        return DronePlace.AIR
-    return DronePlace.GROUND if inbox.status is DroneStatus.LANDED else DronePlace.UNKNOWN
+        return LandedState.IN_AIR
+    return LandedState.ON_GROUND if inbox.status is DroneStatus.LANDED else LandedState.UNKNOWN
 
 
 def drone_words(inbox: StepInbox, readiness: TakeOffReadiness, now: float) -> Words:

@@ -29,14 +29,14 @@ from housefly.tasks.execution.values import (
 )
 from housefly.tasks.scheduler.values import ScheduledTask
 
-_SOURCES = {
+_ORDER_SOURCES = {
     RequestSurface.RULE: OrderSource.RULE,
     RequestSurface.ASSISTANT: OrderSource.ASSISTANT,
 }
 """What gives the orders of a task that no person asked for."""
-_MAX_REPORT = 100
+_REPORT_LINES_MAX = 100
 """Most lines of a task's report."""
-_KEPT: dict[str, ToldEventKind] = {"clip": "clip kept", "snapshot": "snapshot kept"}
+_CLIP_EVENTS: dict[str, ToldEventKind] = {"clip": "clip kept", "snapshot": "snapshot kept"}
 
 
 class TaskActions:
@@ -49,11 +49,11 @@ class TaskActions:
 
     def __init__(self, outlet: TaskOutlet, drones: TaskDrones) -> None:
         self._outlet, self._drones = outlet, drones
-        self._films: dict[int, str] = {}  # by the ids of the tasks whose clips are recorded
-        self._by: dict[type[TaskAction], Callable[[_Doing, Any], None]] = {
+        self._filming_drones: dict[int, str] = {}  # by the id of the task that films
+        self._handlers: dict[type[TaskAction], Callable[[_ActionContext, Any], None]] = {
             GiveOrder: self._order,
             StartClip: self._start_clip,
-            StopClip: lambda doing, _: self._stop_clip(doing.task.id),
+            StopClip: lambda context, _: self._stop_clip(context.task.id),
             TakeSnapshot: self._snapshot,
             Say: self._say,
             AskPerson: self._ask,
@@ -79,9 +79,9 @@ class TaskActions:
             now: the pilot's clock, which stamps orders [s].
             unix: the same moment as Unix time [s].
         """
-        doing = _Doing(task, record, now, unix)
+        context = _ActionContext(task, record, now, unix)
         for action in actions:
-            self._by[type(action)](doing, action)
+            self._handlers[type(action)](context, action)
 
     def tell(
         self, kind: ToldEventKind, task: ScheduledTask, unix: float, **facts: str | float | bool
@@ -93,7 +93,7 @@ class TaskActions:
             "service": task.request.service,
             "because": task.request.cause,
         }
-        body = self._drones.of(task.drone).body
+        body = self._drones.or_first(task.drone).body
         self._outlet.tell(task_event(kind, body, unix, cause, known | facts))
 
     def tell_asked(self, task: ScheduledTask, unix: float) -> None:
@@ -116,7 +116,7 @@ class TaskActions:
             return 0
         facts = {"clip": clip, "place": info.place, "thing": info.thing}
         cause = task_name(info.task) if info.task else info.cause
-        event = task_event(_KEPT[info.kind], drone.body, unix, cause, dict(facts))
+        event = task_event(_CLIP_EVENTS[info.kind], drone.body, unix, cause, dict(facts))
         self._outlet.tell(event)
         return info.task
 
@@ -126,54 +126,56 @@ class TaskActions:
         order = Order(OrderKind.HOME, issued_at=now, sender=sender, source=source)
         self._outlet.order(order, drone)
 
-    def end_clip(self, number: int) -> None:
+    def end_clip(self, task_id: int) -> None:
         """End the clip of a task that ends, however it ended."""
-        self._stop_clip(number)
+        self._stop_clip(task_id)
 
-    def _stop_clip(self, number: int) -> None:
-        drone = self._films.pop(number, None)
-        if drone is not None and drone not in self._films.values():
+    def _stop_clip(self, task_id: int) -> None:
+        drone = self._filming_drones.pop(task_id, None)
+        if drone is not None and drone not in self._filming_drones.values():
             self._drones[drone].clips.stop()
 
-    def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
-        request = doing.task.request
-        sender = task_sender(doing.task.id, request.service)
-        source = _SOURCES.get(request.surface, OrderSource.TASK)
-        order = replace(wanted.order, issued_at=doing.now, sender=sender, source=source)
-        self._outlet.order(order, self._drones.of(doing.task.drone).name)
+    def _order(self, context: _ActionContext, wanted: GiveOrder) -> None:
+        request = context.task.request
+        sender = task_sender(context.task.id, request.service)
+        source = _ORDER_SOURCES.get(request.surface, OrderSource.TASK)
+        order = replace(wanted.order, issued_at=context.now, sender=sender, source=source)
+        self._outlet.order(order, self._drones.or_first(context.task.drone).name)
 
-    def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
-        drone = self._drones.of(doing.task.drone)
-        self._films = {one: name for one, name in self._films.items() if name != drone.name}
-        self._films[doing.task.id] = drone.name
-        doing.keep(lambda: drone.clips.start(wanted, doing.origin))
+    def _start_clip(self, context: _ActionContext, wanted: StartClip) -> None:
+        drone = self._drones.or_first(context.task.drone)
+        self._filming_drones = {
+            one: name for one, name in self._filming_drones.items() if name != drone.name
+        }
+        self._filming_drones[context.task.id] = drone.name
+        context.keep(lambda: drone.clips.start(wanted, context.origin))
 
-    def _snapshot(self, doing: _Doing, wanted: TakeSnapshot) -> None:
-        clips = self._drones.of(doing.task.drone).clips
-        doing.keep(lambda: clips.snapshot(wanted, doing.origin))
+    def _snapshot(self, context: _ActionContext, wanted: TakeSnapshot) -> None:
+        clips = self._drones.or_first(context.task.drone).clips
+        context.keep(lambda: clips.snapshot(wanted, context.origin))
 
-    def _say(self, doing: _Doing, wanted: Say) -> None:
-        self.tell("said", doing.task, doing.unix, words=wanted.words)
+    def _say(self, context: _ActionContext, wanted: Say) -> None:
+        self.tell("said", context.task, context.unix, words=wanted.words)
         self._outlet.say(wanted.words)
 
-    def _ask(self, doing: _Doing, wanted: AskPerson) -> None:
-        until = None if wanted.timeout is None else doing.unix + wanted.timeout
+    def _ask(self, context: _ActionContext, wanted: AskPerson) -> None:
+        until = None if wanted.timeout is None else context.unix + wanted.timeout
         words = literal(wanted.words)
         question = PersonQuestion(wanted.id, words, wanted.choices, until, wanted.otherwise)
-        doing.record.question = question
-        self.tell("person asked", doing.task, doing.unix, words=wanted.words)
+        context.record.question = question
+        self.tell("person asked", context.task, context.unix, words=wanted.words)
 
-    def _close_question(self, doing: _Doing, wanted: CloseQuestion) -> None:
-        question = doing.record.question
+    def _close_question(self, context: _ActionContext, wanted: CloseQuestion) -> None:
+        question = context.record.question
         if question is not None and question.id == wanted.id:
-            doing.record.question = None
+            context.record.question = None
 
-    def _report(self, doing: _Doing, wanted: Report) -> None:
-        doing.report(wanted.words)
-        self.tell("found", doing.task, doing.unix, words=wanted.words)
+    def _report(self, context: _ActionContext, wanted: Report) -> None:
+        context.report(wanted.words)
+        self.tell("found", context.task, context.unix, words=wanted.words)
 
 
-class _Doing:
+class _ActionContext:
     """For which task something is done, and when."""
 
     def __init__(self, task: ScheduledTask, record: TaskRecord, now: float, unix: float) -> None:
@@ -185,7 +187,7 @@ class _Doing:
         return ClipOrigin(self.task.id, request.service, request.cause)
 
     def report(self, words: str) -> None:
-        if len(self.record.report) < _MAX_REPORT:
+        if len(self.record.report) < _REPORT_LINES_MAX:
             self.record.report.append(words)
 
     def keep(self, record: Callable[[], str]) -> None:

@@ -66,8 +66,8 @@ class TaskDrones(Mapping[str, TaskDrone]):
     def __len__(self) -> int:
         return len(self._drones)
 
-    def of(self, name: str) -> TaskDrone:
-        """Return a task's drone; the first while it has none."""
+    def or_first(self, name: str) -> TaskDrone:
+        """Return a drone by name; the first of the site for "", a task that has none yet."""
         return self._drones.get(name, self.first)
 
     def check(self, name: str) -> None:

@@ -46,9 +46,9 @@ from housefly.tasks.scheduler.values import (
     TaskTraits,
 )
 
-_CLICK_TIME = 5.0
+_DOUBLE_CLICK_TIME = 5.0
 """The same wish of the same asker within this is one wish [s]."""
-_SHOWN = 20
+_ENDED_SHOWN = 20
 """So many ended tasks are on the board."""
 _ONLY_OWN = "you can end only what you asked for; STOP is for all"
 
@@ -78,7 +78,7 @@ class TaskEngine:
         )
         self._store, self._runs, self._actions = store, runs, actions
         self._scheduler = store.load(limits)
-        self._ended: deque[TaskStatus] = deque(store.newest_ended(_SHOWN), _SHOWN)
+        self._ended: deque[TaskStatus] = deque(store.newest_ended(_ENDED_SHOWN), _ENDED_SHOWN)
 
     def restore(self, bind: Callable[[TaskRequest], BoundTask], unix: float) -> None:
         """Take over the tasks of a program that ended: what flew ends, what waits is asked again.
@@ -93,9 +93,9 @@ class TaskEngine:
                 if scheduling_traits(bound) != task.traits:
                     raise _bad(f"'{task.traits.title}' was changed meanwhile; ask again")
                 record = self._runs.add(
-                    task.id, bound, task.request.drone, is_urgent=task.is_attended
+                    task.id, bound, task.request.drone, is_attended=task.is_attended
                 )
-                if (before := self._known(task.id)) is not None:
+                if (before := self._ended_or_stored(task.id)) is not None:
                     record.clips, record.report = list(before.clips), list(before.report)
                     record.steps = before.steps
                     record.took_off_at, record.flown = before.took_off_at, before.flown
@@ -103,8 +103,8 @@ class TaskEngine:
                         record.flown = None  # it may have flown since it was kept
             except TaskError as error:
                 report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, error_words(error))
-                self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
-        self._take(self._scheduler.restarted(unix), unix)
+                self._commit(self._scheduler.rehearsed(task.id, report, unix), unix)
+        self._commit(self._scheduler.restarted(unix), unix)
 
     @property
     def problem(self) -> str:
@@ -144,44 +144,44 @@ class TaskEngine:
         ]
         for decision in outcome[1]:
             if isinstance(decision, TaskAdmitted):
-                is_urgent = request.surface in ATTENDED
-                self._runs.add(decision.task.id, task, request.drone, is_urgent=is_urgent)
-        self._take(outcome, unix)
+                is_attended = request.surface in ATTENDED
+                self._runs.add(decision.task.id, task, request.drone, is_attended=is_attended)
+        self._commit(outcome, unix)
         return self.status(told[0].id)
 
     def _asked_just_now(self, request: TaskRequest, unix: float) -> ScheduledTask | None:
         """Return the same running task of the same asker: a second click wants no second flight."""
-        wanted = _wish(request)
+        wanted = _request_key(request)
         for task in self._scheduler.tasks:
-            is_new = 0.0 <= unix - task.asked_at <= _CLICK_TIME
-            if task.state is QueueState.RUNNING and is_new and _wish(task.request) == wanted:
+            is_new = 0.0 <= unix - task.asked_at <= _DOUBLE_CLICK_TIME
+            if task.state is QueueState.RUNNING and is_new and _request_key(task.request) == wanted:
                 return task
         return None
 
-    def reply(self, number: int, question: str, choice: str, by: str, unix: float) -> TaskStatus:
+    def reply(self, task_id: int, question: str, choice: str, by: str, unix: float) -> TaskStatus:
         """Answer a question of a task; raises TaskError when there is none, or not this answer."""
-        record, task = self._runs.record(number), self._scheduler.task(number)
+        record, task = self._runs.record(task_id), self._scheduler.task(task_id)
         asked = record.question if record is not None and question != CONFIRM else None
         if asked is None or record is None:
             if question != CONFIRM:
-                raise _bad(f"task {number} does not ask {question!r} now")
-            self._take(self._scheduler.replied(number, choice, by, unix), unix)
+                raise _bad(f"task {task_id} does not ask {question!r} now")
+            self._commit(self._scheduler.replied(task_id, choice, by, unix), unix)
             self._actions.tell("person answered", task, unix, words=choice, by=by)
-            return self.status(number)
+            return self.status(task_id)
         if asked.id != question or choice not in asked.choices:
             raise _bad(f"{choice!r} is no answer to {asked.words!r}: {' or '.join(asked.choices)}")
         record.question = None
         record.replies.append(PersonReply(question, choice, by))
         self._actions.tell("person answered", task, unix, words=choice, by=by)
-        return self.status(number)
+        return self.status(task_id)
 
     def cancel(
-        self, number: int, by: str, unix: float, only_of: str = ""
+        self, task_id: int, by: str, unix: float, only_of: str = ""
     ) -> tuple[TaskStatus, ...]:
         """End a task, or with 0 every open one, and return those.
 
         Args:
-            number: of the task.
+            task_id: of the task.
             by: who ends it, for people.
             unix: Unix time [s].
             only_of: id of whose tasks may be ended; "" for all.
@@ -189,24 +189,24 @@ class TaskEngine:
         Raises:
             TaskError: there is no such task, or it is of somebody else.
         """
-        wanted = [self._scheduler.task(number)] if number else list(self._scheduler.tasks)
+        wanted = [self._scheduler.task(task_id)] if task_id else list(self._scheduler.tasks)
         if only_of:
             wanted = [task for task in wanted if task.request.owner == only_of]
             if not wanted:
                 raise TaskError(_ONLY_OWN, ReasonCode.NOT_ALLOWED.value)
         for task in wanted:
-            self._take(self._scheduler.cancelled(task.id, by, unix), unix)
+            self._commit(self._scheduler.cancelled(task.id, by, unix), unix)
         return tuple(self.status(task.id) for task in wanted)
 
-    def pause(self, number: int, by: str, unix: float) -> TaskStatus:
+    def pause(self, task_id: int, by: str, unix: float) -> TaskStatus:
         """Let a task hover, or hold it in the queue; raises TaskError."""
-        self._take(self._scheduler.paused(number, by, unix), unix)
-        return self.status(number)
+        self._commit(self._scheduler.paused(task_id, by, unix), unix)
+        return self.status(task_id)
 
-    def proceed(self, number: int, by: str, unix: float) -> TaskStatus:
+    def resume(self, task_id: int, by: str, unix: float) -> TaskStatus:
         """Go on with a paused task; raises TaskError."""
-        self._take(self._scheduler.continued(number, by, unix), unix)
-        return self.status(number)
+        self._commit(self._scheduler.continued(task_id, by, unix), unix)
+        return self.status(task_id)
 
     def tick(self, drones: tuple[DroneAvailability, ...], now: float, unix: float) -> None:
         """Step the runs, take what ended, start what may start.
@@ -218,13 +218,13 @@ class TaskEngine:
         """
         self._available = drones
         self._store.retry()
-        for number, report in tuple(self._runs.rehearsed(unix)):
-            self._take(self._scheduler.rehearsed(number, report, unix), unix)
+        for task_id, report in tuple(self._runs.rehearsed(unix)):
+            self._commit(self._scheduler.rehearsed(task_id, report, unix), unix)
         reports = self._runs.step(self._scheduler.tasks, drones, now, unix)
         for name in sorted(self._runs.person_ordered):
-            self._take(self._scheduler.taken_over(unix, name), unix)
-        self._runs.hand_over(reports)
-        self._take(self._scheduler.ticked(unix, reports, *drones), unix)
+            self._commit(self._scheduler.taken_over(unix, name), unix)
+        self._runs.leave_to_pilots(reports)
+        self._commit(self._scheduler.ticked(unix, reports, *drones), unix)
         for name in self._drones:
             if holder_of(name, self._scheduler.tasks) is None:
                 self._runs.bring_home(name, now)
@@ -250,9 +250,9 @@ class TaskEngine:
             )
             if not permit.is_given:
                 by = f"mode {mode.value} of the house"
-                self._take(self._scheduler.cancelled(task.id, by, unix), unix)
+                self._commit(self._scheduler.cancelled(task.id, by, unix), unix)
 
-    def foremost(self, only_of: str = "", drone: str = "") -> int | None:
+    def meant_task(self, only_of: str = "", drone: str = "") -> int | None:
         """Return the task that people mean when they name none: what flies, flies next, is open.
 
         Args:
@@ -290,11 +290,11 @@ class TaskEngine:
         reports = [
             RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, why) for task in active
         ]
-        self._take(self._scheduler.ticked(unix, reports), unix)
+        self._commit(self._scheduler.ticked(unix, reports), unix)
 
-    def keep_clip(self, number: int, clip: str, words: str = "") -> None:
+    def keep_clip(self, task_id: int, clip: str, words: str = "") -> None:
         """Remember a clip or snapshot of an open task, and report what is wrong with it."""
-        record = self._runs.record(number)
+        record = self._runs.record(task_id)
         if record is None:
             return
         if clip not in record.clips:
@@ -306,16 +306,16 @@ class TaskEngine:
         """Forget a clip or snapshot that could not be kept, and report why."""
         self._runs.drop_clip(clip, words)
 
-    def status(self, number: int) -> TaskStatus:
+    def status(self, task_id: int) -> TaskStatus:
         """Return a task, open or ended lately; raises TaskError."""
         for task in self._scheduler.tasks:
-            if task.id == number:
-                return task_status(task, self._runs.record(number))
-        if (known := self._known(number)) is not None:
+            if task.id == task_id:
+                return task_status(task, self._runs.record(task_id))
+        if (known := self._ended_or_stored(task_id)) is not None:
             return known
-        raise TaskError(f"there is no task {number}", ReasonCode.UNKNOWN_TASK.value)
+        raise TaskError(f"there is no task {task_id}", ReasonCode.UNKNOWN_TASK.value)
 
-    def _take(self, outcome: tuple[Scheduler, tuple[Decision, ...]], unix: float) -> None:
+    def _commit(self, outcome: tuple[Scheduler, tuple[Decision, ...]], unix: float) -> None:
         """Take the next queue: it is kept first, then what it means is done."""
         before = {task.id: task for task in self._scheduler.tasks}
         self._scheduler, decisions = outcome
@@ -336,17 +336,17 @@ class TaskEngine:
             else:
                 self._runs.decide(decision)
 
-    def _known(self, number: int) -> TaskStatus | None:
+    def _ended_or_stored(self, task_id: int) -> TaskStatus | None:
         """Return a task as it ended, or as it was kept last; None when nobody knows it."""
-        found = next((one for one in self._ended if one.id == number), None)
-        return found or self._store.status(number)
+        found = next((one for one in self._ended if one.id == task_id), None)
+        return found or self._store.status(task_id)
 
     def _end_status(self, task: ScheduledTask) -> TaskStatus:
         status = task_status(task, self._runs.record(task.id))
         return replace(status, words=task.words or said(task.stage))
 
 
-def _wish(request: TaskRequest) -> tuple[object, ...]:
+def _request_key(request: TaskRequest) -> tuple[object, ...]:
     """Return what makes two requests the same wish."""
     one = request
     return one.service, one.parameters, one.asked_by, one.owner, one.drone

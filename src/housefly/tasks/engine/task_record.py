@@ -28,7 +28,7 @@ class TaskRecord:
     Attributes:
         task: bound to its parameters.
         run: behavior tree; None until it begins.
-        resumes: whether the run goes on as soon as it has been rehearsed again.
+        resumes_after_rehearsal: whether the run goes on as soon as it has been rehearsed again.
         rehearsal: under way; None when there is none.
         attempts: rehearsals that ended.
         rehearsed_at: when the newest rehearsal ended [Unix time, s].
@@ -46,7 +46,7 @@ class TaskRecord:
 
     task: BoundTask
     run: TaskRun | None = None
-    resumes: bool = False
+    resumes_after_rehearsal: bool = False
     rehearsal: Future[RehearsalReport] | None = None
     attempts: int = 0
     rehearsed_at: float = float("-inf")

@@ -9,6 +9,7 @@ from concurrent.futures import CancelledError, Future
 from enum import IntEnum
 from itertools import count
 from threading import Lock
+from typing import NamedTuple
 
 from housefly.errors import HouseflyError, TaskError
 from housefly.messages.words import Words, error_words, literal
@@ -19,18 +20,18 @@ from housefly.tasks.engine.task_record import TaskRecord
 
 _log = logging.getLogger(__name__)
 
-FRESH_TIME = 20.0
+REHEARSAL_VALID_TIME = 20.0
 """A rehearsal older than this [s] is done again before the flight: the room may have changed."""
-ATTEMPTS = 3
+ATTEMPTS_MAX = 3
 """So often is a rehearsal tried that could not be done at all: its worker may have died."""
-_PATIENCE = 30.0
+_WAIT_MAX = 30.0
 """Longest wait for a rehearsal that somebody asked for by itself [s]."""
-MOST_ASKED, MOST_OF_MACHINES = 3, 1
+STANDALONE_MAX, STANDALONE_OF_MACHINES_MAX = 3, 1
 """So many rehearsals asked for by themselves wait or go on at once, and of those so many that no
 person asked for.
 """
 
-Report = Future[RehearsalReport]
+PendingReport = Future[RehearsalReport]
 
 
 class RehearsalUrgency(IntEnum):
@@ -49,25 +50,25 @@ class TaskRehearsals:
     """
 
     def __init__(self, rehearser: TaskRehearser) -> None:
-        self._turns, self._lock = RehearsalTurns(rehearser), Lock()
-        self._asked: list[RehearsalUrgency] = []
+        self._queue, self._lock = RehearsalQueue(rehearser), Lock()
+        self._standalone: list[RehearsalUrgency] = []
 
     @property
-    def asked(self) -> int:
+    def standalone(self) -> int:
         """How many that were asked for by themselves wait or go on."""
         with self._lock:
-            return len(self._asked)
+            return len(self._standalone)
 
     def begin(
         self, record: TaskRecord, urgency: RehearsalUrgency = RehearsalUrgency.FLIGHT
     ) -> None:
         """Begin the rehearsal of a task; one that waits already may become the next."""
         if record.rehearsal is None:
-            record.rehearsal = self._turns.begin(record.task, urgency, record.drone)
+            record.rehearsal = self._queue.begin(record.task, urgency, record.drone)
         elif urgency is RehearsalUrgency.FLIGHT:
-            self._turns.hurry(record.task, record.rehearsal)
+            self._queue.move_to_front(record.task, record.rehearsal)
 
-    def taken(self, record: TaskRecord, unix: float) -> RehearsalReport | None:
+    def take_report(self, record: TaskRecord, unix: float) -> RehearsalReport | None:
         """Return what a rehearsal found, once; None while it goes on.
 
         Args:
@@ -80,7 +81,7 @@ class TaskRehearsals:
         report = report_of(future)
         record.rehearsal = None
         record.attempts += 1
-        if report.code is ReasonCode.NOT_READY and record.attempts % ATTEMPTS:
+        if report.code is ReasonCode.NOT_READY and record.attempts % ATTEMPTS_MAX:
             self.begin(record)
             return None
         record.rehearsed_at = unix
@@ -88,9 +89,9 @@ class TaskRehearsals:
 
     def is_fresh(self, record: TaskRecord, unix: float) -> bool:
         """Return whether the newest rehearsal still counts."""
-        return 0.0 <= unix - record.rehearsed_at <= FRESH_TIME
+        return 0.0 <= unix - record.rehearsed_at <= REHEARSAL_VALID_TIME
 
-    def now(
+    def rehearse_and_wait(
         self,
         task: BoundTask,
         surface: RequestSurface = RequestSurface.CONSOLE,
@@ -109,31 +110,33 @@ class TaskRehearsals:
         is_person = surface in ATTENDED
         urgency = RehearsalUrgency.PERSON if is_person else RehearsalUrgency.MACHINE
         self._admit(urgency)
-        future = self._turns.begin(task, urgency, drone)
+        future = self._queue.begin(task, urgency, drone)
         try:
-            future.exception(_PATIENCE)
+            future.exception(_WAIT_MAX)
         except TimeoutError as error:
             future.cancel()
             raise TaskError(
-                f"the rehearsal takes longer than {_PATIENCE:.0f} s; ask again later",
+                f"the rehearsal takes longer than {_WAIT_MAX:.0f} s; ask again later",
                 ReasonCode.NOT_READY.value,
             ) from error
         finally:
             with self._lock:
-                self._asked.remove(urgency)
+                self._standalone.remove(urgency)
         return report_of(future)
 
     def _admit(self, urgency: RehearsalUrgency) -> None:
         """Count one more that was asked for by itself; raises TaskError where that is too many."""
         with self._lock:
-            machines = self._asked.count(RehearsalUrgency.MACHINE)
+            machines = self._standalone.count(RehearsalUrgency.MACHINE)
             is_machine = urgency is RehearsalUrgency.MACHINE
-            if len(self._asked) >= MOST_ASKED or (is_machine and machines >= MOST_OF_MACHINES):
+            if len(self._standalone) >= STANDALONE_MAX or (
+                is_machine and machines >= STANDALONE_OF_MACHINES_MAX
+            ):
                 raise TaskError(
-                    f"{len(self._asked)} rehearsals are under way; ask again in a few seconds",
+                    f"{len(self._standalone)} rehearsals are under way; ask again in a few seconds",
                     ReasonCode.RATE_LIMIT.value,
                 )
-            self._asked.append(urgency)
+            self._standalone.append(urgency)
 
 
 def report_of(future: Future[RehearsalReport]) -> RehearsalReport:
@@ -156,7 +159,20 @@ def report_of(future: Future[RehearsalReport]) -> RehearsalReport:
     )
 
 
-class RehearsalTurns:
+class _Waiting(NamedTuple):
+    """A rehearsal that waits for its turn; the smallest urgency and order goes first.
+
+    ``report`` is what its caller holds.
+    """
+
+    urgency: int
+    order: int
+    task: BoundTask
+    drone: str
+    report: PendingReport
+
+
+class RehearsalQueue:
     """Hands rehearsals to the rehearser one by one; thread-safe.
 
     Args:
@@ -165,29 +181,34 @@ class RehearsalTurns:
 
     def __init__(self, rehearser: TaskRehearser) -> None:
         self._rehearser, self._lock = rehearser, Lock()
-        self._number = count()
-        self._waiting: list[tuple[int, int, BoundTask, str, Report]] = []
+        self._order = count()
+        self._waiting: list[_Waiting] = []
         self._is_busy = False
 
-    def begin(self, task: BoundTask, urgency: RehearsalUrgency, drone: str = "") -> Report:
+    def begin(self, task: BoundTask, urgency: RehearsalUrgency, drone: str = "") -> PendingReport:
         """Return the report to come; cancelled before its turn, it is not rehearsed at all."""
-        report: Report = Future()
+        report: PendingReport = Future()
         self._add(task, urgency, drone, report)
         return report
 
-    def hurry(self, task: BoundTask, report: Report) -> None:
+    def move_to_front(self, task: BoundTask, report: PendingReport) -> None:
         """Let a rehearsal that waits be the next."""
         with self._lock:
-            found = next((one for one in self._waiting if one[4] is report and one[0]), None)
+            found = next(
+                (one for one in self._waiting if one.report is report and one.urgency), None
+            )
         if found is not None:
-            self._add(task, RehearsalUrgency.FLIGHT, found[3], report)
+            self._add(task, RehearsalUrgency.FLIGHT, found.drone, report)
 
-    def _add(self, task: BoundTask, urgency: RehearsalUrgency, drone: str, report: Report) -> None:
+    def _add(
+        self, task: BoundTask, urgency: RehearsalUrgency, drone: str, report: PendingReport
+    ) -> None:
         with self._lock:
-            heapq.heappush(self._waiting, (urgency, next(self._number), task, drone, report))
-        self._next()
+            waiting = _Waiting(urgency, next(self._order), task, drone, report)
+            heapq.heappush(self._waiting, waiting)
+        self._begin_next()
 
-    def _next(self) -> None:
+    def _begin_next(self) -> None:
         while True:
             with self._lock:
                 if self._is_busy or not self._waiting:
@@ -197,11 +218,11 @@ class RehearsalTurns:
                 if report.running() or report.done() or not report.set_running_or_notify_cancel():
                     continue
                 self._is_busy = True
-            _begun(self._rehearser.rehearse, task, drone).add_done_callback(
-                lambda found, report=report: self._ended(found, report)  # type: ignore[misc]
+            _begin_safely(self._rehearser.rehearse, task, drone).add_done_callback(
+                lambda found, report=report: self._deliver(found, report)  # type: ignore[misc]
             )
 
-    def _ended(self, found: Report, report: Report) -> None:
+    def _deliver(self, found: PendingReport, report: PendingReport) -> None:
         error = found.exception()
         if error is None:
             report.set_result(found.result())
@@ -209,13 +230,15 @@ class RehearsalTurns:
             report.set_exception(error)
         with self._lock:
             self._is_busy = False
-        self._next()
+        self._begin_next()
 
 
-def _begun(rehearse: Callable[[BoundTask, str], Report], task: BoundTask, drone: str) -> Report:
+def _begin_safely(
+    rehearse: Callable[[BoundTask, str], PendingReport], task: BoundTask, drone: str
+) -> PendingReport:
     try:
         return rehearse(task, drone)
     except Exception as error:
-        failed: Report = Future()
+        failed: PendingReport = Future()
         failed.set_exception(error)
         return failed

@@ -34,13 +34,13 @@ from housefly.tasks.scheduler.values import (
 
 _log = logging.getLogger(__name__)
 
-READY_TIME = 60.0
+READY_TIMEOUT = 60.0
 """A drone that is not ready so long after its task's turn ends the task [s]."""
-LOST_TIME = 3.0
+PILOT_LOST_TIMEOUT = 3.0
 """A pilot silent for longer [s] ends the task: by then the drone hovers or lands by itself."""
-_LEFT_IN = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
+_STRANDED_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
 """Phases from which nobody would bring a drone home for a long time."""
-_HOME_REPEAT = 3.0
+_HOME_REPEAT_TIME = 3.0
 """It is sent home again after this [s]."""
 
 
@@ -66,7 +66,7 @@ class TaskRuns:
         self._sent_home_at = dict.fromkeys(drones, float("-inf"))
         self.person_ordered: frozenset[str] = frozenset()
         self.recording = ""
-        self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
+        self._handlers: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
             StartTask: _start,
             PreemptTask: _preempt,
             ResumeTask: lambda record, _: self._resume_task(record),
@@ -76,30 +76,30 @@ class TaskRuns:
         }
 
     def add(
-        self, number: int, task: BoundTask, drone: str = "", *, is_urgent: bool = True
+        self, task_id: int, task: BoundTask, drone: str = "", *, is_attended: bool = True
     ) -> TaskRecord:
         """Take a task; one that flies is rehearsed soon, so that people hear early.
 
         Args:
-            number: of the task.
+            task_id: of the task.
             task: bound to its parameters.
             drone: that is to fly it; "" for any.
-            is_urgent: whether a person waits for it.
+            is_attended: whether a person waits for it.
         """
-        name = self._drones.of(drone).name
-        record = self._records[number] = TaskRecord(task, recording=self.recording, drone=name)
+        name = self._drones.or_first(drone).name
+        record = self._records[task_id] = TaskRecord(task, recording=self.recording, drone=name)
         if task.flies:
-            urgency = RehearsalUrgency.FLIGHT if is_urgent else RehearsalUrgency.MACHINE
+            urgency = RehearsalUrgency.FLIGHT if is_attended else RehearsalUrgency.MACHINE
             self._rehearsals.begin(record, urgency)
         return record
 
-    def record(self, number: int) -> TaskRecord | None:
+    def record(self, task_id: int) -> TaskRecord | None:
         """Return the record of an open task, or None."""
-        return self._records.get(number)
+        return self._records.get(task_id)
 
-    def remove(self, number: int) -> TaskRecord | None:
+    def remove(self, task_id: int) -> TaskRecord | None:
         """Drop a task and its run without another step; return its record."""
-        record = self._records.pop(number, None)
+        record = self._records.pop(task_id, None)
         if record is not None and record.rehearsal is not None:
             record.rehearsal.cancel()
         return record
@@ -113,17 +113,17 @@ class TaskRuns:
 
     def decide(self, decision: Decision) -> None:
         """Do what the scheduler decided about a run; other decisions are not for here."""
-        act = self._decided.get(type(decision))
+        act = self._handlers.get(type(decision))
         record = self._records.get(getattr(decision, "id", 0))
         if act is not None and record is not None:
             act(record, decision)
 
     def rehearsed(self, unix: float) -> Iterable[tuple[int, RehearsalReport]]:
         """Yield the rehearsals that ended since the last call, by task."""
-        for number, record in self._records.items():
-            report = self._rehearsals.taken(record, unix)
+        for task_id, record in self._records.items():
+            report = self._rehearsals.take_report(record, unix)
             if report is not None:
-                yield number, report
+                yield task_id, report
 
     def step(
         self,
@@ -141,33 +141,33 @@ class TaskRuns:
             unix: the same moment as Unix time [s].
         """
         availability = {one.name: one for one in drones}
-        news = {name: pilot.news(now, unix) for name, pilot in self._pilots.items()}
-        self.person_ordered = frozenset(name for name, one in news.items() if one.inputs.orders)
+        updates = {name: pilot.update(now, unix) for name, pilot in self._pilots.items()}
+        self.person_ordered = frozenset(name for name, one in updates.items() if one.inputs.orders)
         reports = []
         for task in tasks:
             record = self._records.get(task.id)
             if record is None or task.state not in ACTIVE:
                 continue
-            _hand_over(record, task.drone)
-            pilot, drone = news[record.drone], availability[record.drone]
-            if record.run is None or record.resumes:
+            _assign_drone(record, task.drone)
+            pilot, drone = updates[record.drone], availability[record.drone]
+            if record.run is None or record.resumes_after_rehearsal:
                 if task.traits.flies and record.drone in self.person_ordered:
                     words = Words("a person ordered the drone before it began")
                     record.abandon(ReasonCode.PERSON_TOOK_OVER, words, TaskStage.CANCELLED)
                 elif task.state is QueueState.RUNNING:  # not while it is paused
                     self._begin(task, record, drone, unix)
-            elif task.traits.flies and pilot.lost:
-                record.abandon(ReasonCode.NOT_READY, literal(pilot.lost))
+            elif task.traits.flies and pilot.lost_reason:
+                record.abandon(ReasonCode.NOT_READY, literal(pilot.lost_reason))
             # What begins now gives its first order now: no tick is lost on the way into the air.
-            is_heard = pilot.is_fresh and not pilot.lost
-            if not record.resumes and (not task.traits.flies or is_heard):
+            is_heard = pilot.is_fresh and not pilot.lost_reason
+            if not record.resumes_after_rehearsal and (not task.traits.flies or is_heard):
                 self._step_one(task, record, pilot.inputs)
             if task.traits.flies and record.run is not None:
                 record.watch_flight(self._is_airborne(record), now, unix)
             reports.append(_report_of(task.id, record))
         return tuple(reports)
 
-    def hand_over(self, reports: Iterable[RunReport]) -> None:
+    def leave_to_pilots(self, reports: Iterable[RunReport]) -> None:
         """Leave the drone to the pilot after a flight that ended; no other task takes it over."""
         for report in reports:
             record = self._records.get(report.id)
@@ -182,9 +182,9 @@ class TaskRuns:
             name: of the drone; no task has it.
             now: the pilot's clock [s].
         """
-        inbox, is_due = self._drones[name].inbox, now - self._sent_home_at[name] > _HOME_REPEAT
+        inbox, is_due = self._drones[name].inbox, now - self._sent_home_at[name] > _HOME_REPEAT_TIME
         is_left, step = inbox.is_airborne and inbox.is_flown_by_task, inbox.newest
-        if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
+        if is_left and is_due and step is not None and step.outputs.phase in _STRANDED_PHASES:
             self._sent_home_at[name] = now
             self._actions.send_home(name, now)
 
@@ -193,7 +193,7 @@ class TaskRuns:
         if self._is_airborne(record) or not record.task.flies:
             _resume(record)
         else:
-            record.resumes = True
+            record.resumes_after_rehearsal = True
             self._rehearsals.begin(record)
 
     def _is_airborne(self, record: TaskRecord) -> bool:
@@ -213,11 +213,11 @@ class TaskRuns:
             record.abandon(report.code, report.words, TaskStage.REFUSED)
             return
         if task.traits.flies and not drone.is_ready:
-            if task.started_at is not None and unix - task.started_at > READY_TIME:
+            if task.started_at is not None and unix - task.started_at > READY_TIMEOUT:
                 record.abandon(ReasonCode.NOT_READY, drone.words)
             return
         if record.run is not None:
-            record.resumes = False
+            record.resumes_after_rehearsal = False
             record.run.resume()
             return
         record.run = TaskRun(record.task, self._drones[record.drone].room)
@@ -242,17 +242,17 @@ class TaskRuns:
 
 
 @dataclass(frozen=True, slots=True)
-class _PilotNews:
+class _PilotUpdate:
     """What a pilot said since the last tick.
 
     Attributes:
         is_fresh: it has made a step, lately.
-        lost: why a flight can no longer be followed, or "".
+        lost_reason: why a flight can no longer be followed, or "".
         inputs: of the runs of its drone.
     """
 
     is_fresh: bool
-    lost: str
+    lost_reason: str
     inputs: TaskInputs
 
 
@@ -262,23 +262,23 @@ class _PilotWatch:
     def __init__(self, inbox: StepInbox) -> None:
         self._inbox, self._run, self._steps = inbox, inbox.run, -1
 
-    def news(self, now: float, unix: float) -> _PilotNews:
+    def update(self, now: float, unix: float) -> _PilotUpdate:
         age = self._inbox.age(now)
         is_fresh = self._inbox.steps != self._steps and age <= SILENT_TIME
         inputs = self._inbox.drain(now, unix, keep=not is_fresh)
-        lost = self._lost(age)
+        lost_reason = self._lost_reason(age)
         self._steps, self._run = self._inbox.steps, self._inbox.run
-        return _PilotNews(is_fresh, lost, inputs)
+        return _PilotUpdate(is_fresh, lost_reason, inputs)
 
-    def _lost(self, age: float) -> str:
+    def _lost_reason(self, age: float) -> str:
         if self._inbox.run != self._run:
             return "the pilot was started again; the drone comes home or lands by itself"
-        if age > LOST_TIME:
+        if age > PILOT_LOST_TIMEOUT:
             return "the pilot does not answer; the drone lands by itself"
         return ""
 
 
-def _hand_over(record: TaskRecord, drone: str) -> None:
+def _assign_drone(record: TaskRecord, drone: str) -> None:
     """Let another drone than the one that was rehearsed fly a task: it is rehearsed anew."""
     if drone in ("", record.drone):
         return
@@ -287,18 +287,18 @@ def _hand_over(record: TaskRecord, drone: str) -> None:
     record.drone, record.rehearsal, record.rehearsed_at = drone, None, float("-inf")
 
 
-def _report_of(number: int, record: TaskRecord) -> RunReport:
+def _report_of(task_id: int, record: TaskRecord) -> RunReport:
     if record.ending is not None:
-        return replace(record.ending, id=number)
+        return replace(record.ending, id=task_id)
     run = record.run
     if run is None:
-        return RunReport(number, is_safe_point=True)
+        return RunReport(task_id, is_safe_point=True)
     stage = run.stage if run.stage in ENDED else TaskStage.RUNNING
-    return RunReport(number, stage, run.code, run.words, run.is_safe_point)
+    return RunReport(task_id, stage, run.code, run.words, run.is_safe_point)
 
 
 def _start(record: TaskRecord, _: StartTask) -> None:
-    record.run, record.ending, record.resumes = None, None, False
+    record.run, record.ending, record.resumes_after_rehearsal = None, None, False
 
 
 def _preempt(record: TaskRecord, decision: PreemptTask) -> None:

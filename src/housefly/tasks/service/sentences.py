@@ -16,7 +16,7 @@ from housefly.messages.words import literal
 from housefly.tasks.api.answers import SentenceAnswer
 from housefly.tasks.api.questions import BoardQuestion, Sentence, SetMode, TakePhoto, TaskQuestion
 from housefly.tasks.api.values import ATTENDED, ReasonCode, TaskRequest, TaskStage, TaskStatus
-from housefly.tasks.engine.drone_state import DronePlace
+from housefly.tasks.engine.drone_state import LandedState
 from housefly.tasks.intents.answer_tasks import words_of_answer
 from housefly.tasks.intents.answering import answer_intent
 from housefly.tasks.intents.intent import Intent, Language
@@ -34,9 +34,9 @@ _NAMES_AGE = 5.0
 _SAFER = frozenset({OrderKind.STOP, OrderKind.LAND})
 """Orders of people who may not fly."""
 _PLACES = {
-    DronePlace.AIR: "drone_flies",
-    DronePlace.GROUND: "drone_stands",
-    DronePlace.UNKNOWN: "drone_unknown",
+    LandedState.IN_AIR: "drone_flies",
+    LandedState.ON_GROUND: "drone_stands",
+    LandedState.UNKNOWN: "drone_unknown",
 }
 
 
@@ -64,7 +64,7 @@ class SentenceEffects:
     """
 
     request: Callable[[TaskRequest], TaskStatus]
-    order: Callable[[OrderKind, str, str], DronePlace]
+    order: Callable[[OrderKind, str, str], LandedState]
     act: TaskActing
     ask: Callable[[TaskQuestion], Any]
     notice: Callable[[Notice, str], bool]

@@ -64,9 +64,9 @@ from housefly.tasks.api.values import ATTENDED, ReasonCode, RequestSurface, Task
 from housefly.tasks.document.open_library import NO_DRONE, OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.drone_state import (
-    DronePlace,
-    drone_place,
+    LandedState,
     drone_words,
+    landed_state,
 )
 from housefly.tasks.engine.task_actions import TaskActions
 from housefly.tasks.engine.task_drones import TaskDrone, TaskDrones
@@ -305,7 +305,7 @@ class TaskService:
     def _rehearse(self, question: RehearseTask) -> RehearsalAnswer:
         task = self.desk.bound(question.service, question.parameters)
         self._parts.drones.check(question.drone)
-        report = self._parts.rehearsals.now(task, question.surface, question.drone)
+        report = self._parts.rehearsals.rehearse_and_wait(task, question.surface, question.drone)
         return RehearsalAnswer(report)
 
     def _reply(self, question: ReplyToTask) -> TasksAnswer:
@@ -338,7 +338,7 @@ class TaskService:
     def _continue(self, question: ContinueTask) -> TasksAnswer:
         with self.desk.lock:
             return TasksAnswer(
-                (self._parts.engine.proceed(question.task, question.by, self._wall()),)
+                (self._parts.engine.resume(question.task, question.by, self._wall()),)
             )
 
     def _services(self, _: ServicesQuestion) -> ServicesAnswer:
@@ -372,7 +372,7 @@ class TaskService:
         self._refuse_without_drone()
         drones = self._parts.drones
         self._parts.drones.check(question.drone)
-        drone = drones.of(question.drone)
+        drone = drones.or_first(question.drone)
         clips, step = drone.clips, drone.looking_step
         wanted = TakeSnapshot(step.outputs.goal_name if step is not None else "")
         name = clips.snapshot(wanted, ClipOrigin(cause=question.by), question.at or None)
@@ -391,7 +391,7 @@ class TaskService:
         if not self._parts.has_drone:
             raise TaskError(NO_DRONE, ReasonCode.NO_DRONE.value)
 
-    def _order(self, kind: OrderKind, by: str, drone: str) -> DronePlace:
+    def _order(self, kind: OrderKind, by: str, drone: str) -> LandedState:
         """Give an order of a person, for which the tasks make way; return what is true.
 
         The order is not done yet then: the pilot tells what became of it. Without a drone's name it
@@ -401,22 +401,24 @@ class TaskService:
         self._parts.drones.check(drone)
         now, drones = self._clock(), self._parts.drones
         places = {
-            name: drone_place(one.inbox, now) for name, one in drones.items() if drone in ("", name)
+            name: landed_state(one.inbox, now)
+            for name, one in drones.items()
+            if drone in ("", name)
         }
-        up = [name for name, place in places.items() if place is not DronePlace.GROUND]
+        up = [name for name, place in places.items() if place is not LandedState.ON_GROUND]
         for name in places if kind is OrderKind.STOP or not up else up:
             sender, order_id = by[:NAME_LENGTH_MAX], token_hex(6)
             order = Order(kind, issued_at=now, sender=sender, id=order_id)
             self._parts.outlet.order(order, name)
         found = set(places.values())
-        worst_first = (DronePlace.AIR, DronePlace.UNKNOWN, DronePlace.GROUND)
+        worst_first = (LandedState.IN_AIR, LandedState.UNKNOWN, LandedState.ON_GROUND)
         return next(place for place in worst_first if place in found)
 
     def _act(self, act: TaskAct, by: str, only_of: str = "", drone: str = "") -> TaskStatus | None:
         """Cancel, pause or continue the task that flies, or is next; None when there is none."""
         with self.desk.lock:
             engine = self._parts.engine
-            task = engine.foremost(only_of, drone)
+            task = engine.meant_task(only_of, drone)
             if task is None:
                 return None
             unix = self._wall()
@@ -426,7 +428,7 @@ class TaskService:
                 case TaskAct.PAUSE:
                     return engine.pause(task, by, unix)
                 case TaskAct.CONTINUE:
-                    return engine.proceed(task, by, unix)
+                    return engine.resume(task, by, unix)
 
 
 class _RequestRate:
