@@ -166,9 +166,12 @@ class MavlinkLink(asyncio.DatagramProtocol, asyncio.Protocol):
         if end.is_stream:
             await loop.create_connection(lambda: self, end.host, end.port)
             return
-        own = {"local_addr": (_any(end.host), end.own_port)} if end.own_port else {}
+        own = (_any(end.host), end.own_port) if end.own_port else None
         await loop.create_datagram_endpoint(
-            lambda: self, remote_addr=(end.host, end.port), reuse_port=bool(own) or None, **own
+            lambda: self,
+            local_addr=own,
+            remote_addr=(end.host, end.port),
+            reuse_port=None if own is None else True,
         )
 
 

@@ -2,10 +2,10 @@
 
 RETURN needs a way home and a place that is not lost, else it is LAND: what is in doubt for a moment
 only holds the drone, by a rule of its own. LAND needs a place, or a drone that knows its own height
-and speed (``control_source``); else it is DESCEND, a level descent by our own setpoint, until the drone is
-on the floor or must be. One that tells no height of its own is told to land itself then: nobody
-else knows of the floor. One whose own loops land it level and at rest is told to at once: it goes
-on where we fall silent, too.
+and speed (``control_source``); else it is DESCEND, a level descent by our own setpoint, until the
+drone is on the floor or must be. One that tells no height of its own is told to land itself then:
+nobody else knows of the floor. One whose own loops land it level and at rest is told to at once: it
+goes on where we fall silent, too.
 """
 
 from __future__ import annotations
