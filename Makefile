@@ -3,6 +3,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 TOOLS := $(VENV)/tools
+# Bitcraze's own library flies the twin: GPL, and with versions of its own, so it lives apart.
+CFLIB := $(VENV)/cflib
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
@@ -57,7 +59,7 @@ test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
 	$(call run_tests,2,'realtime and not interop and not safety',$(call marked,realtime))
 
-interop: setup-dev
+interop: setup-dev $(CFLIB)/ready
 	$(REALTIME) -m interop $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
@@ -101,6 +103,11 @@ client: setup-dev
 $(TOOLS)/ready: requirements/tools.txt
 	@$(PYTHON) -m venv $(TOOLS)
 	@$(TOOLS)/bin/python -m pip install -q --require-hashes -r requirements/tools.txt
+	@touch $@
+
+$(CFLIB)/ready: requirements/cflib.txt
+	@$(PYTHON) -m venv $(CFLIB)
+	@$(CFLIB)/bin/python -m pip install -q --require-hashes -r requirements/cflib.txt
 	@touch $@
 
 lock: $(TOOLS)/ready

@@ -9,7 +9,6 @@ from housefly.config.airframe import installed_models
 from housefly.errors import ConfigError
 from housefly.twin.address import check_address
 from housefly.twin.ardrone.link import LinkFilters
-from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import TwinDrone
 
 
@@ -25,8 +24,11 @@ class DroneServer(Protocol):
         ...
 
 
-SERVERS = {"ardrone": ArDroneServer}
-"""What serves each of our own models."""
+SERVERS = {
+    "ardrone": ("housefly.twin.ardrone.server", "ArDroneServer"),
+    "crazyflie": ("housefly.twin.crazyflie.server", "CrazyflieServer"),
+}
+"""Module and class of what serves each of our own models."""
 
 
 def server_of(
@@ -46,7 +48,11 @@ def server_of(
             wire nothing simulates.
     """
     if kind in SERVERS:
-        return SERVERS[kind](drone, address, beyond_loopback=beyond_loopback, filters=filters)
+        module, name = SERVERS[kind]
+        own: DroneServer = getattr(import_module(module), name)(
+            drone, address, beyond_loopback=beyond_loopback, filters=filters
+        )
+        return own
     if kind not in installed_models():
         raise ConfigError(
             "drone.kind", f"is {kind!r}: nothing simulates its wire; it flies in lock step only"
