@@ -16,6 +16,7 @@ from housefly.twin.contracts import GroundTruth
 from housefly.twin.crazyflie.firmware import CrazyflieFirmware
 from housefly.twin.crazyflie.server import CrazyflieServer
 from housefly.twin.real_time import RealTimeRunner
+from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
 
 PERIOD = 0.01
@@ -26,11 +27,14 @@ class CrazyflieRoom:
     """A world behind a server, and what really happened in it.
 
     Attributes:
+        world: the whole room; by itself it speaks of its first drone.
+        drone: the one that is flown here.
         tracked: whether tracking sees the drone.
         trail: the truth, a hundred times a second.
     """
 
     world: SimulatedWorld
+    drone: SimulatedDrone
     server: CrazyflieServer
     driver: Crazyflie
     tracked: bool = True
@@ -38,7 +42,7 @@ class CrazyflieRoom:
 
     @property
     def firmware(self) -> CrazyflieFirmware:
-        firmware = self.world.first.firmware
+        firmware = self.drone.firmware
         assert isinstance(firmware, CrazyflieFirmware)
         return firmware
 
@@ -49,7 +53,7 @@ class CrazyflieRoom:
 
     @property
     def height(self) -> float:
-        return self.world.truth().pose.position[2]
+        return self.drone.truth().pose.position[2]
 
     async def until(
         self, holds: Callable[[], bool], command: Command | Action, patience: float = 15.0
@@ -74,7 +78,7 @@ class CrazyflieRoom:
         """Track it and note the truth, as long as the room is open."""
         clock = RealClock()
         while True:
-            truth = self.world.truth()
+            truth = self.drone.truth()
             self.trail.append(truth)
             if self.tracked and self.driver.telemetry is not None:
                 now = clock.now()
@@ -84,22 +88,32 @@ class CrazyflieRoom:
 
 @asynccontextmanager
 async def crazyflie_room(address: str, kind: str = "crazyflie") -> AsyncIterator[CrazyflieRoom]:
-    """Open the room, its drone at an address; runs the world in real time meanwhile."""
+    """Open a room with one drone, at an address; runs the world in real time meanwhile."""
     site = Site(drone={"kind": kind, "address": address})
-    world = SimulatedWorld(site, load_room(site.room.model))
-    server = CrazyflieServer(world, address)
-    await server.start()
-    driver = Crazyflie(site.drone, site.limits, RealClock())
-    room = CrazyflieRoom(world, server, driver)
-    tasks = [
-        asyncio.create_task(work)
-        for work in (RealTimeRunner(world, RealClock()).run(), room.watch())
-    ]
-    try:
+    async with crazyflie_rooms(site) as (room,):
         yield room
+
+
+@asynccontextmanager
+async def crazyflie_rooms(site: Site) -> AsyncIterator[tuple[CrazyflieRoom, ...]]:
+    """Open one room with all drones of a site, each at its address and with its driver."""
+    world = SimulatedWorld(site, load_room(site.room.model))
+    rooms = []
+    for name, drone in world.drones.items():
+        config = site.for_drone(name).drone if site.drones else site.drone
+        server = CrazyflieServer(drone, config.address)
+        await server.start()
+        rooms.append(
+            CrazyflieRoom(world, drone, server, Crazyflie(config, site.limits, RealClock()))
+        )
+    works = (RealTimeRunner(world, RealClock()).run(), *(room.watch() for room in rooms))
+    tasks = [asyncio.create_task(work) for work in works]
+    try:
+        yield tuple(rooms)
     finally:
         for task in tasks:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
-        await driver.close()
-        await server.stop()
+        for room in rooms:
+            await room.driver.close()
+            await room.server.stop()

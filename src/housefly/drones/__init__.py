@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 DRIVERS = {
     "ardrone": ("housefly.drones.ardrone.driver", "ArDrone"),
     "crazyflie": ("housefly.drones.crazyflie.driver", "Crazyflie"),
+    "crazyflie_brushless": ("housefly.drones.crazyflie.driver", "Crazyflie"),
 }
 """Module and class of each ``drone.kind``; made of its configuration, the limits and a clock."""
 

@@ -27,6 +27,7 @@ class DroneServer(Protocol):
 SERVERS = {
     "ardrone": ("housefly.twin.ardrone.server", "ArDroneServer"),
     "crazyflie": ("housefly.twin.crazyflie.server", "CrazyflieServer"),
+    "crazyflie_brushless": ("housefly.twin.crazyflie.server", "CrazyflieServer"),
 }
 """Module and class of what serves each of our own models."""
 

@@ -151,7 +151,10 @@ class SetpointFirmware(Firmware):
         )
 
 
-OWN_FIRMWARE = {"crazyflie": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware")}
+OWN_FIRMWARE = {
+    "crazyflie": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware"),
+    "crazyflie_brushless": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware"),
+}
 """Module and class of the computers of models that have one of their own."""
 
 

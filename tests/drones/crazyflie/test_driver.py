@@ -6,7 +6,7 @@ import asyncio
 from math import cos, dist, hypot, sin
 
 import pytest
-from crazyflie_room import CrazyflieRoom
+from crazyflie_room import CrazyflieRoom, crazyflie_room
 
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
@@ -143,6 +143,18 @@ async def test_told_to_land_without_tracking_it_sinks_level_and_its_motors_stop(
     assert max(map(lean, room.trail[since:])) < 0.06
 
 
+async def test_a_pilot_that_lets_it_sink_without_tracking_need_not_know_when_it_is_down(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    room.tracked = False
+    since, began = len(room.trail), room.world.now
+    sinking = flying(Setpoint(vz=-0.3))
+    await room.until(lambda: room.status is DroneStatus.LANDED, sinking)
+    assert room.world.now - began < 8.0
+    assert fastest_sinking(room, since) < 0.6 and room.height < 0.03
+
+
 async def test_it_does_not_take_off_while_it_believes_to_be_elsewhere(
     room: CrazyflieRoom,
 ) -> None:
@@ -179,6 +191,20 @@ async def test_a_drone_that_was_restarted_is_set_and_read_again(room: CrazyflieR
     await server.start()
     await room.until(lambda: room.driver.connected and not room.driver.problem, Action.IDLE)
     assert server.values["stabilizer.estimator"] == 2.0
+
+
+async def test_a_brushless_one_is_armed_when_it_is_to_take_off_and_disarms_by_itself(
+    loopback: str,
+) -> None:
+    async with crazyflie_room(loopback, "crazyflie_brushless") as room:
+        await room.driver.connect()
+        await room.until(lambda: room.driver.connected and not room.driver.problem, Action.IDLE)
+        await room.hold(Action.IDLE, 0.5)
+        assert not room.firmware.supervisor.is_armed
+        await room.until(lambda: room.status is DroneStatus.FLYING, Action.TAKE_OFF)
+        assert room.firmware.supervisor.is_armed
+        await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+        await room.until(lambda: not room.firmware.supervisor.is_armed, Action.IDLE)
 
 
 async def test_nobody_there_is_said_in_words(loopback: str) -> None:

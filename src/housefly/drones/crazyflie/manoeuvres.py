@@ -4,8 +4,8 @@ It takes off by places that rise, so that its own watchdog ends what we no longe
 after half a second and cuts its motors after two. It lands by its high-level commander, which goes
 on to the floor when we are gone; that order goes before the one that setpoints stop, because the
 commander wants the motors off while it has nothing to fly. A stream is never ended by silence.
-Where tracking is silent it can do neither: it sinks level for as long as its height needs, and
-stops.
+Where tracking is silent it can do neither: it sinks level for as long as its height needs, by the
+pilot's setpoints or ours, and stops.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ POSE_AGE_MAX = 0.3
 DISAGREES = 0.2
 """A drone that believes to be so far from where tracking sees it does not take off [m]."""
 _SURPLUS = 0.7
-"""A landing without tracking goes on for so long where the floor should be [s]."""
+"""A descent without tracking goes on for so long where the floor should be [s]."""
 _ASK_AGAIN = 0.1
 """Orders that must arrive are repeated after this [s]."""
 _GIVEN_UP_AFTER, _LOW = 0.5, 0.15
@@ -133,6 +133,8 @@ class Manoeuvres:
         if action is Action.HOVER:
             return self._hover(state, seen)
         self._held = None
+        if seen is None and self._must_be_down:
+            return self._give(Stop())
         return self._fly(told.command.asked, state)
 
     def _follow(self, seen: Sighting | None, now: float) -> None:
@@ -142,6 +144,11 @@ class Manoeuvres:
             return
         self._height += self._vz * max(0.0, min(now - self._height_at, 0.1))
         self._height_at = now
+
+    @property
+    def _must_be_down(self) -> bool:
+        """Whether it has sunk without tracking for longer than its height needs."""
+        return self._height < -_SURPLUS * SINK_RATE
 
     def _begin(self, doing: _Doing, now: float) -> None:
         if doing is self._doing:
@@ -209,7 +216,7 @@ class Manoeuvres:
         """Sink level until the floor must be there, then stop."""
         if not self._sinks:
             self._sinks, self._since = True, now
-        if self._height < -_SURPLUS * SINK_RATE:
+        if self._must_be_down:
             return self._give(Stop())
         return self._give(AltHold(0.0, 0.0, 0.0, -SINK_RATE))
 

@@ -136,7 +136,9 @@ class CrazyflieFirmware(Firmware):
                 self.give(Place(x, y, z, wrap_angle(yaw + yaw_rate / YAW_GAIN)))
 
     def request_take_off(self) -> None:
-        """Rise by its own, once after a request to land, where its supervisor lets it."""
+        """Be armed, then rise by its own, once after a request to land."""
+        if self.supervisor.state is SupervisorState.CHECKED:
+            self.supervisor.arm(True)
         if not self._may_take_off or not self.supervisor.can_fly or self.supervisor.is_flying:
             return
         self._may_take_off = False
