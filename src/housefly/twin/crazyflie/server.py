@@ -212,7 +212,7 @@ class CrazyflieServer(asyncio.DatagramProtocol):
             if order in (words.SupervisorOrder.ARM, words.SupervisorOrder.RECOVER):
                 self._order(order, on)
             return
-        told = {
+        told: dict[words.VersionQuestion, int | str] = {
             words.VersionQuestion.PROTOCOL: PROTOCOL,
             words.VersionQuestion.FIRMWARE: FIRMWARE,
             words.VersionQuestion.DEVICE: DEVICE,

@@ -8,6 +8,7 @@ yaw rate turned round: nothing here sends them, and they are refused.
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import degrees, isfinite, radians
 
@@ -180,7 +181,7 @@ def _read_full_state(data: bytes) -> FullState:
     return FullState((x, y, z), (vx, vy, vz), (ax, ay, az), numbers[12] / _MILLI)
 
 
-_READERS = {
+_READERS: dict[int, Callable[[float, float, float, float], GenericSetpoint]] = {
     _ALT_HOLD: lambda a, b, c, d: AltHold(radians(a), -radians(b), radians(c), d),
     _Z_DISTANCE: lambda a, b, c, d: ZDistance(radians(a), -radians(b), radians(c), d),
     _HOVER: lambda a, b, c, d: Hover(a, b, radians(c), d),

@@ -46,7 +46,7 @@ class ValueType(Enum):
     @property
     def log_code(self) -> int:
         """Type byte of a log variable."""
-        code = self.value[0]
+        code: int | None = self.value[0]
         assert code is not None
         return code
 
