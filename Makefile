@@ -5,6 +5,8 @@ BIN := $(VENV)/bin
 TOOLS := $(VENV)/tools
 # The makers' library flies the simulated Tello: it brings OpenCV, so it lives apart.
 TELLOPY := $(VENV)/djitellopy
+# Bitcraze's own library flies the twin: GPL, and with versions of its own, so it lives apart.
+CFLIB := $(VENV)/cflib
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
@@ -59,7 +61,7 @@ test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
 	$(call run_tests,2,'realtime and not interop and not safety',$(call marked,realtime))
 
-interop: setup-dev $(TELLOPY)/ready
+interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready
 	$(REALTIME) -m interop $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
@@ -108,6 +110,11 @@ $(TOOLS)/ready: requirements/tools.txt
 $(TELLOPY)/ready: requirements/djitellopy.txt
 	@$(PYTHON) -m venv $(TELLOPY)
 	@$(TELLOPY)/bin/python -m pip install -q --require-hashes -r requirements/djitellopy.txt
+	@touch $@
+
+$(CFLIB)/ready: requirements/cflib.txt
+	@$(PYTHON) -m venv $(CFLIB)
+	@$(CFLIB)/bin/python -m pip install -q --require-hashes -r requirements/cflib.txt
 	@touch $@
 
 lock: $(TOOLS)/ready

@@ -21,6 +21,8 @@ DRIVERS = {
     "arducopter": ("housefly.drones.mavlink.driver", "MavlinkDrone"),
     "px4": ("housefly.drones.mavlink.driver", "MavlinkDrone"),
     "tello": ("housefly.drones.tello.driver", "Tello"),
+    "crazyflie": ("housefly.drones.crazyflie.driver", "Crazyflie"),
+    "crazyflie_brushless": ("housefly.drones.crazyflie.driver", "Crazyflie"),
 }
 """Module and class of each ``drone.kind``; made of its configuration, the limits and a clock."""
 

@@ -10,6 +10,7 @@ reckons by that speed. States, take-off, landing and watchdogs are those of ever
 
 from __future__ import annotations
 
+from importlib import import_module
 from math import atan, cos, hypot, sin, tan
 
 from housefly.config.drone import DroneConfig
@@ -150,8 +151,19 @@ class SetpointFirmware(Firmware):
         )
 
 
+OWN_FIRMWARE = {
+    "crazyflie": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware"),
+    "crazyflie_brushless": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware"),
+}
+"""Module and class of the computers of models that have one of their own."""
+
+
 def firmware_of(drone: DroneConfig) -> Firmware:
-    """Return the computer of a simulated drone, by the form of its setpoints."""
+    """Return the computer of a simulated drone: its model's own, or by its form of setpoints."""
+    if drone.kind in OWN_FIRMWARE:
+        module, name = OWN_FIRMWARE[drone.kind]
+        own: Firmware = getattr(import_module(module), name)(drone)
+        return own
     form = drone.airframe.capabilities.form
     return Firmware(drone) if form is SetpointForm.TILT_AND_CLIMB else SetpointFirmware(drone)
 

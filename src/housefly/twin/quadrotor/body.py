@@ -109,7 +109,7 @@ def _hull(config: DroneConfig, standing_height: float, body: str) -> list[str]:
         (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut),
         (-x, cut - y), (cut - x, -y), (x - cut, -y), (x, cut - y),
     ]  # fmt: skip
-    plate = min(_PLATE_HEIGHT, half_height)
+    plate_height = min(_PLATE_HEIGHT, half_height)
     solid = (
         f'group="{HULL_GROUP}" mass="0" friction="0.6 0.005 0.0001" solref="0.02 1" rgba="{_FOAM}"'
     )
@@ -119,7 +119,7 @@ def _hull(config: DroneConfig, standing_height: float, body: str) -> list[str]:
         for n, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True))
     ]
     plate = (
-        f'<geom name="{body}_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, plate)}"'
+        f'<geom name="{body}_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, plate_height)}"'
         f" {solid}/>"
     )
     belly = (

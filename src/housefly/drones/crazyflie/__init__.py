@@ -1,0 +1,1 @@
+"""The Crazyflie over CRTP; docs/drones/crazyflie.md."""

@@ -1,0 +1,1 @@
+"""The simulated Crazyflie: its computer, and its side of CRTP."""

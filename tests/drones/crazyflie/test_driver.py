@@ -1,0 +1,220 @@
+"""The driver on a real socket against the simulated drone's own server, in real time."""
+
+from __future__ import annotations
+
+import asyncio
+from math import cos, dist, hypot, sin
+
+import pytest
+from crazyflie_room import CrazyflieRoom, crazyflie_room
+
+from housefly.clock import RealClock
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
+from housefly.drones.crazyflie.driver import Crazyflie
+from housefly.drones.crazyflie.reports import OwnState
+from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER
+from housefly.errors import LinkError
+from housefly.geometry import euler_from_quaternion
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    KnownMotion,
+    PositionSetpoint,
+    Setpoint,
+    VelocitySetpoint,
+)
+from housefly.messages.steering import flying
+from housefly.twin.contracts import FlightState, GroundTruth
+from housefly.twin.crazyflie.supervisor import SupervisorState
+
+pytestmark = [pytest.mark.wire, pytest.mark.slow]
+
+FORWARD = flying(Setpoint(theta=0.1))
+
+
+def lean(truth: GroundTruth) -> float:
+    phi, theta, _ = euler_from_quaternion(truth.pose.orientation)
+    return hypot(phi, theta)
+
+
+def fastest_sinking(room: CrazyflieRoom, since: int) -> float:
+    return max(-truth.velocity[2] for truth in room.trail[since:])
+
+
+async def test_connecting_sets_it_to_take_poses_and_reads_its_limits_back(
+    room: CrazyflieRoom,
+) -> None:
+    await room.driver.connect()
+    kept = room.server.values
+    assert kept["stabilizer.estimator"] == 2.0
+    assert kept["posCtlPid.rLimit"] == kept["posCtlPid.pLimit"] == pytest.approx(12.03, abs=0.01)
+    assert room.driver.firmware == "2026.08" and room.driver.decks == ()
+    await room.until(lambda: room.driver.telemetry_rate_hz > 50, Action.IDLE)
+    report = room.driver.telemetry
+    assert report is not None and report.configured and report.status is DroneStatus.LANDED
+    assert report.battery == 0.9 and report.faults == ()
+    assert room.server.malformed == 0
+
+
+async def test_a_whole_flight_by_lean_by_velocity_and_to_a_place(room: CrazyflieRoom) -> None:
+    await room.fly()
+    assert room.height == pytest.approx(1.0, abs=0.1)
+    yaw = room.world.truth().pose.yaw
+    await room.hold(FORWARD, 0.5)
+    report = room.driver.telemetry
+    assert report is not None and report.theta == pytest.approx(0.1, abs=0.02)
+    vx, vy, _ = room.world.truth().velocity
+    assert vx * cos(yaw) + vy * sin(yaw) > 0.2
+    await room.hold(Action.HOVER, 1.5)
+    assert hypot(*room.world.truth().velocity[:2]) < 0.1
+    await room.hold(flying(VelocitySetpoint(left=0.3)), 1.0)
+    vx, vy, _ = room.world.truth().velocity
+    assert vy * cos(yaw) - vx * sin(yaw) == pytest.approx(0.3, abs=0.1)
+    x, y, _ = room.world.truth().pose.position
+    await room.hold(flying(PositionSetpoint(x + 0.4, y, 1.2)), 3.0)
+    assert dist(room.world.truth().pose.position, (x + 0.4, y, 1.2)) < 0.08
+    since = len(room.trail)
+    await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+    assert room.height < 0.03 and fastest_sinking(room, since) < 1.3
+    assert room.world.contact_log == ()
+    await room.until(lambda: room.status is DroneStatus.FLYING, Action.TAKE_OFF)
+    assert room.height > 0.85, "and once more"
+
+
+async def test_a_silent_pilot_lets_it_stand_and_sink_and_it_is_down_without_a_crash(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    await room.hold(FORWARD, 0.4)
+    velocity = room.world.truth().velocity
+    moving = KnownMotion(forward=hypot(*velocity[:2]), left=0.0)
+    room.driver.send(FORWARD, moving)
+    since = len(room.trail)
+    await asyncio.sleep(HOVER_AFTER + 1.2)
+    assert hypot(*room.world.truth().velocity[:2]) < 0.2
+    async with asyncio.timeout(20.0):
+        while room.firmware.supervisor.is_flying:
+            await asyncio.sleep(0.05)
+    assert LAND_AFTER < 20.0 and fastest_sinking(room, since) < 0.6
+    assert room.firmware.supervisor.state is not SupervisorState.LOCKED
+
+
+async def test_a_dead_driver_is_the_drones_own_affair_level_at_once_and_cut_after_two_seconds(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    await room.hold(FORWARD, 0.4)
+    await room.driver.close()
+    died, since = room.world.now, len(room.trail)
+    async with asyncio.timeout(10.0):
+        while room.world.onboard().flight is not FlightState.EMERGENCY:
+            await asyncio.sleep(0.02)
+    assert room.world.now - died == pytest.approx(2.0, abs=0.3)
+    level = next(t.at for t in room.trail[since:] if t.at - died > 0.3 and lean(t) < 0.03)
+    assert level - died < 0.9
+    await asyncio.sleep(1.0)
+    assert room.height < 0.1
+
+
+async def test_a_driver_that_dies_in_a_landing_leaves_one_that_ends_softly(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    await room.hold(Action.LAND, 0.5)
+    since = len(room.trail)
+    await room.driver.close()
+    async with asyncio.timeout(10.0):
+        while room.world.onboard().flight is not FlightState.LANDED:
+            await asyncio.sleep(0.02)
+    assert fastest_sinking(room, since) < 1.3 and room.height < 0.03
+    assert room.firmware.supervisor.state is not SupervisorState.LOCKED
+
+
+async def test_told_to_land_without_tracking_it_sinks_level_and_its_motors_stop(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    room.tracked = False
+    await room.hold(flying(Setpoint()), 0.5)
+    since = len(room.trail)
+    await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+    assert fastest_sinking(room, since) < 0.6 and room.height < 0.03
+    assert max(map(lean, room.trail[since:])) < 0.06
+
+
+async def test_a_pilot_that_lets_it_sink_without_tracking_need_not_know_when_it_is_down(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    room.tracked = False
+    since, began = len(room.trail), room.world.now
+    sinking = flying(Setpoint(vz=-0.3))
+    await room.until(lambda: room.status is DroneStatus.LANDED, sinking)
+    assert room.world.now - began < 8.0
+    assert fastest_sinking(room, since) < 0.6 and room.height < 0.03
+
+
+async def test_it_does_not_take_off_while_it_believes_to_be_elsewhere(
+    room: CrazyflieRoom,
+) -> None:
+    room.tracked = False
+    await room.driver.connect()
+    await room.hold(Action.TAKE_OFF, 1.0)
+    assert room.status is DroneStatus.LANDED
+    room.tracked = True
+    room.server.values["stabilizer.estimator"] = 1.0
+    await room.until(lambda: "believes to be" in room.driver.problem, Action.IDLE)
+    await room.hold(Action.TAKE_OFF, 1.0)
+    assert room.status is DroneStatus.LANDED and room.height < 0.03
+
+
+async def test_cutting_the_motors_locks_it_and_it_says_what_to_do(room: CrazyflieRoom) -> None:
+    await room.fly()
+    await room.until(lambda: room.status is DroneStatus.EMERGENCY, Action.CUT)
+    await room.until(lambda: room.height < 0.05, Action.CUT)
+    assert "switch it off and on" in room.driver.problem
+    await room.hold(Action.RESET, 0.5)
+    assert room.status is DroneStatus.EMERGENCY
+    room.world.toggle_emergency()
+    await room.until(lambda: room.status is DroneStatus.LANDED, Action.IDLE)
+
+
+async def test_a_drone_that_was_restarted_is_set_and_read_again(room: CrazyflieRoom) -> None:
+    await room.driver.connect()
+    await room.until(lambda: room.driver.connected, Action.IDLE)
+    await room.server.stop()
+    await asyncio.sleep(0.7)
+    assert not room.driver.connected
+    server = type(room.server)(room.world, room.driver._config.address)
+    room.server = server
+    await server.start()
+    await room.until(lambda: room.driver.connected and not room.driver.problem, Action.IDLE)
+    assert server.values["stabilizer.estimator"] == 2.0
+
+
+async def test_a_brushless_one_is_armed_when_it_is_to_take_off_and_disarms_by_itself(
+    loopback: str,
+) -> None:
+    async with crazyflie_room(loopback, "crazyflie_brushless") as room:
+        await room.driver.connect()
+        await room.until(lambda: room.driver.connected and not room.driver.problem, Action.IDLE)
+        await room.hold(Action.IDLE, 0.5)
+        assert not room.firmware.supervisor.is_armed
+        await room.until(lambda: room.status is DroneStatus.FLYING, Action.TAKE_OFF)
+        assert room.firmware.supervisor.is_armed
+        await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+        await room.until(lambda: not room.firmware.supervisor.is_armed, Action.IDLE)
+
+
+async def test_nobody_there_is_said_in_words(loopback: str) -> None:
+    config = DroneConfig(kind="crazyflie", address=loopback)
+    driver = Crazyflie(config, LimitsConfig(), RealClock())
+    with pytest.raises(LinkError, match="no Crazyflie answers at"):
+        await driver.connect()
+    await driver.close()
+
+
+def test_a_state_that_was_never_told_is_neither_flying_nor_configured() -> None:
+    report = OwnState().report(DroneStatus.LANDED, configured=True, notes=())
+    assert not report.configured and not OwnState().is_flying
