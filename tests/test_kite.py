@@ -29,8 +29,8 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.sites.loaded_site import LoadedSite, load_site
-from housefly.twin.ardrone.link import LinkFilters
 from housefly.twin.drone_servers import server_of
+from housefly.twin.link_filters import LinkFilters
 from housefly.twin.setpoint_firmware import SetpointFirmware
 from housefly.twin.world import SimulatedWorld
 

@@ -7,19 +7,14 @@ import socket
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from housefly.config.airframe import installed_models
 from housefly.config.site import Site
 from housefly.config.tracking import MocapWire
 from housefly.errors import LinkError
+from housefly.twin.drone_servers import PORTS
 
-_DRONE_PORTS = (
-    (5554, socket.SOCK_DGRAM, "UDP"),
-    (5556, socket.SOCK_DGRAM, "UDP"),
-    (5555, socket.SOCK_STREAM, "TCP"),
-    (5559, socket.SOCK_STREAM, "TCP"),
-)
 _BESIDE = ", or run a simulated room beside it: --instance 2"
 _TCP, _UDP = (socket.SOCK_STREAM, "TCP"), (socket.SOCK_DGRAM, "UDP")
+_KINDS = {word: (kind, word) for kind, word in (_TCP, _UDP)}
 _TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str], ...]]] = {
     "vicon": ("port", (_TCP,)),
     "natnet": ("natnet_port", (_UDP,)),
@@ -51,10 +46,11 @@ def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
     """Return the ports that a site needs on this machine, and which are in use."""
     needs = []
     for drone in site.all_drones if site.twin.enabled else ():
-        if drone.enabled and drone.kind not in installed_models():
+        if drone.enabled and drone.kind in PORTS:
             of = f" {drone.name}" if len(site.drone_names) > 1 else ""
             remedy = "drone.address, for example 127.0.0.2"
-            needs.append(_need(f"simulated drone{of}", drone.address, _DRONE_PORTS, remedy))
+            ports = [(port, *_KINDS[word]) for port, word in PORTS[drone.kind]]
+            needs.append(_need(f"simulated drone{of}", drone.address, ports, remedy))
     if site.twin.enabled:
         if site.tracking.enabled:
             needs += [_tracking_need(site, wire) for wire in site.served_wires]

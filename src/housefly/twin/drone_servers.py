@@ -8,8 +8,8 @@ from typing import Protocol
 from housefly.config.airframe import installed_models
 from housefly.errors import ConfigError
 from housefly.twin.address import check_address
-from housefly.twin.ardrone.link import LinkFilters
 from housefly.twin.contracts import TwinDrone
+from housefly.twin.link_filters import LinkFilters
 
 
 class DroneServer(Protocol):
@@ -30,6 +30,12 @@ SERVERS = {
     "crazyflie_brushless": ("housefly.twin.crazyflie.server", "CrazyflieServer"),
 }
 """Module and class of what serves each of our own models."""
+PORTS: dict[str, tuple[tuple[int, str], ...]] = {
+    "ardrone": ((5554, "UDP"), (5556, "UDP"), (5555, "TCP"), (5559, "TCP")),
+    "crazyflie": ((19850, "UDP"),),
+    "crazyflie_brushless": ((19850, "UDP"),),
+}
+"""What each of these listens on."""
 
 
 def server_of(

@@ -13,8 +13,9 @@ from typing import Any
 
 from housefly.twin.address import PeerAddress
 from housefly.twin.ardrone.config_store import ConfigStore
-from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Deliver, Link
+from housefly.twin.ardrone.link import LINK_LOST_AFTER, Link
 from housefly.twin.contracts import TwinDrone
+from housefly.twin.link_filters import UNFILTERED, Deliver
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import MulticonfigIds
 from housefly.wires.ardrone.conversions import stick_from_pcmd

@@ -11,9 +11,10 @@ import asyncio
 
 from housefly.bus.rate import Rate
 from housefly.twin.address import PeerAddress
-from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Link, LinkFilters
+from housefly.twin.ardrone.link import LINK_LOST_AFTER, Link
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
 from housefly.twin.contracts import TwinDrone
+from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, REQUEST_MULTICAST, REQUEST_UNICAST
 
 _FULL_RATE_HZ = 200.0

@@ -15,11 +15,12 @@ from housefly.twin.ardrone.command_server import CommandServer
 from housefly.twin.ardrone.config_store import ConfigStore
 from housefly.twin.ardrone.control_server import ControlServer
 from housefly.twin.ardrone.ftp_server import FtpServer
-from housefly.twin.ardrone.link import UNFILTERED, Counters, Link, LinkFilters
+from housefly.twin.ardrone.link import Counters, Link
 from housefly.twin.ardrone.navdata_server import NavdataServer
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
 from housefly.twin.ardrone.video_server import PAVE_HEADER_SIZE, VideoServer
 from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinDrone
+from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.wires.ardrone import at
 
 _LED_KEY = "leds:leds_anim"

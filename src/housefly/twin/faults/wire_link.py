@@ -5,11 +5,11 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 
-from housefly.twin.ardrone.link import Deliver, LinkFilters
 from housefly.twin.contracts import EncodedPicture
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.packet_stream import PacketCodec, PacketStream, noise_bytes
 from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.link_filters import Deliver, LinkFilters
 from housefly.wires.ardrone.at import encode_datagram, parse_datagram
 
 _COMMANDS = PacketCodec(noise_bytes, lambda old, new: _renumbered(old, new))
