@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.config.airframe import Airframe, airframe_named
+from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec3
+
+_USUAL: str = DroneConfig.model_fields["kind"].default
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +31,8 @@ class Mechanics:
 
 
 def mechanics_of(airframe: Airframe) -> Mechanics:
-    """Return the mechanics of a model; what it leaves out is an AR.Drone's, for its mass."""
-    body, usual = airframe.body, airframe_named("ardrone").body
+    """Return the mechanics of a model; what it leaves out is the usual drone's, for its mass."""
+    body, usual = airframe.body, airframe_named(_USUAL).body
     share = body.mass / usual.mass
     tilt = body.inertia_tilt or share * (usual.inertia_tilt or 0.0)
     turn = body.inertia_turn or share * (usual.inertia_turn or 0.0)
@@ -42,4 +45,5 @@ def mechanics_of(airframe: Airframe) -> Mechanics:
     )
 
 
-ARDRONE = mechanics_of(airframe_named("ardrone"))
+USUAL = mechanics_of(airframe_named(_USUAL))
+"""Of the model that a site has which names none."""

@@ -12,14 +12,14 @@ from math import cos, inf, radians, sin
 from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec2, wrap_angle
 from housefly.messages import AnySetpoint, Pose, PositionSetpoint, Setpoint, VelocitySetpoint
-from housefly.twin.ardrone.firmware import Firmware
-from housefly.twin.ardrone.inner_loops import LoopReferences
+from housefly.messages.stick import Stick
 from housefly.twin.contracts import FlightState
 from housefly.twin.crazyflie.estimator import PlaceEstimator
 from housefly.twin.crazyflie.planner import Planner, PlanState
 from housefly.twin.crazyflie.supervisor import LEVEL_AFTER, Supervisor, SupervisorState
+from housefly.twin.quadrotor.firmware import Firmware
+from housefly.twin.quadrotor.inner_loops import LoopReferences
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, SensorReading, Wrench
-from housefly.wires.ardrone.conversions import Stick
 from housefly.wires.crazyflie.high_level import HighLevelOrder, Land, TakeOff
 from housefly.wires.crazyflie.localization import ToldPose
 from housefly.wires.crazyflie.setpoints import (

@@ -12,7 +12,6 @@ from typing import cast
 
 from housefly.errors import ConfigError, LinkError, WireError
 from housefly.twin.address import PeerAddress, check_address
-from housefly.twin.ardrone.link import UNFILTERED, LinkFilters
 from housefly.twin.contracts import TwinDrone
 from housefly.twin.crazyflie.firmware import CrazyflieFirmware
 from housefly.twin.crazyflie.log_service import LogService
@@ -21,6 +20,7 @@ from housefly.twin.crazyflie.variables import (
     PARAMETER_ENTRIES,
     default_parameters,
 )
+from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.wires.crazyflie import high_level, localization, log_blocks, parameters, tables
 from housefly.wires.crazyflie import supervisor as words
 from housefly.wires.crazyflie.crtp import (

@@ -14,14 +14,14 @@ from housefly.config.airframe import Airframe, airframe_named
 from housefly.config.capabilities import OnboardCamera
 from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
-from housefly.twin.drone_mechanics import ARDRONE, Mechanics, mechanics_of
+from housefly.twin.drone_mechanics import USUAL, Mechanics, mechanics_of
 
 _AIRFRAME = airframe_named("ardrone")
 DRONE_MASS = _AIRFRAME.body.mass
 """With indoor hull [kg]."""
-INERTIA = ARDRONE.inertia
+INERTIA = USUAL.inertia
 """Principal moments [kg m^2]: a flat body with all mass at the motors' radius, an upper bound."""
-MOTOR_ARM = ARDRONE.rotor_arm
+MOTOR_ARM = USUAL.rotor_arm
 """Distance of each motor from the x and y axes [m]."""
 _ROTOR_RADIUS = 0.1
 STANDING_HEIGHT = _AIRFRAME.body.standing_height

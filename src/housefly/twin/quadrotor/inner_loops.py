@@ -15,7 +15,7 @@ from housefly.config.twin import RATE_POLE
 from housefly.geometry import GRAVITY
 from housefly.messages.stick import Stick
 from housefly.twin.contracts import OnboardLimits
-from housefly.twin.drone_mechanics import ARDRONE, mechanics_of
+from housefly.twin.drone_mechanics import USUAL, mechanics_of
 from housefly.twin.simulated_body import CONTROL_PERIOD, SensorReading, Wrench
 
 _SINK_FACTOR = 2.0
@@ -27,7 +27,7 @@ _BRAKE_POLE = 2.0
 _TRIM_POLE = 0.4
 _TRIM_SPEED = 0.3
 """Integral gain of the hover [1/s^2], active below this speed [m/s]; learns the attitude offset."""
-THRUST_MAX = ARDRONE.thrust_max
+THRUST_MAX = USUAL.thrust_max
 """Four motors of an AR.Drone at full throttle [N]."""
 _ANGULAR_ACCELERATION_MAX = 300.0
 """Bound of torque over inertia [rad/s^2]; tames a crash."""

@@ -7,14 +7,14 @@ that more of their thrust turns the drone to the left.
 from __future__ import annotations
 
 from housefly.twin.disturbance import MotorGains
-from housefly.twin.drone_mechanics import ARDRONE, Mechanics
+from housefly.twin.drone_mechanics import USUAL, Mechanics
 from housefly.twin.simulated_body import MOTORS_OFF, Wrench
 
 _YAW_ARM = 0.02
 """Torque about z over thrust of one rotor [m]; typical of propellers of this size."""
 
 
-def motor_duties(wrench: Wrench, mechanics: Mechanics = ARDRONE) -> MotorGains:
+def motor_duties(wrench: Wrench, mechanics: Mechanics = USUAL) -> MotorGains:
     """Return the duty cycles of the four motors, 0 to 1; turning left or right is left out."""
     if wrench.thrust <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
@@ -29,7 +29,7 @@ def achieved_wrench(
     wrench: Wrench,
     gains: MotorGains,
     voltage_share: float = 1.0,
-    mechanics: Mechanics = ARDRONE,
+    mechanics: Mechanics = USUAL,
 ) -> Wrench:
     """Return what motors make of a wrench.
 
