@@ -19,7 +19,7 @@ from housefly.pilot.safety.rules import SAFETY_RULES
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = sorted(
-    [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "examples").glob("*.md")]
+    [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").glob("*.md")]
 )
 SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
 REFERENCE = re.compile(r"`([\w/.]+\.py)(?:::([\w.]+))?`")

@@ -10,10 +10,11 @@ from fuzz_new_page import NEW_PAGE
 from fuzz_room_wires import ROOM_WIRES
 from fuzz_target import FuzzTarget
 from fuzz_tasks import TASKS
+from fuzz_tello import TELLO
 from fuzz_twin import TWIN
 from fuzz_web import WEB
 
 TARGETS: dict[str, FuzzTarget] = {
     **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **TWIN, **WEB,
-    **NEW_PAGE, **IMPORTS,
+    **NEW_PAGE, **IMPORTS, **TELLO,
 }  # fmt: skip

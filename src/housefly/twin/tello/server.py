@@ -162,7 +162,8 @@ class TelloServer:
         """Obey a line; return the answer, None for one that comes later or never."""
         match line:
             case Sticks():
-                return self._steer(line)
+                self._steer(line)
+                return None
             case Question():
                 return value(self._told(line))
             case SetSpeed(speed):
@@ -181,7 +182,8 @@ class TelloServer:
                 return DONE
             case Word.STOP:
                 self._awaited = None
-                return self._steer(Sticks()) or DONE
+                self._steer(Sticks())
+                return DONE
             case Word.STREAM_ON | Word.STREAM_OFF:
                 self._streams = line is Word.STREAM_ON
                 return DONE

@@ -116,7 +116,7 @@ def encode_line(line: Line) -> bytes:
     """Return the datagram of a line; raises WireError for a number that it must not hold."""
     match line:
         case Word() | Question():
-            return line.value.encode()
+            text = str(line.value)
         case Sticks(right, ahead, up, clockwise):
             text = _told("rc", (right, ahead, up, clockwise), (_STICK,) * 4)
         case Step(direction, amount):
