@@ -199,3 +199,14 @@ def test_one_that_starts_anew_is_asked_for_everything_again() -> None:
     vehicle.hear(ParameterReport("FS_GCS_ENABLE", 5.0, 0.0), 1.0)
     vehicle.hear(AttitudeReport((0.0, 0.0, 0.0), 3.0), 2.0)
     assert vehicle.restarts == 1 and not vehicle.has_origin and not vehicle.parameters
+
+
+def test_a_heading_that_it_takes_over_from_our_poses_is_no_turn_of_its_own() -> None:
+    vehicle, told = Vehicle(PX4), []
+    headings = (0.0, 0.01, 3.1, 3.12, -3.13, -3.1)
+    for number, heading in enumerate(headings):
+        vehicle.hear(AttitudeReport((0.0, 0.0, heading), 5.0 + 0.02 * number), 1.0)
+        report = vehicle.report(1.0, configured=True, notes=())
+        assert report is not None
+        told.append(report.psi)
+    assert told == pytest.approx([0.0, 0.01, 0.01, 0.03, 0.0631853, 0.0931853], abs=1e-6)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 
 from housefly.drones.mavlink.refusals import Refusals
-from housefly.geometry import Vec3
+from housefly.geometry import Vec3, wrap_angle
 from housefly.messages import DroneFault, DroneStatus, Telemetry
 from housefly.messages.words import Words
 from housefly.wires.mavlink.autopilots import Autopilot
@@ -27,6 +27,8 @@ HEARTBEAT_AGE_MAX = 3.0
 """Without a heartbeat for longer its mode and arming are not known [s]; they come each second."""
 _LOW = 0.2
 """A charge below this is told as low, whatever the vehicle calls low."""
+_TURN_RATE_MAX, _TURN_SLACK = 3.0, 0.05
+"""It turns no faster than this [rad/s], and its heading is no rougher [rad]."""
 _STATUS = {
     Landed.UNKNOWN: DroneStatus.UNKNOWN,
     Landed.ON_GROUND: DroneStatus.LANDED,
@@ -65,6 +67,8 @@ class Vehicle:
         self._state = SystemState.UNKNOWN
         self._attitude: Vec3 = (0.0, 0.0, 0.0)
         self._time: float | None = None
+        self._heading: float | None = None
+        self._turned = 0.0
         self._charge: float | None = None
         self._times: deque[float] = deque()
 
@@ -95,7 +99,14 @@ class Vehicle:
     def _move(self, report: AttitudeReport, now: float) -> None:
         if self._time is not None and report.time < self._time - 1.0:
             self._forget()
-        self._attitude, self._time = report.attitude, report.time
+        roll, pitch, heading = report.attitude
+        if self._time is not None and self._heading is not None:
+            turned = wrap_angle(heading - self._heading)
+            # it takes its heading from our poses: what it takes over at once is no turn of its own
+            may_turn = _TURN_RATE_MAX * abs(report.time - self._time) + _TURN_SLACK
+            self._turned += turned if abs(turned) <= may_turn else 0.0
+        self._attitude = roll, pitch, wrap_angle(self._turned)
+        self._heading, self._time = heading, report.time
         self._times.append(now)
 
     def _forget(self) -> None:
