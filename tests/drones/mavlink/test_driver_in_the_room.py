@@ -65,7 +65,7 @@ async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback:
         DroneConfig(kind="arducopter", address=f"tcp:{loopback}:5999"), LimitsConfig(), RealClock()
     )
     try:
-        with pytest.raises(LinkError, match=r"no ArduCopter answers at tcp:.*:5999 within 5 s"):
+        with pytest.raises(LinkError, match=r"nobody answers at tcp:.*:5999; is ArduCopter"):
             await drone.connect()
         assert "no ArduCopter answers" in drone.problem and not drone.connected
     finally:

@@ -189,7 +189,7 @@ def test_what_must_be_set_is_asked_for_and_named_with_what_is_allowed() -> None:
     vehicle.hear(ParameterReport("FS_GCS_ENABLE", 5.0, 0.0), 1.0)
     assert checks.is_done
     vehicle.hear(Heartbeat(12, 4, False, SystemState.STANDBY), 1.0)
-    assert checks.notes == ("another autopilot answers (MAV_AUTOPILOT 12) than ArduCopter",)
+    assert checks.notes == ("what answers at MAVLink does not speak ArduCopter (MAV_AUTOPILOT 12)",)
 
 
 def test_one_that_starts_anew_is_asked_for_everything_again() -> None:

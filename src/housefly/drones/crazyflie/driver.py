@@ -200,8 +200,7 @@ class Crazyflie:
         except LinkError as error:
             raise LinkError(
                 Words(
-                    "no Crazyflie answers at {name}: is it switched on, and does its link speak"
-                    " UDP?",
+                    "nobody answers at {name}; is it switched on, and in this network?",
                     name=f"{self._config.address}:{UDP_PORT}",
                 )
             ) from error
@@ -225,7 +224,7 @@ class Crazyflie:
             async with asyncio.timeout(FIRST_REPORT_TIMEOUT):
                 await self._heard.wait()
         except TimeoutError as error:
-            raise LinkError(Words("the Crazyflie answers, but sends no reports")) from error
+            raise LinkError(Words("it answers, but sends no reports")) from error
         self._is_configured, self._problem = True, UNSAID
 
     async def _read_versions(self) -> None:
@@ -241,9 +240,10 @@ class Crazyflie:
         if not isinstance(protocol, int) or protocol < PROTOCOL_MIN:
             raise LinkError(
                 Words(
-                    "the Crazyflie speaks CRTP {n}; needed is {more}: update its firmware",
-                    n=figure(float(protocol), "g"),
-                    more=figure(PROTOCOL_MIN, "g"),
+                    "what answers at {name} does not speak {protocol} ({error})",
+                    name=f"{self._config.address}:{UDP_PORT}",
+                    protocol=f"CRTP {PROTOCOL_MIN}",
+                    error=f"CRTP {protocol}",
                 )
             )
         self._manoeuvres.protocol = protocol

@@ -50,7 +50,7 @@ _WORDS: tuple[tuple[SupervisorInfo, Words], ...] = (
         SupervisorInfo.IS_LOCKED,
         Words("the drone has locked itself: switch it off and on"),
     ),
-    (SupervisorInfo.IS_TUMBLED, Words("the drone lies on its side or its back: set it upright")),
+    (SupervisorInfo.IS_TUMBLED, Words("the drone leans")),
     (SupervisorInfo.IS_CRASHED, Words("the drone has crashed: look it over, then reset")),
     (
         SupervisorInfo.DECK_FAULT,

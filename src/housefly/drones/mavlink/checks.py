@@ -67,14 +67,15 @@ class Checks:
         if vehicle.is_another:
             return (
                 Words(
-                    "another autopilot answers (MAV_AUTOPILOT {number}) than {name}",
-                    number=str(vehicle.found),
-                    name=vehicle.autopilot.name,
+                    "what answers at {name} does not speak {protocol} ({error})",
+                    name="MAVLink",
+                    protocol=vehicle.autopilot.name,
+                    error=f"MAV_AUTOPILOT {vehicle.found}",
                 ),
             )
         lacking = [self._lacking(need.name) for need in vehicle.autopilot.needs]
         if not vehicle.knows_charge:
-            lacking.append(Words("the drone does not tell its charge yet"))
+            lacking.append(_untold("BATTERY_STATUS"))
         if not vehicle.has_origin:
             lacking.append(_NO_ORIGIN)
         return tuple(filter(None, lacking))
@@ -83,7 +84,7 @@ class Checks:
         need = next(need for need in self._vehicle.autopilot.needs if need.name == name)
         value = self._vehicle.parameters.get(name)
         if value is None:
-            return Words("the drone does not tell its {setting} yet", setting=name)
+            return _untold(name)
         if need.meets(value):
             return None
         return Words(
@@ -93,3 +94,7 @@ class Checks:
             value=f"{value:g}",
             why=need.why,
         )
+
+
+def _untold(setting: str) -> Words:
+    return Words("the drone does not tell its {setting} yet", setting=setting)

@@ -19,7 +19,7 @@ from housefly.drones.mavlink.vehicle import Vehicle
 from housefly.errors import LinkError, MissingPartError
 from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
 from housefly.messages.sensing import REPORT_AGE_MAX
-from housefly.messages.words import UNSAID, Words, error_words, figure, joined
+from housefly.messages.words import UNSAID, Words, error_words, joined
 from housefly.wires.mavlink import requests
 from housefly.wires.mavlink.autopilots import AUTOPILOTS, FlightMode
 from housefly.wires.mavlink.endpoint import endpoint_of
@@ -125,11 +125,9 @@ class MavlinkDrone:
                 await self._heard.wait()
         except TimeoutError as error:
             self._trouble = Words(
-                "no {name} answers at {place} within {n} s: is it on, and does it send MAVLink"
-                " there?",
-                name=self._autopilot.name,
-                place=str(endpoint),
-                n=figure(FIRST_REPORT_TIMEOUT, "g"),
+                "nobody answers at {name}; is {what} running, and does it stream?",
+                name=str(endpoint),
+                what=self._autopilot.name,
             )
             raise LinkError(self._trouble) from error
 

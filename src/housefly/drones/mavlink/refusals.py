@@ -9,6 +9,11 @@ from housefly.messages.words import Words, joined, literal
 from housefly.wires.mavlink.reports import Answer, Result, Said
 from housefly.wires.mavlink.requests import CommandId
 
+
+def _refused(what: str) -> Words:
+    return Words("the drone will not {what}", what=what)
+
+
 _GRAVE = 4
 """Lines up to this severity are warnings, or worse."""
 _KEPT_FOR = 6.0
@@ -17,16 +22,16 @@ _REFUSED_FOR = 4.0
 """A refusal is told for so long after it was heard last [s]: orders are repeated each second."""
 _LINES_MAX = 3
 _WANTED = {
-    CommandId.ARM: Words("the drone will not arm"),
-    CommandId.SET_MODE: Words("the drone will not change its mode"),
-    CommandId.TAKE_OFF: Words("the drone will not take off"),
+    CommandId.ARM: _refused("arm"),
+    CommandId.SET_MODE: _refused("change its mode"),
+    CommandId.TAKE_OFF: _refused("take off"),
 }
 _RESULTS = {
     Result.TEMPORARILY_REJECTED: Words("not now"),
     Result.DENIED: Words("denied"),
-    Result.UNSUPPORTED: Words("it does not know that command"),
-    Result.FAILED: Words("it failed"),
-    Result.CANCELLED: Words("cancelled"),
+    Result.UNSUPPORTED: Words("denied"),
+    Result.FAILED: Words("denied"),
+    Result.CANCELLED: Words("it was cancelled"),
 }
 
 

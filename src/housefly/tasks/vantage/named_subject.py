@@ -134,7 +134,7 @@ def _floor_view(
     view = views[number - 1]
     if is_reachable(viewing, view.position, drone, known, now):
         return view
-    words = Words("there is no free way to where {name} is seen from", name=view.subject)
+    words = Words("there is no free way to where {name} can be seen from", name=view.subject)
     raise TaskError(words, ReasonCode.NO_WAY.value)
 
 
@@ -160,7 +160,7 @@ def named_subject(
     except ThingError as error:
         return _modelled(name, room, str(error))
     except LinkError:
-        return _modelled(name, room, Words("nobody remembers where {name} is", name=name))
+        return _modelled(name, room, Words("nobody knows where {name} is", name=name))
     if answer.thing in seen:
         return _person(answer.name, seen[answer.thing].position, room, ask, answer.thing)
     holder = next((seen[one] for one in answer.inside if one in seen), None)

@@ -1,1 +1,1 @@
-import"./chunk-chunk-3JDQFTOK.js";
+import"./chunk-chunk-REMONM44.js";

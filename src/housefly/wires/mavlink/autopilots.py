@@ -101,6 +101,9 @@ def _px4(main: int, sub: int = 0) -> FlightMode:
 _GUIDED, _COPTER_LAND = FlightMode(4), FlightMode(9)
 _OFFBOARD, _HOLD, _PX4_TAKE_OFF, _PX4_LAND = _px4(6), _px4(4, 3), _px4(4, 2), _px4(4, 6)
 
+_FLIES_ON = Words("it flies on when the ground falls silent")
+_NO_POSES = Words("it does not fly by the poses that we send")
+
 AUTOPILOTS: dict[str, Autopilot] = {
     "arducopter": Autopilot(
         name="ArduCopter",
@@ -116,13 +119,10 @@ AUTOPILOTS: dict[str, Autopilot] = {
         take_off_height=TAKE_OFF_HEIGHT,
         counts_by_bits=False,
         needs=(
-            ParameterNeed("FS_GCS_ENABLE", 5, 5, Words("it flies on when the ground falls silent")),
-            ParameterNeed("GUID_TIMEOUT", 0.1, 3, Words("it flies on too long when setpoints end")),
-            ParameterNeed(
-                "EK3_SRC1_POSXY", 6, 6,
-                Words("it does not fly by the poses that we send"),
-            ),
-            ParameterNeed("EK3_SRC1_YAW", 6, 6, Words("its heading is not that of the room")),
+            ParameterNeed("FS_GCS_ENABLE", 5, 5, _FLIES_ON),
+            ParameterNeed("GUID_TIMEOUT", 0.1, 3, _FLIES_ON),
+            ParameterNeed("EK3_SRC1_POSXY", 6, 6, _NO_POSES),
+            ParameterNeed("EK3_SRC1_YAW", 6, 6, _NO_POSES),
         ),
         modes={
             0: "STABILIZE", 2: "ALT_HOLD", 3: "AUTO", 4: "GUIDED", 5: "LOITER", 6: "RTL",
@@ -143,15 +143,12 @@ AUTOPILOTS: dict[str, Autopilot] = {
         take_off_height=None,
         counts_by_bits=True,
         needs=(
-            ParameterNeed("COM_OBL_RC_ACT", 4, 4, Words("it does not land when setpoints end")),
-            ParameterNeed("COM_OF_LOSS_T", 0, 1, Words("it flies on too long when setpoints end")),
-            ParameterNeed(
-                "EKF2_EV_CTRL", 9, 15,
-                Words("it does not fly by the poses that we send"),
-            ),
+            ParameterNeed("COM_OBL_RC_ACT", 4, 4, _FLIES_ON),
+            ParameterNeed("COM_OF_LOSS_T", 0, 1, _FLIES_ON),
+            ParameterNeed("EKF2_EV_CTRL", 9, 15, _NO_POSES),
             ParameterNeed(
                 "MIS_TAKEOFF_ALT", 0.8, 1.2,
-                Words("its take-off goes to another height"),
+                Words("it does not fly as it is told"),
             ),
         ),
         modes={

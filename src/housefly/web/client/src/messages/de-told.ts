@@ -985,38 +985,33 @@ export const DE_TOLD: Templates = {
   "{who} took over: {what}": "{who} hat übernommen: {what}",
   "done": "erledigt",
   "the task took too long": "die Aufgabe dauerte zu lange",
+  // what a Crazyflie complains of
+  "it does not fly as it is told":
+    "sie fliegt nicht, wie man ihr sagt",
+  "it answers, but sends no reports":
+    "sie antwortet, sendet aber keine Berichte",
+  "the drone has locked itself: switch it off and on":
+    "die Drohne hat sich gesperrt: aus- und einschalten",
+  "the drone has crashed: look it over, then reset":
+    "die Drohne ist abgestürzt: ansehen, dann zurücksetzen",
+  "the drone believes to be {d} m from where tracking sees it: do poses reach it?":
+    "die Drohne glaubt sich {d} m von dort, wo die Ortung sie sieht: Erreichen sie Posen?",
+  "a deck on the drone reports a fault: switch it off and look at the deck":
+    "ein Deck der Drohne meldet einen Fehler: ausschalten und das Deck ansehen",
   // what an ArduCopter or a PX4 is told to be set to, and refuses
   "its map has no origin yet: it must be told where it is, standing":
     "ihre Karte hat noch keinen Ursprung: Man muss ihr im Stehen sagen, wo sie ist",
   "set {setting} to {allowed} on the drone (it is {value}): {why}":
     "an der Drohne {setting} auf {allowed} setzen (jetzt {value}): {why}",
   "the drone does not tell its {setting} yet": "die Drohne meldet ihr {setting} noch nicht",
-  "another autopilot answers (MAV_AUTOPILOT {number}) than {name}":
-    "ein anderer Autopilot (MAV_AUTOPILOT {number}) antwortet als {name}",
-  "the drone does not tell its charge yet": "die Drohne meldet ihre Ladung noch nicht",
   "somebody else flies it, or it does by itself (mode {mode})":
     "jemand anders fliegt sie, oder sie sich selbst (Modus {mode})",
-  "no {name} answers at {place} within {n} s: is it on, and does it send MAVLink there?":
-    "kein {name} antwortet innerhalb von {n} s unter {place}:" +
-      " Ist er an, und sendet er dort MAVLink?",
-  "the drone will not arm": "die Drohne lässt sich nicht scharf schalten",
-  "the drone will not change its mode": "die Drohne wechselt ihren Modus nicht",
-  "the drone will not take off": "die Drohne startet nicht",
+  "the drone will not {what}": "die Drohne weigert sich: {what}",
   "denied": "abgelehnt",
-  "it does not know that command": "sie kennt diesen Befehl nicht",
-  "it failed": "es ist misslungen",
-  "cancelled": "abgebrochen",
   "it flies on when the ground falls silent": "sie fliegt weiter, wenn der Boden schweigt",
-  "it flies on too long when setpoints end":
-    "sie fliegt zu lange weiter, wenn keine Sollwerte mehr kommen",
   "it does not fly by the poses that we send": "sie fliegt nicht nach den Posen, die wir senden",
-  "its heading is not that of the room": "ihre Richtung ist nicht die des Raums",
-  "it does not land when setpoints end": "sie landet nicht, wenn keine Sollwerte mehr kommen",
-  "its take-off goes to another height": "ihr Start führt auf eine andere Höhe",
   // what cannot be looked at
   "there is no free way to where {name} can be seen from":
-    "kein freier Weg führt dorthin, wo {name} zu sehen ist",
-  "there is no free way to where {name} is seen from":
     "kein freier Weg führt dorthin, wo {name} zu sehen ist",
   "there is no place within {d} m of {name} where the drone may hover and tracking sees it":
     "im Umkreis von {d} m um {name} gibt es keinen Ort, wo die Drohne schweben darf und " +
@@ -1027,5 +1022,4 @@ export const DE_TOLD: Templates = {
     "{name} ist von keinem Ort zu sehen, wo die Drohne schweben darf: etwas steht dazwischen",
   "{who} is in the way": "{who} ist im Weg",
   "nobody knows where {name} is": "niemand weiß, wo {name} ist",
-  "nobody remembers where {name} is": "niemand erinnert sich, wo {name} ist",
 };

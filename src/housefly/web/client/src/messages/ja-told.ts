@@ -913,34 +913,32 @@ export const JA_TOLD: Templates = {
   "{who} took over: {what}": "{who}が操縦を引き継ぎました：{what}",
   "done": "完了",
   "the task took too long": "用事に時間がかかりすぎました",
+  // what a Crazyflie complains of
+  "it does not fly as it is told":
+    "指示どおりに飛びません",
+  "it answers, but sends no reports":
+    "応答しますが、報告を送りません",
+  "the drone has locked itself: switch it off and on":
+    "ドローンがロックされました：電源を入れ直してください",
+  "the drone has crashed: look it over, then reset":
+    "ドローンが墜落しました：点検してからリセットしてください",
+  "the drone believes to be {d} m from where tracking sees it: do poses reach it?":
+    "ドローンの推定位置が{d} m違います",
+  "a deck on the drone reports a fault: switch it off and look at the deck":
+    "デッキが故障しています：電源を切って確認してください",
   // what an ArduCopter or a PX4 is told to be set to, and refuses
   "its map has no origin yet: it must be told where it is, standing":
-    "地図の原点がまだありません：着地したまま位置を知らせる必要があります",
+    "地図の原点がまだありません",
   "set {setting} to {allowed} on the drone (it is {value}): {why}":
     "ドローンの{setting}を{allowed}に設定してください（現在{value}）：{why}",
   "the drone does not tell its {setting} yet": "ドローンが{setting}をまだ知らせません",
-  "another autopilot answers (MAV_AUTOPILOT {number}) than {name}":
-    "{name}とは別の自動操縦（MAV_AUTOPILOT {number}）が応答しました",
-  "the drone does not tell its charge yet": "ドローンが電池残量をまだ知らせません",
-  "somebody else flies it, or it does by itself (mode {mode})": "ほかの人が操縦しているか、自分で飛んでいます（モード{mode}）",
-  "no {name} answers at {place} within {n} s: is it on, and does it send MAVLink there?":
-    "{place}で{n}秒以内に{name}が応答しません：電源は入っていて、そこへMAVLinkを送っていますか",
-  "the drone will not arm": "ドローンがアームしません",
-  "the drone will not change its mode": "ドローンがモードを変えません",
-  "the drone will not take off": "ドローンが離陸しません",
+  "somebody else flies it, or it does by itself (mode {mode})": "ほかから操縦されています（{mode}）",
+  "the drone will not {what}": "ドローンが拒否しました：{what}",
   "denied": "拒否されました",
-  "it does not know that command": "その命令を知りません",
-  "it failed": "失敗しました",
-  "cancelled": "取り消されました",
   "it flies on when the ground falls silent": "地上が沈黙しても飛び続けます",
-  "it flies on too long when setpoints end": "目標値が途絶えても長く飛び続けます",
   "it does not fly by the poses that we send": "送った位置姿勢を使って飛びません",
-  "its heading is not that of the room": "機首方位が部屋の座標と違います",
-  "it does not land when setpoints end": "目標値が途絶えても着陸しません",
-  "its take-off goes to another height": "離陸の高さが違います",
   // what cannot be looked at
   "there is no free way to where {name} can be seen from": "{name}が見える場所への道がありません",
-  "there is no free way to where {name} is seen from": "{name}が見える場所への道がありません",
   "there is no place within {d} m of {name} where the drone may hover and tracking sees it":
     "{name}から{d} m以内に、ホバリングでき計測に見える場所がありません",
   "{name} is nowhere in the picture: too near, too high or too low":
@@ -949,5 +947,4 @@ export const JA_TOLD: Templates = {
     "ホバリングできるどの場所からも{name}が見えません：間に何かあります",
   "{who} is in the way": "{who}が道にいます",
   "nobody knows where {name} is": "{name}の場所は分かりません",
-  "nobody remembers where {name} is": "{name}の場所の記憶がありません",
 };
