@@ -14,6 +14,7 @@ from typing import Any
 
 import av
 import pytest
+from tello_ports import tello_ports
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
@@ -91,6 +92,20 @@ def test_the_service_is_completed_over_real_wires_filmed_and_replays_bit_for_bit
     assert len(frames) == 60
     assert (frames[0].width, frames[0].height) == (640, 360)
     assert_replays(out)
+
+
+@pytest.mark.interop
+@pytest.mark.timeout(600)
+def test_a_tello_completes_the_service_over_its_own_wires_filmed(
+    tmp_path: Path, write_site: Any
+) -> None:
+    site, out = write_site(rate=100, video=True, kind="tello"), tmp_path / "out"
+    with tello_ports():
+        assert_flown(start(site, out, "entrance"), partial(start, site, out, "entrance"), out)
+    assert assert_completed(out)["video_frames"] > 100
+    with av.open(str(out / "video.mp4")) as movie:
+        frame = next(movie.decode(video=0))
+    assert (frame.width, frame.height) == (960, 720)
 
 
 @pytest.mark.interop

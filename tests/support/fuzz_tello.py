@@ -7,7 +7,7 @@ from fuzz_target import FuzzTarget, pieces
 from housefly.errors import WireError
 from housefly.messages import DroneStatus
 from housefly.wires.annex_b import can_begin
-from housefly.wires.tello.answers import decode_answer
+from housefly.wires.tello.answers import decode_tello_answer
 from housefly.wires.tello.conversions import telemetry_of_state
 from housefly.wires.tello.lines import decode_line
 from housefly.wires.tello.pieces import PictureJoiner
@@ -34,13 +34,13 @@ TELLO: dict[str, FuzzTarget] = {
         (b"rc ", b"go ", b"speed ", b"forward "),
     ),
     "tello_answer": FuzzTarget(
-        decode_answer, lambda: (b"ok", b"error Motor stop", b"87\r\n"), (WireError,), 300
+        decode_tello_answer, lambda: (b"ok", b"error Motor stop", b"87\r\n"), (WireError,), 300
     ),
     "tello_state": FuzzTarget(
         _state,
         lambda: (
             encode_state(TelloState(1, -2, 30, 86, 70, 63, 12)),
-            b"mid:-1;x:-100;y:-100;z:-100;mpry:-1,-1,-1;pitch:0;roll:0;yaw:0;tof:10;h:0;bat:9;time:0;",
+            b"mid:-1;x:-100;mpry:-1,-1,-1;pitch:0;roll:0;yaw:0;tof:10;h:0;bat:9;time:0;",
         ),
         (WireError,),
         600,

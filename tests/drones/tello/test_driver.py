@@ -14,6 +14,7 @@ pytest.importorskip("mujoco")
 
 from tello_ports import tello_ports
 
+from housefly.clock import RealClock
 from housefly.config.limits import LimitsConfig
 from housefly.config.site import Site, changed
 from housefly.drones.tello.driver import Tello
@@ -23,9 +24,11 @@ from housefly.messages import Action, Command, DroneStatus, VelocitySetpoint, Vi
 from housefly.messages.steering import flying
 from housefly.room.model import Place, Room
 from housefly.twin.contracts import EncodedPicture, FlightState
+from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.tello.server import TelloServer
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.tello.lines import STATE_PORT
+from housefly.wires.tello.state import TelloState, encode_state
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
@@ -167,6 +170,33 @@ async def test_a_drone_that_was_switched_off_and_on_is_greeted_again(flight: Fli
     flight.server = TelloServer(flight.world, flight.server._address)
     await flight.server.start()
     await flight.until(lambda: flight.drone.connected)
+
+
+async def test_two_on_one_machine_are_told_apart_and_nobody_else_is_heard(
+    flight: Flight, loopback: str
+) -> None:
+    other = f"{loopback.rpartition('.')[0]}.254"
+    world = SimulatedWorld(changed(Site(), drone__kind="tello", twin__battery=0.6), HALL)
+    server, drone = TelloServer(world, other), made(other)
+    await server.start()
+    moving = asyncio.create_task(RealTimeRunner(world, RealClock()).run())
+    try:
+        await flight.drone.connect()
+        await drone.connect()
+        assert flight.drone.telemetry is not None and drone.telemetry is not None
+        assert (flight.drone.telemetry.battery, drone.telemetry.battery) == (1.0, 0.6)
+        loop = asyncio.get_running_loop()
+        stranger, _ = await loop.create_datagram_endpoint(
+            asyncio.DatagramProtocol, local_addr=(other, 0), remote_addr=(loopback, STATE_PORT)
+        )
+        for _ in range(30):
+            stranger.sendto(encode_state(TelloState(0, 0, 0, 90, 90, 3, 7)))
+            await asyncio.sleep(0.01)
+            assert flight.drone.telemetry.battery == 1.0
+    finally:
+        await drone.close()
+        moving.cancel()
+        await server.stop()
 
 
 async def test_nobody_there_and_somebody_else_are_said_in_words(loopback: str) -> None:

@@ -7,7 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.errors import WireError
-from housefly.wires.tello.answers import AnswerKind, decode_answer, encode_answer, refusal, value
+from housefly.wires.tello.answers import (
+    AnswerKind,
+    decode_tello_answer,
+    encode_tello_answer,
+    refusal,
+    value,
+)
 from housefly.wires.tello.lines import (
     Direction,
     Go,
@@ -53,10 +59,10 @@ def test_any_bytes_are_a_line_or_a_wire_error(data):
 @given(st.binary(max_size=300))
 def test_any_bytes_are_an_answer_or_a_wire_error(data):
     try:
-        answer = decode_answer(data)
+        answer = decode_tello_answer(data)
     except WireError:
         return
-    assert decode_answer(encode_answer(answer)) == answer
+    assert decode_tello_answer(encode_tello_answer(answer)) == answer
 
 
 @pytest.mark.parametrize(
@@ -103,10 +109,12 @@ def test_no_line_leaves_that_a_tello_refuses(line):
     ],
 )
 def test_answers_are_told_apart(data, kind, text):
-    answer = decode_answer(data)
+    answer = decode_tello_answer(data)
     assert (answer.kind, answer.text) == (kind, text)
 
 
 def test_what_the_twin_answers_is_read_as_it_was():
-    assert decode_answer(encode_answer(refusal("Motor stop"))).text == "error Motor stop"
-    assert decode_answer(encode_answer(value("83~86C"))) == value("83~86C")
+    assert (
+        decode_tello_answer(encode_tello_answer(refusal("Motor stop"))).text == "error Motor stop"
+    )
+    assert decode_tello_answer(encode_tello_answer(value("83~86C"))) == value("83~86C")

@@ -36,7 +36,7 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.messages.words import Words, error_words, figure, joined, literal
-from housefly.wires.tello.answers import decode_answer
+from housefly.wires.tello.answers import decode_tello_answer
 from housefly.wires.tello.conversions import full_sticks_of, telemetry_of_state
 from housefly.wires.tello.lines import COMMAND_PORT, STATE_PORT, VIDEO_PORT, Word, encode_line
 from housefly.wires.tello.state import TelloState, decode_state
@@ -276,7 +276,7 @@ class Tello:
         if not self._is_from_drone(sender):
             return
         with suppress(WireError):
-            answer = decode_answer(data)
+            answer = decode_tello_answer(data)
             self._talk.hear(answer)
             self._watch.hear(answer, self._clock.now())
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import inf
 
 from housefly.messages import DroneStatus
-from housefly.wires.tello.answers import Answer, AnswerKind
+from housefly.wires.tello.answers import AnswerKind, TelloAnswer
 from housefly.wires.tello.lines import Line, Word
 from housefly.wires.tello.state import TOF_MAX, TelloState
 
@@ -53,7 +53,7 @@ class FlightWatch:
         """Leave the emergency."""
         self._is_cut = False
 
-    def hear(self, answer: Answer, now: float) -> None:
+    def hear(self, answer: TelloAnswer, now: float) -> None:
         """Take in an answer that came now [s]."""
         if answer.kind is AnswerKind.DONE:
             if self._rises_since is not None and self._tof >= _UP_HEIGHT:

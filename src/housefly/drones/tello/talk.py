@@ -11,7 +11,7 @@ from math import inf
 
 from housefly.messages import Action, DroneStatus
 from housefly.messages.steering import Instruction
-from housefly.wires.tello.answers import Answer, AnswerKind
+from housefly.wires.tello.answers import AnswerKind, TelloAnswer
 from housefly.wires.tello.conversions import FullSticks, sticks_of
 from housefly.wires.tello.lines import Line, Question, Sticks, Word
 
@@ -49,7 +49,7 @@ class Talk:
         self._said: dict[Line, float] = {}
         self._questions = 0
 
-    def hear(self, answer: Answer) -> None:
+    def hear(self, answer: TelloAnswer) -> None:
         """Take in an answer."""
         if answer.kind is AnswerKind.VALUE and self._questions and not self.sdk:
             self.sdk = answer.text

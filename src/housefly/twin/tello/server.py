@@ -19,7 +19,7 @@ from housefly.twin.link_counters import Counters
 from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.twin.plain_drone import PlainDrone, as_measured, telemetry_of
 from housefly.twin.tello.steps import Flown
-from housefly.wires.tello.answers import DONE, Answer, encode_answer, refusal, value
+from housefly.wires.tello.answers import DONE, TelloAnswer, encode_tello_answer, refusal, value
 from housefly.wires.tello.conversions import full_sticks_of, native_state, velocity_of
 from housefly.wires.tello.lines import (
     COMMAND_PORT,
@@ -158,7 +158,7 @@ class TelloServer:
         if answer is not None:
             self._answer(answer, self._peer)
 
-    def _obey(self, line: Line) -> Answer | None:
+    def _obey(self, line: Line) -> TelloAnswer | None:
         """Obey a line; return the answer, None for one that comes later or never."""
         match line:
             case Sticks():
@@ -208,7 +208,7 @@ class TelloServer:
         asked = velocity_of(sticks, self._full)
         self._plain.obey(Command(Action.HOVER) if sticks == Sticks() else flying(asked))
 
-    def _take_off(self) -> Answer | None:
+    def _take_off(self) -> TelloAnswer | None:
         if self._awaited is not None or self._flight.airborne:
             return refusal()
         if self._flight is FlightState.EMERGENCY:
@@ -218,7 +218,7 @@ class TelloServer:
         self._await(Word.TAKE_OFF)
         return None
 
-    def _land(self) -> Answer | None:
+    def _land(self) -> TelloAnswer | None:
         """Begin a landing; while a take-off or a landing is under way it is not heard."""
         under_way = self._awaited is not None and self._awaited.flown is None
         if under_way or not self._flight.airborne:
@@ -227,7 +227,7 @@ class TelloServer:
         self._await(Word.LAND)
         return None
 
-    def _begin_step(self, step: Step | Go) -> Answer | None:
+    def _begin_step(self, step: Step | Go) -> TelloAnswer | None:
         if not self._hangs:
             return refusal("Motor stop") if not self._flight.airborne else refusal("Not joystick")
         speed = step.speed / 100.0 if isinstance(step, Go) else self._speed
@@ -280,7 +280,7 @@ class TelloServer:
         self._plain.obey(Command(Action.HOVER))
         self._end(awaited, refusal("Run timeout") if flown.has_failed else DONE)
 
-    def _end(self, awaited: _Awaited, answer: Answer) -> None:
+    def _end(self, awaited: _Awaited, answer: TelloAnswer) -> None:
         self._awaited = None
         self._answer(answer, awaited.client)
 
@@ -315,9 +315,9 @@ class TelloServer:
             Question.ACCELERATION: f"agx:{state.agx:.2f};agy:{state.agy:.2f};agz:{state.agz:.2f};",
         }[question]
 
-    def _answer(self, answer: Answer, client: PeerAddress) -> None:
+    def _answer(self, answer: TelloAnswer, client: PeerAddress) -> None:
         if self._link is not None:
-            self._link.sendto(encode_answer(answer), client)
+            self._link.sendto(encode_tello_answer(answer), client)
 
     def _send(self, data: bytes, port: int) -> None:
         if self._link is not None and self._client:

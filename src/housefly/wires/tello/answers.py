@@ -24,32 +24,32 @@ class AnswerKind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class TelloAnswer:
     """One answer; ``text`` is what it said."""
 
     kind: AnswerKind
     text: str
 
 
-DONE = Answer(AnswerKind.DONE, "ok")
+DONE = TelloAnswer(AnswerKind.DONE, "ok")
 
 
-def refusal(reason: str = "") -> Answer:
+def refusal(reason: str = "") -> TelloAnswer:
     """Return a refusal with a reason in the drone's words."""
-    return Answer(AnswerKind.REFUSED, f"error {reason}".strip())
+    return TelloAnswer(AnswerKind.REFUSED, f"error {reason}".strip())
 
 
-def value(text: str) -> Answer:
+def value(text: str) -> TelloAnswer:
     """Return the answer to a question."""
-    return Answer(AnswerKind.VALUE, text)
+    return TelloAnswer(AnswerKind.VALUE, text)
 
 
-def encode_answer(answer: Answer) -> bytes:
+def encode_tello_answer(answer: TelloAnswer) -> bytes:
     """Return the datagram of an answer."""
     return answer.text.encode("ascii", "replace")
 
 
-def decode_answer(datagram: bytes) -> Answer:
+def decode_tello_answer(datagram: bytes) -> TelloAnswer:
     """Read an answer; raises WireError for what is no line of text."""
     if len(datagram) > ANSWER_BYTES_MAX:
         raise WireError(f"an answer of {len(datagram)} bytes; allowed: {ANSWER_BYTES_MAX}")
@@ -63,4 +63,4 @@ def decode_answer(datagram: bytes) -> Answer:
     if lowered == "ok":
         return DONE
     is_refused = lowered.startswith(_REFUSALS)
-    return Answer(AnswerKind.REFUSED if is_refused else AnswerKind.VALUE, text)
+    return TelloAnswer(AnswerKind.REFUSED if is_refused else AnswerKind.VALUE, text)
