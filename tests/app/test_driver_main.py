@@ -102,7 +102,13 @@ async def started(tmp_path: Path, site_file: Path, stack: AsyncExitStack) -> Run
     return Run(launcher, bus, room)
 
 
-@pytest.mark.parametrize("kind", ["ardrone", pytest.param("tello", marks=pytest.mark.interop)])
+@pytest.mark.parametrize(
+    "kind",
+    [
+        "ardrone",
+        *(pytest.param(kind, marks=pytest.mark.interop) for kind in ("tello", "arducopter", "px4")),
+    ],
+)
 async def test_a_pilot_killed_in_cruise_leaves_a_drone_that_brakes_lands_and_stays(
     tmp_path: Path, write_site: Any, kind: str
 ) -> None:
@@ -180,7 +186,7 @@ async def test_a_room_killed_in_cruise_is_back_soon_and_the_drone_is_safe_meanwh
 
 
 @pytest.mark.interop
-@pytest.mark.parametrize("kind", ["ardrone", "tello"])
+@pytest.mark.parametrize("kind", ["ardrone", "tello", "arducopter", "px4"])
 async def test_a_driver_killed_in_cruise_comes_back_and_lets_the_drone_only_hover_and_land(
     tmp_path: Path, write_site: Any, kind: str
 ) -> None:

@@ -6,6 +6,7 @@ from fuzz_drone_wires import DRONE_WIRES
 from fuzz_files import FILES
 from fuzz_imports import IMPORTS
 from fuzz_kept import KEPT
+from fuzz_mavlink import MAVLINK
 from fuzz_new_page import NEW_PAGE
 from fuzz_room_wires import ROOM_WIRES
 from fuzz_target import FuzzTarget
@@ -16,5 +17,5 @@ from fuzz_web import WEB
 
 TARGETS: dict[str, FuzzTarget] = {
     **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **TWIN, **WEB,
-    **NEW_PAGE, **IMPORTS, **TELLO,
+    **NEW_PAGE, **IMPORTS, **TELLO, **MAVLINK,
 }  # fmt: skip
