@@ -15,6 +15,7 @@ from housefly.room.files import load_room
 from housefly.twin.contracts import GroundTruth
 from housefly.twin.crazyflie.firmware import CrazyflieFirmware
 from housefly.twin.crazyflie.server import CrazyflieServer
+from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
@@ -87,21 +88,25 @@ class CrazyflieRoom:
 
 
 @asynccontextmanager
-async def crazyflie_room(address: str, kind: str = "crazyflie") -> AsyncIterator[CrazyflieRoom]:
+async def crazyflie_room(
+    address: str, kind: str = "crazyflie", filters: LinkFilters = UNFILTERED
+) -> AsyncIterator[CrazyflieRoom]:
     """Open a room with one drone, at an address; runs the world in real time meanwhile."""
     site = Site(drone={"kind": kind, "address": address})
-    async with crazyflie_rooms(site) as (room,):
+    async with crazyflie_rooms(site, filters) as (room,):
         yield room
 
 
 @asynccontextmanager
-async def crazyflie_rooms(site: Site) -> AsyncIterator[tuple[CrazyflieRoom, ...]]:
+async def crazyflie_rooms(
+    site: Site, filters: LinkFilters = UNFILTERED
+) -> AsyncIterator[tuple[CrazyflieRoom, ...]]:
     """Open one room with all drones of a site, each at its address and with its driver."""
     world = SimulatedWorld(site, load_room(site.room.model))
     rooms = []
     for name, drone in world.drones.items():
         config = site.for_drone(name).drone if site.drones else site.drone
-        server = CrazyflieServer(drone, config.address)
+        server = CrazyflieServer(drone, config.address, filters=filters)
         await server.start()
         rooms.append(
             CrazyflieRoom(world, drone, server, Crazyflie(config, site.limits, RealClock()))

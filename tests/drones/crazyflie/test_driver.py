@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import random
+from collections.abc import Callable
 from math import cos, dist, hypot, sin
 
 import pytest
@@ -27,6 +29,8 @@ from housefly.messages import (
 from housefly.messages.steering import flying
 from housefly.twin.contracts import FlightState, GroundTruth
 from housefly.twin.crazyflie.supervisor import SupervisorState
+from housefly.twin.link_filters import Deliver, LinkFilters
+from housefly.wires.crazyflie.setpoints import AltHold
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
@@ -205,6 +209,47 @@ async def test_a_brushless_one_is_armed_when_it_is_to_take_off_and_disarms_by_it
         assert room.firmware.supervisor.is_armed
         await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
         await room.until(lambda: not room.firmware.supervisor.is_armed, Action.IDLE)
+
+
+def lossy(chance: random.Random) -> Callable[[Deliver], Deliver]:
+    """Return a link that loses a fifth, and hands a tenth over twice."""
+
+    def of(deliver: Deliver) -> Deliver:
+        def pass_on(datagram: bytes) -> None:
+            drawn = chance.random()
+            for _ in range(0 if drawn < 0.2 else 2 if drawn > 0.9 else 1):
+                deliver(datagram)
+
+        return pass_on
+
+    return of
+
+
+async def test_over_a_link_that_loses_a_fifth_it_is_set_flies_and_lands(loopback: str) -> None:
+    chance = random.Random(5)
+    filters = LinkFilters(uplink=lossy(chance), downlink=lossy(chance))
+    async with crazyflie_room(loopback, filters=filters) as room:
+        await room.fly()
+        assert room.server.values["stabilizer.estimator"] == 2.0
+        x, y, _ = room.world.truth().pose.position
+        await room.hold(flying(PositionSetpoint(x, y, 1.2)), 2.0)
+        assert dist(room.world.truth().pose.position, (x, y, 1.2)) < 0.1
+        since = len(room.trail)
+        await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+        assert room.height < 0.03 and fastest_sinking(room, since) < 1.3
+        assert room.firmware.supervisor.state is not SupervisorState.LOCKED
+
+
+async def test_a_setpoint_that_comes_late_into_a_landing_is_answered_by_another_order_to_land(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    await room.hold(Action.LAND, 0.6)
+    room.firmware.give(AltHold(0.0, 0.0, 0.0, 0.0))
+    since = len(room.trail)
+    await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+    assert room.height < 0.03 and fastest_sinking(room, since) < 1.3
+    assert room.firmware.supervisor.state is not SupervisorState.LOCKED
 
 
 async def test_nobody_there_is_said_in_words(loopback: str) -> None:

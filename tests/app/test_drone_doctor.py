@@ -1,0 +1,48 @@
+"""A drone is looked at before anybody flies it: what answers, and what keeps it on the floor."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from crazyflie_room import crazyflie_room
+
+from housefly.app.drone_doctor import drone_at, look_at_drone
+from housefly.cli import main
+from housefly.errors import ConfigError
+
+pytestmark = pytest.mark.wire
+
+
+async def test_a_drone_that_is_well_is_said_to_be_and_one_that_is_locked_says_what_to_do(
+    loopback: str,
+) -> None:
+    async with crazyflie_room(loopback) as room:
+        await asyncio.sleep(0.2)
+        well = await asyncio.to_thread(look_at_drone, drone_at(f"crazyflie://{loopback}"))
+        assert all(check.well for check in well)
+        assert "2026.08" in well[0].found and {check.name for check in well} >= {
+            "reports",
+            "state",
+            "battery",
+            "settings",
+        }
+        room.world.toggle_emergency()
+        await asyncio.sleep(0.3)
+        locked = await asyncio.to_thread(look_at_drone, drone_at(f"crazyflie://{loopback}"))
+        said = [check.found for check in locked if not check.well]
+        assert "emergency" in said
+        assert any("switch it off and on" in words for words in said)
+
+
+def test_a_drone_that_is_not_there_ends_the_command_with_words(
+    loopback: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["doctor", "--drone", f"crazyflie://{loopback}"]) == 1
+    assert "no Crazyflie answers" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize("uri", ["192.168.1.1", "crazyflie://", "crazyfly://10.0.0.1"])
+def test_what_is_no_drone_is_refused_with_what_is_allowed(uri: str) -> None:
+    with pytest.raises(ConfigError, match=r"--drone"):
+        drone_at(uri)
