@@ -59,7 +59,7 @@ class OneClip:
 
     def export(self, names: Sequence[str], who: str) -> ClipExport:
         files = tuple(map(self.file, names))
-        self.watched(names[0], who, "exported")
+        self.log_access(names[0], who, "exported")
         return ClipExport(files, b"[]")
 
     def close(self) -> None:

@@ -154,7 +154,7 @@ class ClipFiles:
             }
             if self._index is None or key in self._written:
                 return False
-            self._index.watched(clip, who, what)
+            self._index.log_access(clip, who, what)
             self._written[key] = now
         return True
 
