@@ -53,7 +53,7 @@ class OneClip:
             raise TaskError(f"there is no clip {name!r}", ReasonCode.BAD_PARAMETER.value)
         return self._file
 
-    def watched(self, name: str, who: str, what: str = "watched") -> None:
+    def log_access(self, name: str, who: str, what: str = "watched") -> None:
         self.file(name)
         self.watched_by.append((who, what))
 

@@ -39,7 +39,7 @@ class ClipBook(Protocol):
         """Return the file of a clip; raises TaskError when there is none."""
         ...
 
-    def watched(self, name: str, who: str, what: str = "watched") -> object:
+    def log_access(self, name: str, who: str, what: str = "watched") -> object:
         """Write down who saw, copied or exported a clip; raises TaskError, StoreError."""
         ...
 
