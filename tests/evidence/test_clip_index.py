@@ -122,12 +122,12 @@ def test_who_watched_kept_and_deleted_a_clip_is_known_even_after_it_is_gone(
     index: ClipIndex, tmp_path: Path
 ) -> None:
     name = added(index, tmp_path, clip(NOW))
-    index.watched(name, "anna")
+    index.log_access(name, "anna")
     index.answer(KeepClip(name, by="ben"))
     answer = index.answer(DeleteClip(name, by="ben"))
     assert [info.id for info in answer.clips] == [name]
     assert not list(tmp_path.glob("*.mp4"))
-    assert [(view.who, view.what) for view in index.views(name)] == [
+    assert [(view.who, view.what) for view in index.audit_log(name)] == [
         ("anna", "watched"),
         ("ben", "kept"),
         ("ben", "deleted"),
@@ -135,7 +135,7 @@ def test_who_watched_kept_and_deleted_a_clip_is_known_even_after_it_is_gone(
     for ask in (
         index.file,
         index.info,
-        lambda n: index.watched(n, "x"),
+        lambda n: index.log_access(n, "x"),
         lambda n: index.keep(n, "x"),
     ):
         with pytest.raises(TaskError, match="there is no clip"):
@@ -156,8 +156,8 @@ def test_a_name_never_leads_out_of_the_folder(index: ClipIndex, name: str) -> No
 def test_two_processes_may_have_the_index_open(index: ClipIndex, tmp_path: Path) -> None:
     other = ClipIndex(tmp_path, CONFIG)
     name = added(index, tmp_path, clip(NOW))
-    other.watched(name, "anna")
-    assert [view.who for view in index.views(name)] == ["anna"]
+    other.log_access(name, "anna")
+    assert [view.who for view in index.audit_log(name)] == ["anna"]
     other.close()
 
 
@@ -342,18 +342,18 @@ def test_an_export_holds_the_files_what_is_known_and_hashes_that_a_stranger_can_
     (folder / f"{row.id}.mp4").write_bytes(b"forged")
     check = subprocess.run(["sha256sum", "--check", "SHA256SUMS"], cwd=folder, capture_output=True)
     assert check.returncode != 0
-    assert [view.what for view in index.views(snap)] == ["exported"]
+    assert [view.what for view in index.audit_log(snap)] == ["exported"]
     for names in ([], ["nobody"], [row.id] * 1 + [f"c{n}" for n in range(300)]):
         with pytest.raises(TaskError):
             index.export(names, "anna")
-    assert [view.what for view in index.views(snap)] == ["exported"], "nothing was exported"
+    assert [view.what for view in index.audit_log(snap)] == ["exported"], "nothing was exported"
 
 
 def test_an_export_as_a_folder_is_for_this_user_only_and_can_be_checked(
     index: ClipIndex, tmp_path: Path
 ) -> None:
     name = added(index, tmp_path, clip(NOW, place="entrance"))
-    index.watched(name, "ben")
+    index.log_access(name, "ben")
     out = tmp_path / "taken" / "away"
     for _ in range(2):
         files = write_folder(index.export([name], "anna"), out, {f"{name}.jpg": b"a picture"})

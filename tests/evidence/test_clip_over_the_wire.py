@@ -19,8 +19,8 @@ from housefly.config.site import Site
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.drones.ardrone.video import VideoLink
 from housefly.evidence.camera_pose import CameraPose
-from housefly.evidence.clip_news import ClipOrigin
 from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_values import ClipsQuestion, StartClip
 from housefly.evidence.frame_blanker import BLANK
 from housefly.evidence.zone_projection import ZoneProjector
@@ -60,8 +60,8 @@ async def test_a_clip_of_the_twin_has_the_five_seconds_before_and_the_zone_blank
 ) -> None:
     site = Site()
     site = site.model_copy(update={"twin": site.twin.model_copy(update={"video_rate_hz": RATE_HZ})})
-    open_to_all = ClipRecorder(tmp_path / "open", TasksConfig())
-    private = ClipRecorder(tmp_path / "private", TasksConfig(privacy_zones=(DOOR,)))
+    open_to_all = ClipRecorder(tmp_path / "open", TasksConfig(), site.drone)
+    private = ClipRecorder(tmp_path / "private", TasksConfig(privacy_zones=(DOOR,)), site.drone)
     recorders = (open_to_all, private)
     camera, server = CameraProcess(site, ROOM), VideoServer(Counters())
     link = VideoLink(loopback, RealClock())
@@ -134,7 +134,7 @@ async def test_a_clip_of_the_twin_has_the_five_seconds_before_and_the_zone_blank
         (DOOR.model_copy(update={"z_min": 0.3, "z_max": 0.6}),), LevelCamera.of(None), 0.0
     )
     last = CameraPose(0.0, pose.position, pose.orientation)
-    mask = still.cover((last,), 640, 360).mask(640, 360)
+    mask = still.mask((last,), 640, 360).pixels(640, 360)
     assert mask.sum() > 5000
     assert any(picture[:60].std() > 5 for picture in shown), "the rest of the room is seen"
     # One that came too late to know its pose is blank all over, and so is the zone in it.

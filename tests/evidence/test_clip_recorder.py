@@ -28,8 +28,8 @@ from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.errors import HouseflyError, MissingPartError, TaskError
 from housefly.evidence.camera_pose import CameraPose
-from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
 from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_result import ClipOrigin, ClipOutcome, ClipResult
 from housefly.evidence.clip_values import ClipsQuestion, StartClip, TakeSnapshot
 from housefly.evidence.frame_blanker import BLANK
 from housefly.evidence.picture_codec import Picture
@@ -64,7 +64,7 @@ def test_what_records_is_asked_while_another_thread_ends_it() -> None:
             self._looks += 1
             return SimpleNamespace(has_failed=False) if self._looks == 1 else None
 
-    assert Ended().records is True
+    assert Ended().is_recording is True
 
 
 def films(
@@ -75,9 +75,9 @@ def films(
     mode: HouseMode = HOME,
     first: int = 0,
     pose: CameraPose | None = None,
-) -> list[ClipNews]:
+) -> list[ClipResult]:
     """Let the camera run; the recorder is told of the drone before each picture."""
-    news: list[ClipNews] = []
+    news: list[ClipResult] = []
     for frame in video(seconds, start, first=first):
         at = frame.received_at
         news += recorder.tick(at, UNIX + at, status, mode)
@@ -98,7 +98,7 @@ def files(folder: Path) -> list[Path]:
 def test_a_clip_plays_and_begins_with_the_seconds_before_it(recorder: ClipRecorder) -> None:
     films(recorder, 10.0)
     name = recorder.start(StartClip(5.0, place="entrance", people=("guest",)), VISITOR)
-    assert recorder.records
+    assert recorder.is_recording
     films(recorder, 3.0, 110.0, first=150)
     recorder.stop()
     assert recorder.flush()
@@ -173,7 +173,7 @@ def test_only_what_was_filmed_in_flight_for_a_task_is_ever_on_the_disk(
                 recorder.add(frame, None)
                 if may_film:
                     filmed.append(frame.sequence)
-                if recorder.records:
+                if recorder.is_recording:
                     allowed.add(frame.sequence)
             try:
                 if action == "start":
@@ -183,7 +183,7 @@ def test_only_what_was_filmed_in_flight_for_a_task_is_ever_on_the_disk(
                     recorder.snapshot(TakeSnapshot(), VISITOR)
                     allowed |= set(filmed[-1:])
             except TaskError:
-                assert not (filmed and recorder.records)
+                assert not (filmed and recorder.is_recording)
             if action == "stop":
                 recorder.stop()
         recorder.close()
@@ -243,7 +243,7 @@ def test_landing_and_privacy_end_a_clip_and_drop_the_past(
     first = recorder.start(StartClip(), VISITOR)
     films(recorder, 1.0, 102.0, first=30)
     films(recorder, 1.0, 103.0, status, mode, first=45)
-    assert not recorder.records
+    assert not recorder.is_recording
     films(recorder, 1.0, 104.0, first=60)
     second = recorder.start(StartClip(), VISITOR)
     recorder.stop()
@@ -277,7 +277,7 @@ def test_a_forgotten_clip_ends(tmp_path: Path) -> None:
     films(recorder, 1.0)
     name = recorder.start(StartClip(), VISITOR)
     films(recorder, 5.0, 101.0, first=15)
-    assert not recorder.records
+    assert not recorder.is_recording
     recorder.close()
     assert number_of(pictures(tmp_path / f"{name}.mp4")[-1]) <= 15 + 2.1 * RATE_HZ
 
@@ -442,7 +442,7 @@ from housefly.config.drone import DroneConfig
 from housefly.config.tasks import TasksConfig
 from housefly.messages import DroneStatus
 from housefly.config.house_mode import HouseMode
-from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.values import StartClip
 
@@ -500,7 +500,7 @@ def test_a_full_disk_ends_the_clip_is_told_and_nothing_else_fails(tmp_path: Path
     """A limit on the size of files stands for a full disk: the same call fails."""
     told = record_elsewhere(
         tmp_path,
-        "print(tick(109.0), recorder.records)",
+        "print(tick(109.0), recorder.is_recording)",
         limit=150_000,
     )
     assert told.returncode == 0, told.stderr

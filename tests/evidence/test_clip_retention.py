@@ -11,7 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.config.tasks import TasksConfig
-from housefly.evidence.clip_clock import LEAP, PROOF, STEP, BelievedTime, StepWatch
+from housefly.evidence.clip_clock import (
+    CLOCK_STEP_MAX,
+    PROOF_TIME,
+    RESTART_LEAP_MAX,
+    BelievedTime,
+    ClockWatch,
+)
 from housefly.evidence.clip_index import ClipIndex
 
 CONFIG = TasksConfig(clip_days=30, snapshot_days=90, clip_space_gb=0.01)
@@ -63,7 +69,7 @@ def test_after_a_long_pause_the_clock_is_believed_a_day_later(
     assert index.tidy() == ()
     index.close()
     again = ClipIndex(tmp_path, CONFIG, clock)
-    clock.now += PROOF - 60.0
+    clock.now += PROOF_TIME - 60.0
     assert again.tidy() == ()
     clock.now += 120.0
     assert again.tidy() == (name,)
@@ -97,7 +103,9 @@ def test_a_clip_of_a_clock_that_was_ahead_does_not_stay_for_ever(
 @given(
     st.lists(
         st.tuples(
-            st.floats(60, 5 * DAY), st.floats(-900 * DAY, 4000 * DAY), st.floats(60, PROOF - STEP)
+            st.floats(60, 5 * DAY),
+            st.floats(-900 * DAY, 4000 * DAY),
+            st.floats(60, PROOF_TIME - CLOCK_STEP_MAX),
         ),
         max_size=6,
     )
@@ -106,18 +114,18 @@ def test_a_clock_that_is_wrong_for_less_than_a_day_at_a_time_makes_nothing_older
     leaps: list[tuple[float, float, float]],
 ) -> None:
     """True time passes; now and then the clock shows something else, and goes back."""
-    known, watch, true, wrong = BelievedTime(NOW), StepWatch(), NOW, 0.0
+    known, watch, true, wrong = BelievedTime(NOW), ClockWatch(), NOW, 0.0
     until = NOW
     for pause, offset, lasts in (*leaps, (3 * DAY, 0.0, 60.0)):
         for wrong, span in ((0.0, pause), (offset, lasts)):
             until = true + span
             while true < until:
-                known = known.after(watch.look(true + wrong, true))
-                assert known.believed <= true + LEAP + (len(leaps) + 1) * STEP
+                known = known.after(watch.read(true + wrong, true))
+                assert known.believed <= true + RESTART_LEAP_MAX + (len(leaps) + 1) * CLOCK_STEP_MAX
                 true = min(until, true + 0.3 * DAY)
-    known = known.after(watch.look(true, true))
-    end = true + PROOF + 1.0
-    known = known.after(watch.look(end, end))
+    known = known.after(watch.read(true, true))
+    end = true + PROOF_TIME + 1.0
+    known = known.after(watch.read(end, end))
     assert known == BelievedTime(end), "in the end the right time is believed"
 
 

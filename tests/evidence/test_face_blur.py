@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.evidence.face_blur import without_boxes
+from housefly.evidence.face_blur import with_blurred_boxes
 
 SIDE = st.floats(-50, 400)
 
@@ -16,7 +16,7 @@ def test_any_box_is_blurred_and_nothing_far_beside_it(
     boxes: list[tuple[float, float, float, float]],
 ) -> None:
     picture = np.random.default_rng(1).integers(0, 255, (180, 320, 3), dtype=np.uint8)
-    shown = without_boxes(picture, boxes)
+    shown = with_blurred_boxes(picture, boxes)
     assert shown.shape == picture.shape
     touched = np.zeros((180, 320), dtype=bool)
     for left, top, right, bottom in boxes:

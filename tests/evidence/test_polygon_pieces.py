@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.path import Path as Outline
 
-from housefly.evidence.polygon_pieces import convex_hull, convex_pieces, corners_at, turn
+from housefly.evidence.polygon_pieces import convex_hull, convex_pieces, corner_and_neighbours, turn
 from housefly.geometry import Vec2
 
 RADII = st.lists(st.floats(0.5, 5.0), min_size=3, max_size=14)
@@ -31,7 +31,7 @@ def test_the_pieces_are_convex_and_cover_the_polygon_and_nothing_else(
     polygon = star(radii)[:: -1 if clockwise else 1]
     pieces = convex_pieces(polygon)
     for piece in pieces:
-        assert all(turn(*corners_at(piece, n)) >= 0 for n in range(len(piece)))
+        assert all(turn(*corner_and_neighbours(piece, n)) >= 0 for n in range(len(piece)))
     inside = np.any([Outline(piece).contains_points(GRID, radius=1e-6) for piece in pieces], axis=0)
     sure = Outline(polygon).contains_points(GRID, radius=-1e-4 if clockwise else 1e-4)
     near = Outline(polygon).contains_points(GRID, radius=1e-4 if clockwise else -1e-4)

@@ -5,18 +5,18 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.evidence.picture_cover import FilmedFrame
+from housefly.evidence.privacy_mask import FrameToMask
 from housefly.evidence.ring_buffer import RingBuffer
 from housefly.messages import VideoFrame
 
 STREAMS = st.lists(st.tuples(st.booleans(), st.integers(0, 400), st.floats(0.0, 1.0)), max_size=80)
 
 
-def frames_of(stream: list[tuple[bool, int, float]]) -> list[FilmedFrame]:
+def frames_of(stream: list[tuple[bool, int, float]]) -> list[FrameToMask]:
     at, frames = 50.0, []
     for n, (keyframe, size, pause) in enumerate(stream):
         at += pause
-        frames.append(FilmedFrame(VideoFrame(bytes(size), keyframe, 640, 360, n, at)))
+        frames.append(FrameToMask(VideoFrame(bytes(size), keyframe, 640, 360, n, at)))
     return frames
 
 
@@ -27,7 +27,7 @@ def test_what_comes_out_is_the_end_of_what_went_in_from_a_key_frame_on(
     ring, offered = RingBuffer(5.0, 3000), frames_of(stream)
     for frame in offered:
         ring.add(frame)
-    kept = list(ring.frames(before))
+    kept = list(ring.newest_frames(before))
     if kept:
         assert kept == offered[-len(kept) :]
         assert kept[0].frame.keyframe
@@ -41,7 +41,7 @@ def test_it_reaches_as_far_back_as_asked_and_no_further_than_needed(
     ring, offered = RingBuffer(5.0, 10**9), frames_of(stream)
     for frame in offered:
         ring.add(frame)
-    kept = list(ring.frames(before))
+    kept = list(ring.newest_frames(before))
     keys = [n for n, frame in enumerate(offered) if frame.frame.keyframe]
     if not keys:
         assert not kept
@@ -63,7 +63,7 @@ def test_clearing_forgets_everything() -> None:
     for frame in frames_of([(True, 100, 0.03)] * 5):
         ring.add(frame)
     ring.clear()
-    assert (ring.size, ring.frames(5.0)) == (0, ())
+    assert (ring.size, ring.newest_frames(5.0)) == (0, ())
 
 
 def test_a_clock_that_went_back_starts_anew() -> None:
@@ -71,4 +71,4 @@ def test_a_clock_that_went_back_starts_anew() -> None:
     late, early = frames_of([(True, 1, 100.0)]), frames_of([(True, 1, 0.0)])
     ring.add(late[0])
     ring.add(early[0])
-    assert ring.frames(5.0) == (early[0],)
+    assert ring.newest_frames(5.0) == (early[0],)

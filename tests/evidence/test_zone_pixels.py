@@ -154,8 +154,8 @@ def test_every_pixel_that_shows_a_zone_is_blank_and_nothing_far_beside_it(
     projector = ZoneProjector((zone,), FRONT_CAMERA, MARGIN)
     seen = whole = 0
     for pose, colour, depth in zip(poses, colours, depths, strict=True):
-        cover = projector.cover((believed(pose),), WIDTH, HEIGHT)
-        blank = cover.mask(WIDTH, HEIGHT)
+        cover = projector.mask((believed(pose),), WIDTH, HEIGHT)
+        blank = cover.pixels(WIDTH, HEIGHT)
         shown = shows_zone(pose, depth, zone)
         seen += bool(shown.any())
         whole += cover.is_whole
@@ -191,7 +191,7 @@ def test_a_pose_that_is_wrong_within_its_bounds_shows_no_pixel_of_a_zone(
                 tuple(radians(twist) * axis / np.linalg.norm(axis)),
                 position_std=std,
             )
-            blank = projector.cover((pose_believed,), WIDTH, HEIGHT).mask(WIDTH, HEIGHT)
+            blank = projector.mask((pose_believed,), WIDTH, HEIGHT).pixels(WIDTH, HEIGHT)
             assert not (shown & ~blank).any()
 
 
@@ -207,18 +207,18 @@ def test_a_picture_late_by_any_part_of_the_latency_shows_no_pixel_of_a_zone() ->
             believed(pose, tuple((part - real) * way), (0, 0, (part - real) * turning))
             for part in np.linspace(0, 1, 11)
         )
-        blank = projector.cover(track, WIDTH, HEIGHT).mask(WIDTH, HEIGHT)
+        blank = projector.mask(track, WIDTH, HEIGHT).pixels(WIDTH, HEIGHT)
         assert not (shown & ~blank).any()
 
 
 def test_without_a_pose_or_from_inside_a_zone_everything_is_blank() -> None:
     projector = ZoneProjector((BED,), FRONT_CAMERA, MARGIN)
-    assert projector.cover((), WIDTH, HEIGHT).mask(WIDTH, HEIGHT).all()
+    assert projector.mask((), WIDTH, HEIGHT).pixels(WIDTH, HEIGHT).all()
     inside = CameraPose(0.0, (10.0, 2.5, 1.0), (1.0, 0.0, 0.0, 0.0))
-    assert projector.cover((inside,), WIDTH, HEIGHT).is_whole
+    assert projector.mask((inside,), WIDTH, HEIGHT).is_whole
     beside = CameraPose(0.0, (10.0, 2.5, 2.0), (1.0, 0.0, 0.0, 0.0))
-    assert not projector.cover((beside,), WIDTH, HEIGHT).is_whole
-    assert ZoneProjector((), FRONT_CAMERA).cover((), WIDTH, HEIGHT).is_empty
+    assert not projector.mask((beside,), WIDTH, HEIGHT).is_whole
+    assert ZoneProjector((), FRONT_CAMERA).mask((), WIDTH, HEIGHT).is_empty
 
 
 def test_the_camera_of_the_zones_is_that_of_the_twin() -> None:
@@ -232,8 +232,8 @@ def test_the_camera_of_the_zones_is_that_of_the_twin() -> None:
 def test_the_lens_of_another_drone_shows_zones_that_a_narrow_one_does_not() -> None:
     narrow, wide = (LevelCamera(lens, 0.6 * lens, 0.1, 640) for lens in (0.6, 2.0))
     aside = CameraPose(0.0, (9.0, 6.0, 1.0), (1.0, 0.0, 0.0, 0.0))
-    covers = [ZoneProjector((BED,), lens).cover((aside,), WIDTH, HEIGHT) for lens in (narrow, wide)]
-    assert [cover.mask(WIDTH, HEIGHT).any() for cover in covers] == [False, True]
+    covers = [ZoneProjector((BED,), lens).mask((aside,), WIDTH, HEIGHT) for lens in (narrow, wide)]
+    assert [cover.pixels(WIDTH, HEIGHT).any() for cover in covers] == [False, True]
 
 
 def test_a_zone_is_private_always_or_in_the_modes_that_it_names() -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from housefly.evidence.clip_index import ClipIndex
-from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_store import ClipRow, new_clip_row
 from housefly.evidence.clip_values import ClipsQuestion
 

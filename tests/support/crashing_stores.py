@@ -22,8 +22,8 @@ from housefly.config.edits import Edits, NoFlyZone
 from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.config.tasks import TasksConfig
-from housefly.evidence.clip_news import ClipOrigin
 from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_values import ClipsQuestion, StartClip
 from housefly.messages import (
     Action,

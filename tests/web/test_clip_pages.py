@@ -109,7 +109,7 @@ async def test_a_clip_is_played_saved_kept_and_deleted_and_who_did_it_is_known(
     await page.mouse.up()
     assert not (cinema.folder / f"{name}.mp4").exists()
     await expect(page.get_by_role("tabpanel")).to_contain_text("There is no such clip")
-    did = [view.what for view in cinema.index.views(name)]
+    did = [view.what for view in cinema.index.audit_log(name)]
     assert did[0] == "watched" and did[-1] == "deleted"
     assert sorted(did[1:-1]) == ["exported", "kept"]
 
@@ -155,7 +155,7 @@ async def test_all_clips_of_an_event_are_taken_away_at_once(page: Page, cinema: 
         known = json.loads(archive.read("clips.json"))
     assert {one["id"] for one in known} == names
     for name in names:
-        assert [(view.who, view.what) for view in cinema.index.views(name)] == [
+        assert [(view.who, view.what) for view in cinema.index.audit_log(name)] == [
             ("Viewer 1", "exported")
         ]
 

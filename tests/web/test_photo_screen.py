@@ -22,8 +22,8 @@ from housefly.bus.topics import DroneTopics
 from housefly.config.drone import DroneConfig
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
-from housefly.evidence.clip_news import ClipOrigin
 from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_values import ClipsAnswer, TakeSnapshot
 from housefly.messages import DroneStatus, VideoFrame
 from housefly.tasks.api.questions import TakePhoto

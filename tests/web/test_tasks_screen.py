@@ -53,13 +53,13 @@ class OneClip:
             raise TaskError(f"there is no clip {name!r}", ReasonCode.BAD_PARAMETER.value)
         return self._file
 
-    def watched(self, name: str, who: str, what: str = "watched") -> None:
+    def log_access(self, name: str, who: str, what: str = "watched") -> None:
         self.file(name)
         self.watched_by.append((who, what))
 
     def export(self, names: Sequence[str], who: str) -> ClipExport:
         files = tuple(map(self.file, names))
-        self.watched(names[0], who, "exported")
+        self.log_access(names[0], who, "exported")
         return ClipExport(files, b"[]")
 
     def close(self) -> None:

@@ -162,7 +162,7 @@ class TasksProcess:
 
     def _tell_recording(self, drone: TaskDrone, now: float) -> None:
         """Tell the pilot, whose drone shows it; again and again, for it stops when this dies."""
-        before, news = self._recording[drone.name], RecordingNews(now, drone.clips.is_taking)
+        before, news = self._recording[drone.name], RecordingNews(now, drone.clips.shows_light)
         is_due = news.records and now - before.at >= _RECORDING_PERIOD
         if is_due or news.records is not before.records:
             self._recording[drone.name] = news

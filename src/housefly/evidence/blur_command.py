@@ -53,7 +53,7 @@ class BlurCommand:
         height, width, _ = picture.shape
         sent = b"P6\n%d %d\n255\n" % (width, height) + picture.tobytes()
         try:
-            return _picture(self._exchanged(sent), picture.shape)
+            return _decoded(self._answer_to(sent), picture.shape)
         except (OSError, ValueError) as error:
             self.close()
             words = f"faces cannot be looked for: {self._command[0]}: {error}"
@@ -66,7 +66,7 @@ class BlurCommand:
             process.kill()
             process.communicate()
 
-    def _exchanged(self, sent: bytes) -> bytes:
+    def _answer_to(self, sent: bytes) -> bytes:
         """Return what the program answers; raises OSError, ValueError."""
         process = self._process or subprocess.Popen(
             self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0
@@ -75,11 +75,11 @@ class BlurCommand:
         assert process.stdin is not None and process.stdout is not None
         for pipe in (process.stdin, process.stdout):
             os.set_blocking(pipe.fileno(), False)
-        deadline, waiting, heard = time.monotonic() + self._timeout, memoryview(sent), bytearray()
+        deadline, waiting, answer = time.monotonic() + self._timeout, memoryview(sent), bytearray()
         with selectors.DefaultSelector() as ready:
             ready.register(process.stdin, selectors.EVENT_WRITE)
             ready.register(process.stdout, selectors.EVENT_READ)
-            while len(heard) < _size(heard):
+            while len(answer) < _expected_size(answer):
                 found = ready.select(deadline - time.monotonic())
                 if not found or time.monotonic() > deadline:
                     raise TimeoutError(f"no picture came back within {self._timeout:g} s")
@@ -87,30 +87,30 @@ class BlurCommand:
                     if key.fileobj is process.stdout:
                         if not (more := os.read(key.fd, _CHUNK)):
                             raise ValueError("it ended")
-                        heard += more
+                        answer += more
                     else:
                         waiting = waiting[os.write(key.fd, waiting[:_CHUNK]) :]
                         if not waiting:
                             ready.unregister(process.stdin)
         if waiting:
             raise ValueError("it answered before it had the picture")
-        return bytes(heard)
+        return bytes(answer)
 
 
-def _size(heard: bytearray) -> int:
+def _expected_size(answer: bytearray) -> int:
     """Return how long the answer will be, at least [bytes]; raises ValueError for no picture."""
-    header = _HEADER.match(heard)
+    header = _HEADER.match(answer)
     if header is None:
-        if len(heard) > _HEADER_MAX:
+        if len(answer) > _HEADER_MAX:
             raise ValueError("what came back is no binary PPM picture")
-        return len(heard) + 1
+        return len(answer) + 1
     return header.end() + 3 * int(header[1]) * int(header[2])
 
 
-def _picture(heard: bytes, shape: tuple[int, ...]) -> Picture:
-    header = _HEADER.match(heard)
+def _decoded(answer: bytes, shape: tuple[int, ...]) -> Picture:
+    header = _HEADER.match(answer)
     if header is None or (int(header[2]), int(header[1])) != shape[:2]:
         raise ValueError("the picture that came back has another size")
-    if len(heard) != header.end() + 3 * shape[0] * shape[1]:
+    if len(answer) != header.end() + 3 * shape[0] * shape[1]:
         raise ValueError("more than one picture came back")
-    return np.frombuffer(heard, np.uint8, offset=header.end()).reshape(shape).copy()
+    return np.frombuffer(answer, np.uint8, offset=header.end()).reshape(shape).copy()

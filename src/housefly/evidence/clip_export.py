@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from housefly.errors import TaskError
 from housefly.evidence.clip_values import ClipRefusal
-from housefly.evidence.clip_writer import make_private
+from housefly.evidence.clip_writer import create_private
 
 if TYPE_CHECKING:
     from housefly.evidence.clip_index import ClipIndex
@@ -57,9 +57,9 @@ def exported(index: ClipIndex, names: Sequence[str], who: str) -> ClipExport:
     files = tuple(index.file(name) for name in wanted)
     rows = [
         {
-            **asdict(index.watched(name, who, "exported")),
+            **asdict(index.log_access(name, who, "exported")),
             "file": path.name,
-            "views": [asdict(view) | {"when": _date(view.at)} for view in index.views(name)],
+            "views": [asdict(entry) | {"when": _date(entry.at)} for entry in index.audit_log(name)],
         }
         for name, path in zip(wanted, files, strict=True)
     ]
@@ -106,7 +106,7 @@ def write_folder(export: ClipExport, folder: Path, more: Mapping[str, bytes]) ->
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     written = []
     for source in export.files:
-        make_private(target := folder / source.name)
+        create_private(target := folder / source.name)
         shutil.copyfile(source, target)
         written.append(target)
     for name, content in {_METADATA: export.metadata, **more}.items():
@@ -116,7 +116,7 @@ def write_folder(export: ClipExport, folder: Path, more: Mapping[str, bytes]) ->
 
 
 def _written(path: Path, content: bytes) -> Path:
-    make_private(path)
+    create_private(path)
     path.write_bytes(content)
     return path
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import StoreError, TaskError
-from housefly.evidence.clip_clock import ClockLook
+from housefly.evidence.clip_clock import ClockReading
 from housefly.evidence.clip_export import ClipExport, exported
 from housefly.evidence.clip_recovery import recover_clips
 from housefly.evidence.clip_retention import ClipRetention
-from housefly.evidence.clip_store import ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_store import AuditEntry, ClipRow, ClipTable
 from housefly.evidence.clip_values import (
     ClipInfo,
     ClipRefusal,
@@ -93,26 +93,26 @@ class ClipIndex:
         """Return what is known of a clip; raises TaskError when there is none."""
         return self._info(self._whole(name))
 
-    def watched(self, name: str, who: str, what: str = "watched") -> ClipInfo:
+    def log_access(self, name: str, who: str, what: str = "watched") -> ClipInfo:
         """Write down who saw, copied or exported a clip; raises TaskError, StoreError."""
         row = self._whole(name)
-        self._table.saw(row.id, ClipView(self._wall(), who, what))
+        self._table.log(row.id, AuditEntry(self._wall(), who, what))
         return self._info(row)
 
     def export(self, names: Sequence[str], who: str) -> ClipExport:
         """Return clips to export, and write down who does; raises TaskError, StoreError."""
         return exported(self, names, who)
 
-    def views(self, name: str) -> tuple[ClipView, ...]:
+    def audit_log(self, name: str) -> tuple[AuditEntry, ...]:
         """Return who did what with a clip, also with one that is gone."""
-        return self._table.views(name)
+        return self._table.audit_log(name)
 
     def keep(self, name: str, who: str, *, kept: bool = True) -> ClipInfo:
         """Keep a clip until somebody deletes it, or no longer; raises TaskError, StoreError."""
         row = replace(self._whole(name), kept=kept)
         self._table.put(row)
-        self._table.saw(row.id, ClipView(self._wall(), who, "kept" if kept else "not kept"))
-        self._retention.weigh()
+        self._table.log(row.id, AuditEntry(self._wall(), who, "kept" if kept else "not kept"))
+        self._retention.update_notices()
         return self._info(row)
 
     def delete(self, name: str, who: str) -> ClipInfo:
@@ -122,8 +122,8 @@ class ClipIndex:
             self._retention.remove(row)
         except OSError as error:
             raise StoreError(f"the clip {name} cannot be deleted: {error.strerror}") from error
-        self._table.saw(row.id, ClipView(self._wall(), who, "deleted"))
-        self._retention.weigh()
+        self._table.log(row.id, AuditEntry(self._wall(), who, "deleted"))
+        self._retention.update_notices()
         return self._info(row)
 
     def begin(self, row: ClipRow) -> None:
@@ -145,10 +145,12 @@ class ClipIndex:
         """
         return self._retention.expire(now)
 
-    def tidy(self, look: ClockLook | None = None, *, is_right: bool = False) -> tuple[str, ...]:
+    def tidy(
+        self, reading: ClockReading | None = None, *, is_right: bool = False
+    ) -> tuple[str, ...]:
         """Delete what is too old now, as far as the clock is believed (``ClipRetention.tidy``)."""
-        look = ClockLook(self._wall()) if look is None else look
-        return self._retention.tidy(look, is_right=is_right)
+        reading = ClockReading(self._wall()) if reading is None else reading
+        return self._retention.tidy(reading, is_right=is_right)
 
     def recover(self) -> tuple[str, ...]:
         """Finish or remove what a crash left, and return the ids of clips that were finished.

@@ -18,17 +18,17 @@ from housefly.config.house_mode import HouseMode, may_record
 from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError, TaskError
 from housefly.evidence.camera_pose import CameraPose, CameraTrack
-from housefly.evidence.clip_clock import StepWatch
+from housefly.evidence.clip_clock import ClockWatch
 from housefly.evidence.clip_index import ClipIndex
-from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_result import ClipOrigin, ClipOutcome, ClipResult
 from housefly.evidence.clip_store import ClipRow, new_clip_row
 from housefly.evidence.clip_take import ClipTake
 from housefly.evidence.clip_values import ClipRefusal, StartClip, TakeSnapshot
 from housefly.evidence.clip_writer import CLIP_SUFFIX
 from housefly.evidence.face_blur import FaceBlur, face_blur_of
 from housefly.evidence.frame_blanker import FrameBlanker
-from housefly.evidence.picture_cover import FilmedFrame
 from housefly.evidence.picture_lateness import PictureLateness
+from housefly.evidence.privacy_mask import FrameToMask
 from housefly.evidence.ring_buffer import RingBuffer
 from housefly.evidence.snapshots import SNAPSHOT_SUFFIX, newest_picture, write_snapshot
 from housefly.evidence.writer_thread import WriterThread
@@ -40,14 +40,14 @@ from housefly.room.level_camera import LevelCamera
 _LOG = logging.getLogger(__name__)
 _WAITING_MAX = 900
 """Pictures that may wait for the disk; then some are lost."""
-_STATUS_AGE_MAX = 1.0
+_NEWS_AGE_MAX = 1.0
 """Without news of drone and mode for this long nothing is taken [s]."""
 _TIDY_PERIOD = 600.0
 """How often old clips are looked for, by the monotonic clock [s]; the first time at the start."""
 _FLUSH_TIMEOUT = 10.0
-_ROUNDING = 1e-6
+_BROWSER_ROUNDING = 1e-6
 """What a browser makes of a time [s]."""
-_SNAPSHOT_SHOWN = 2.0
+_SNAPSHOT_LIGHT_TIME = 2.0
 """So long after a snapshot the light shows it [s]."""
 
 
@@ -79,7 +79,7 @@ class ClipRecorder:
         self._folder, self._config, self._drone = folder, config, drone.name
         self._zones = zone_projectors(config, LevelCamera.of(drone.airframe.capabilities.camera))
         self._new_face_blur = face_blur or (lambda: face_blur_of(config))
-        self._faces: FaceBlur | None = None
+        self._face_blur: FaceBlur | None = None
         self._lock = threading.RLock()
         self._ring, self._track = RingBuffer(config.clip_before), CameraTrack()
         self._lateness = PictureLateness()
@@ -90,9 +90,9 @@ class ClipRecorder:
         self._snapped_at = float("-inf")
         self._status: DroneStatus | None = None
         self._mode = HouseMode.PRIVACY
-        self._tidied_at, self._clocks = float("-inf"), StepWatch()
-        self._news: list[ClipNews] = []
-        self._problem = self._faces_problem()
+        self._tidied_at, self._clocks = float("-inf"), ClockWatch()
+        self._news: list[ClipResult] = []
+        self._problem = self._face_blur_problem()
         self._writer = WriterThread(_WAITING_MAX)
         self._writer.put(self._recover)
 
@@ -102,19 +102,19 @@ class ClipRecorder:
         return self._problem
 
     @property
-    def records(self) -> bool:
+    def is_recording(self) -> bool:
         """Whether a clip is being recorded."""
         take = self._take  # another thread may end it at any time
         return take is not None and not take.has_failed
 
     @property
-    def is_taking(self) -> bool:
+    def shows_light(self) -> bool:
         """Whether the drone's light should show: a clip is recorded, or a snapshot just was."""
-        return self.records or self._now - self._snapped_at < _SNAPSHOT_SHOWN
+        return self.is_recording or self._now - self._snapped_at < _SNAPSHOT_LIGHT_TIME
 
     def tick(
         self, now: float, unix: float, status: DroneStatus | None, mode: HouseMode
-    ) -> tuple[ClipNews, ...]:
+    ) -> tuple[ClipResult, ...]:
         """Tell what drone and house do, and hear what became of clips; at 2 Hz or more.
 
         Args:
@@ -150,8 +150,8 @@ class ClipRecorder:
                 self._ring.clear()
                 return
             poses = self._track.poses(frame.received_at, late)
-            cover = self._zones[self._mode].cover(poses, frame.width, frame.height)
-            filmed = FilmedFrame(frame, cover)
+            mask = self._zones[self._mode].mask(poses, frame.width, frame.height)
+            filmed = FrameToMask(frame, mask)
             self._ring.add(filmed)
             if self._take is not None:
                 self._write(self._take, filmed)
@@ -165,9 +165,9 @@ class ClipRecorder:
         """
         with self._lock:
             self._refuse_unless_filming()
-            filters = self._filter() if self._must_filter() else None
+            blanker = self._new_blanker() if self._needs_blanker() else None
             self._end()
-            before = self._ring.frames(min(action.before, self._config.clip_before))
+            before = self._ring.newest_frames(min(action.before, self._config.clip_before))
             began = before[0].frame.received_at if before else self._now
             row = replace(
                 new_clip_row("clip", self._unix_of(began), origin, self._drone),
@@ -176,7 +176,7 @@ class ClipRecorder:
                 people=action.people,
             )
             path = self._folder / (row.id + CLIP_SUFFIX)
-            self._take = ClipTake(self.index, path, row, filters, self._tell)
+            self._take = ClipTake(self.index, path, row, blanker, self._tell)
             self._take_ends = self._now + self._config.clip_longest
             self._is_skipping = False
             for filmed in before:
@@ -203,10 +203,10 @@ class ClipRecorder:
         """
         with self._lock:
             self._refuse_unless_filming()
-            frames = self._ring.frames(0.0)
+            frames = self._ring.newest_frames(0.0)
             if at is not None:
-                frames = self._shown(at)
-            elif not frames or self._now - frames[-1].frame.received_at > _STATUS_AGE_MAX:
+                frames = self._frames_shown_at(at)
+            elif not frames or self._now - frames[-1].frame.received_at > _NEWS_AGE_MAX:
                 raise TaskError("no picture comes from the camera", ClipRefusal.NOT_NOW.value)
             shown_at = frames[-1].frame.received_at
             row = replace(
@@ -215,14 +215,14 @@ class ClipRecorder:
                 thing=action.thing,
                 people=action.people,
             )
-            blanker = self._filter()
+            blanker = self._new_blanker()
             self._snapped_at = self._now
             self._writer.put(lambda: self._write_snapshot(row, frames, blanker))
             return row.id
 
-    def _shown(self, at: float) -> tuple[FilmedFrame, ...]:
-        frames = self._ring.frames_until(at + _ROUNDING)
-        if not frames or at - frames[-1].frame.received_at > _STATUS_AGE_MAX:
+    def _frames_shown_at(self, at: float) -> tuple[FrameToMask, ...]:
+        frames = self._ring.frames_until(at + _BROWSER_ROUNDING)
+        if not frames or at - frames[-1].frame.received_at > _NEWS_AGE_MAX:
             raise TaskError("that picture is not in memory any more", ClipRefusal.NOT_NOW.value)
         return frames
 
@@ -234,8 +234,8 @@ class ClipRecorder:
         """End the clip, write what waits and close the index."""
         self.stop()
         self._writer.close(_FLUSH_TIMEOUT)
-        if self._faces is not None:
-            self._faces.close()
+        if self._face_blur is not None:
+            self._face_blur.close()
         self.index.close()
 
     def _may_film(self, at: float) -> bool:
@@ -243,7 +243,7 @@ class ClipRecorder:
         return (
             self._status in AIRBORNE_STATUSES
             and may_record(self._mode)
-            and at - self._now <= _STATUS_AGE_MAX
+            and at - self._now <= _NEWS_AGE_MAX
         )
 
     def _refuse_unless_filming(self) -> None:
@@ -253,17 +253,17 @@ class ClipRecorder:
         if not self._may_film(self._now):
             raise TaskError("the camera records only in flight", ClipRefusal.NOT_NOW.value)
 
-    def _must_filter(self) -> bool:
+    def _needs_blanker(self) -> bool:
         return bool(self._config.privacy_zones) or self._config.blur_faces
 
-    def _filter(self) -> FrameBlanker:
-        if self._config.blur_faces and self._faces is None:
-            self._faces = self._new_face_blur()
-        return FrameBlanker(self._faces)
+    def _new_blanker(self) -> FrameBlanker:
+        if self._config.blur_faces and self._face_blur is None:
+            self._face_blur = self._new_face_blur()
+        return FrameBlanker(self._face_blur)
 
-    def _faces_problem(self) -> str:
+    def _face_blur_problem(self) -> str:
         try:
-            self._filter()
+            self._new_blanker()
         except HouseflyError as error:
             return f"nothing is recorded: faces are to be blurred, and {error}"
         return ""
@@ -271,7 +271,7 @@ class ClipRecorder:
     def _unix_of(self, at: float) -> float:
         return self._unix + at - self._now
 
-    def _write(self, take: ClipTake, filmed: FilmedFrame) -> None:
+    def _write(self, take: ClipTake, filmed: FrameToMask) -> None:
         """Hand a picture to the writing thread; after one that it cannot take, wait for a key."""
         if self._is_skipping and not filmed.frame.keyframe:
             return
@@ -283,37 +283,37 @@ class ClipRecorder:
             self._writer.put(take.finish)
             self._writer.put(self._tidy)
 
-    def _tell(self, news: ClipNews) -> None:
+    def _tell(self, news: ClipResult) -> None:
         with self._lock:
             self._news.append(news)
 
     def _write_snapshot(
-        self, row: ClipRow, frames: tuple[FilmedFrame, ...], blanker: FrameBlanker
+        self, row: ClipRow, frames: tuple[FrameToMask, ...], blanker: FrameBlanker
     ) -> None:
         try:
             picture = newest_picture(frames, blanker)
             if picture is None:
                 words = "the picture cannot be decoded: there is no snapshot"
-                self._tell(ClipNews(row.id, ClipOutcome.EMPTY, words))
+                self._tell(ClipResult(row.id, ClipOutcome.EMPTY, words))
                 return
             size = write_snapshot(self._folder / (row.id + SNAPSHOT_SUFFIX), picture)
             self.index.finish(replace(row, size=size, blanked=blanker.has_blanked))
-            self._tell(ClipNews(row.id, ClipOutcome.WHOLE, "a snapshot was taken"))
+            self._tell(ClipResult(row.id, ClipOutcome.WHOLE, "a snapshot was taken"))
         except (OSError, HouseflyError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             words = f"the snapshot cannot be kept: {reason}"
             _LOG.error("%s", words)
-            self._tell(ClipNews(row.id, ClipOutcome.FAILED, words))
+            self._tell(ClipResult(row.id, ClipOutcome.FAILED, words))
 
     def _recover(self) -> None:
         for name in self.index.recover():
             words = "what a crash left of a clip was kept"
-            self._tell(ClipNews(name, ClipOutcome.CUT_OFF, words))
+            self._tell(ClipResult(name, ClipOutcome.CUT_OFF, words))
 
     def _tidy(self) -> None:
         try:
             # The recorder's own time does not follow a clock that is set back.
             now = min(self._unix, time.time())
-            self.index.tidy(self._clocks.look(now, time.monotonic()))
+            self.index.tidy(self._clocks.read(now, time.monotonic()))
         except (OSError, HouseflyError) as error:
             _LOG.error("old clips cannot be deleted: %s", error)

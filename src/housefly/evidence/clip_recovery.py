@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from housefly.evidence.clip_store import ADOPTED, SUFFIXES, ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_store import ADOPTED, SUFFIXES, AuditEntry, ClipRow, ClipTable
 from housefly.evidence.clip_writer import PART_SUFFIX, duration_of, finish_leftover
 
 _LOG = logging.getLogger(__name__)
@@ -81,7 +81,7 @@ def _adopted(table: ClipTable, folder: Path, wall: Callable[[], float]) -> list[
             row = ClipRow(name, kind, 0, "", "", "", (), "", began, cut_off=is_torn)
             table.put(_measured(row, folder))
             # Whether somebody wanted it kept is lost: its days begin anew.
-            table.saw(name, ClipView(wall(), "housefly", ADOPTED))
+            table.log(name, AuditEntry(wall(), "housefly", ADOPTED))
         elif suffix.startswith(("mp4.", "jpg.")):
             path.unlink(missing_ok=True)
     return torn

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError
-from housefly.evidence.clip_clock import PROOF, BelievedTime, ClockLook
-from housefly.evidence.clip_store import ADOPTED, ClipRow, ClipTable, ClipView
+from housefly.evidence.clip_clock import PROOF_TIME, BelievedTime, ClockReading
+from housefly.evidence.clip_store import ADOPTED, AuditEntry, ClipRow, ClipTable
 
 _LOG = logging.getLogger(__name__)
 _DAY = 86_400.0
@@ -44,24 +44,24 @@ class ClipRetention:
         since = adopted if adopted and end > adopted + _DAY else max(end, adopted)
         return since + self._days(row) * _DAY
 
-    def tidy(self, look: ClockLook, *, is_right: bool = False) -> tuple[str, ...]:
+    def tidy(self, reading: ClockReading, *, is_right: bool = False) -> tuple[str, ...]:
         """Delete what a clock that may be wrong allows to delete, and return the ids.
 
         Args:
-            look: at the clocks.
+            reading: of the clocks.
             is_right: whether a person says that the wall clock is right.
 
         Raises:
             StoreError: the index does not answer.
         """
-        now = look.now
+        now = reading.now
         before = self._table.believed_time() or BelievedTime(self._newest(now))
-        time_now = BelievedTime(now) if is_right else before.after(look)
+        time_now = BelievedTime(now) if is_right else before.after(reading)
         self._table.believe(time_now)
         if time_now.doubted is None:
-            self._date_anew(now)
+            self._age_future_clips_from(now)
         gone = self.expire(time_now.believed)
-        self.weigh()
+        self.update_notices()
         return gone
 
     def expire(self, now: float) -> tuple[str, ...]:
@@ -88,10 +88,10 @@ class ClipRetention:
             except OSError as error:
                 _LOG.error("the clip %s cannot be deleted: %s", row.id, error)
                 continue
-            self._table.saw(row.id, ClipView(now, "housefly", "expired"))
+            self._table.log(row.id, AuditEntry(now, "housefly", "expired"))
             space -= row.size
             gone.append(row.id)
-        self.weigh()
+        self.update_notices()
         return tuple(gone)
 
     def remove(self, row: ClipRow) -> None:
@@ -99,7 +99,7 @@ class ClipRetention:
         (self._folder / row.file_name).unlink(missing_ok=True)
         self._table.remove(row.id)
 
-    def weigh(self) -> None:
+    def update_notices(self) -> None:
         """Bring the notices up to date; an index that does not answer is one of them."""
         try:
             notices = (self._space_words(), self._clock_words())
@@ -125,11 +125,11 @@ class ClipRetention:
         rows = self._table.rows("whole", limit=1)
         return rows[0].began_at + rows[0].duration if rows else now
 
-    def _date_anew(self, now: float) -> None:
+    def _age_future_clips_from(self, now: float) -> None:
         """Let the days of clips begin today that a wrong clock put into the future."""
         for row in self._table.rows("whole AND began_at > ?", now + _DAY):
             if not self._table.adopted_at(row.id):
-                self._table.saw(row.id, ClipView(now, "housefly", ADOPTED))
+                self._table.log(row.id, AuditEntry(now, "housefly", ADOPTED))
 
     def _space_words(self) -> str:
         rows = self._table.rows("whole")
@@ -147,7 +147,7 @@ class ClipRetention:
         if known is None or known.doubted is None:
             return ""
         days = (known.doubted - known.believed) / _DAY
-        until = time.strftime("%Y-%m-%d %H:%M", time.localtime(known.doubted + PROOF))
+        until = time.strftime("%Y-%m-%d %H:%M", time.localtime(known.doubted + PROOF_TIME))
         return (
             f"the clock went on by {days:.0f} days at once: no clip is deleted for its age before"
             f" {until}; if the clock is right, `housefly clips tidy --clock-is-right` does it now"

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from housefly.errors import StoreError
 from housefly.evidence.clip_clock import BelievedTime
-from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_writer import CLIP_SUFFIX
 from housefly.evidence.snapshots import SNAPSHOT_SUFFIX
 
@@ -37,7 +37,7 @@ CREATE INDEX IF NOT EXISTS views_by_clip ON views (clip, at);
 CREATE TABLE IF NOT EXISTS clock (
   one INTEGER PRIMARY KEY CHECK (one = 1), believed REAL NOT NULL, doubted REAL);
 """
-_ADDED = {"cut_off": "INTEGER NOT NULL DEFAULT 0", "drone": "TEXT NOT NULL DEFAULT ''"}
+_ADDED_COLUMNS = {"cut_off": "INTEGER NOT NULL DEFAULT 0", "drone": "TEXT NOT NULL DEFAULT ''"}
 """Columns that an index of an earlier version lacks."""
 SUFFIXES = {"clip": CLIP_SUFFIX, "snapshot": SNAPSHOT_SUFFIX}
 """Kinds of evidence and how their files end."""
@@ -99,7 +99,7 @@ def new_clip_row(kind: str, began_at: float, origin: ClipOrigin, drone: str = ""
 
 
 @dataclass(frozen=True, slots=True)
-class ClipView:
+class AuditEntry:
     """Who did what with a clip, and when [Unix time, s]."""
 
     at: float
@@ -141,18 +141,18 @@ class ClipTable:
             *(json.dumps(row.people), row.cause, row.began_at, row.duration, row.size),
             *(row.kept, row.blanked, row.whole, row.cut_off, row.drone),
         )
-        with self._written() as database:
+        with self._transaction() as database:
             database.execute(f"REPLACE INTO clips VALUES ({','.join('?' * 16)})", values)
 
     def remove(self, name: str) -> None:
         """Forget a row; who watched it is remembered; raises StoreError."""
-        with self._written() as database:
+        with self._transaction() as database:
             database.execute("DELETE FROM clips WHERE id = ?", (name,))
 
     def rows(self, where: str = "1", *values: object, limit: int = -1) -> list[ClipRow]:
         """Return rows by an SQL condition, the newest first; raises StoreError."""
         order = "ORDER BY began_at DESC, id DESC LIMIT ?"
-        with self._read() as database:
+        with self._connection() as database:
             found = database.execute(
                 f"SELECT * FROM clips WHERE {where} {order}", (*values, limit)
             ).fetchall()
@@ -160,44 +160,44 @@ class ClipTable:
 
     def believed_time(self) -> BelievedTime | None:
         """Return the time that was believed last, None before the first; raises StoreError."""
-        with self._read() as database:
+        with self._connection() as database:
             found = database.execute("SELECT believed, doubted FROM clock").fetchone()
         return None if found is None else BelievedTime(*found)
 
     def believe(self, time: BelievedTime) -> None:
         """Remember which time is believed; raises StoreError."""
-        with self._written() as database:
+        with self._transaction() as database:
             values = time.believed, time.doubted
             database.execute("REPLACE INTO clock VALUES (1, ?, ?)", values)
 
-    def saw(self, name: str, view: ClipView) -> None:
+    def log(self, name: str, entry: AuditEntry) -> None:
         """Write down who did what with a clip; raises StoreError."""
-        with self._written() as database:
+        with self._transaction() as database:
             database.execute(
-                "INSERT INTO views VALUES (?, ?, ?, ?)", (name, view.at, view.who, view.what)
+                "INSERT INTO views VALUES (?, ?, ?, ?)", (name, entry.at, entry.who, entry.what)
             )
 
-    def views(self, name: str) -> tuple[ClipView, ...]:
+    def audit_log(self, name: str) -> tuple[AuditEntry, ...]:
         """Return what was done with a clip, by time; raises StoreError."""
-        with self._read() as database:
+        with self._connection() as database:
             found = database.execute(
                 "SELECT at, who, what FROM views WHERE clip = ? ORDER BY at", (name,)
             )
-            return tuple(ClipView(*columns) for columns in found.fetchall())
+            return tuple(AuditEntry(*columns) for columns in found.fetchall())
 
     def adopted_at(self, name: str) -> float:
         """Return when a clip was last taken up again [Unix time, s], 0 if never.
 
         Raises StoreError.
         """
-        with self._read() as database:
+        with self._connection() as database:
             found = database.execute(
                 "SELECT max(at) FROM views WHERE clip = ? AND what = ?", (name, ADOPTED)
             ).fetchone()
         return float(found[0] or 0.0)
 
     @contextmanager
-    def _read(self) -> Iterator[sqlite3.Connection]:
+    def _connection(self) -> Iterator[sqlite3.Connection]:
         try:
             with self._lock:
                 yield self._database
@@ -205,8 +205,8 @@ class ClipTable:
             raise StoreError(f"the clips' index does not answer: {error}") from error
 
     @contextmanager
-    def _written(self) -> Iterator[sqlite3.Connection]:
-        with self._read() as database, database:
+    def _transaction(self) -> Iterator[sqlite3.Connection]:
+        with self._connection() as database, database:
             yield database
 
 
@@ -232,17 +232,17 @@ def _connected(file: Path) -> sqlite3.Connection:
         database.executescript(_SCHEMA)
         columns = database.execute("SELECT name FROM pragma_table_info('clips')").fetchall()
         has = {column["name"] for column in columns}
-        for name, kind in _ADDED.items():
+        for name, kind in _ADDED_COLUMNS.items():
             if name not in has:
                 database.execute(f"ALTER TABLE clips ADD COLUMN {name} {kind}")
-        _check(database)
+        _check_every_row(database)
     except sqlite3.Error:
         database.close()
         raise
     return database
 
 
-def _check(database: sqlite3.Connection) -> None:
+def _check_every_row(database: sqlite3.Connection) -> None:
     """Read every page and row; raises sqlite3.DatabaseError for what cannot be read."""
     (found,) = database.execute("PRAGMA quick_check(1)").fetchone()
     if found != "ok":

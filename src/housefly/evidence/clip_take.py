@@ -13,7 +13,7 @@ import av
 
 from housefly.errors import HouseflyError
 from housefly.evidence.clip_index import ClipIndex
-from housefly.evidence.clip_news import ClipNews, ClipOutcome
+from housefly.evidence.clip_result import ClipOutcome, ClipResult
 from housefly.evidence.clip_store import ClipRow
 from housefly.evidence.clip_writer import (
     PART_SUFFIX,
@@ -21,7 +21,7 @@ from housefly.evidence.clip_writer import (
     duration_of,
     finish_leftover,
 )
-from housefly.evidence.picture_cover import FilmedFrame
+from housefly.evidence.privacy_mask import FrameToMask
 from housefly.messages import VideoFrame
 
 _LOG = logging.getLogger(__name__)
@@ -33,7 +33,7 @@ class FrameFilter(Protocol):
     has_blanked: bool
     """Whether anything was blanked so far."""
 
-    def filtered(self, filmed: FilmedFrame) -> VideoFrame | None:
+    def filtered(self, filmed: FrameToMask) -> VideoFrame | None:
         """Return the picture that may be kept, or None for one that may not."""
         ...
 
@@ -45,8 +45,8 @@ class ClipTake:
         index: of the folder.
         path: of the whole clip.
         row: what is known at the beginning.
-        frames: what pictures pass before they reach the disk; None keeps them as they are.
-        told: hears what became of it.
+        frame_filter: what pictures pass before they reach the disk; None keeps them as they are.
+        on_result: hears what became of it.
     """
 
     def __init__(
@@ -54,13 +54,12 @@ class ClipTake:
         index: ClipIndex,
         path: Path,
         row: ClipRow,
-        frames: FrameFilter | None,
-        told: Callable[[ClipNews], None],
+        frame_filter: FrameFilter | None,
+        on_result: Callable[[ClipResult], None],
     ) -> None:
         self._index, self._path, self._row = index, path, row
-        self._filter, self._told = frames, told
+        self._filter, self._on_result = frame_filter, on_result
         self._writer: ClipWriter | None = None
-        self._zero: float | None = None
         self._has_failed = False
 
     @property
@@ -73,14 +72,14 @@ class ClipTake:
         """Whether it writes nothing any more."""
         return self._has_failed
 
-    def add(self, filmed: FilmedFrame) -> None:
+    def add(self, filmed: FrameToMask) -> None:
         """Write a picture."""
         if self._has_failed:
             return
         try:
             self._write(filmed)
         except (OSError, av.FFmpegError, HouseflyError) as error:
-            self._failed(error)
+            self._give_up(error)
 
     def finish(self) -> None:
         """Close the file, write its row and say so."""
@@ -98,9 +97,9 @@ class ClipTake:
             self._index.finish(self._row)
             self._tell(ClipOutcome.WHOLE, f"a clip of {clip.duration:.0f} s was recorded")
         except (OSError, av.FFmpegError, HouseflyError) as error:
-            self._failed(error)
+            self._give_up(error)
 
-    def _write(self, filmed: FilmedFrame) -> None:
+    def _write(self, filmed: FrameToMask) -> None:
         frame = filmed.frame if self._filter is None else self._filter.filtered(filmed)
         if frame is None:
             return
@@ -108,21 +107,20 @@ class ClipTake:
             if not frame.keyframe:
                 return
             # The row comes first: a file without one would belong to nobody after a crash.
-            self._zero = frame.received_at
             self._index.begin(self._row)
             self._writer = ClipWriter(self._path)
         self._writer.add(frame)
 
-    def _failed(self, error: Exception) -> None:
+    def _give_up(self, error: Exception) -> None:
         self._has_failed = True
         if self._writer is not None:
             self._writer.abandon()
-        outcome = ClipOutcome.CUT_OFF if self._saves_what_there_is() else ClipOutcome.FAILED
+        outcome = ClipOutcome.CUT_OFF if self._saved_what_there_is() else ClipOutcome.FAILED
         reason = getattr(error, "strerror", None) or str(error)
         _LOG.error("the clip %s cannot be written: %s", self._path, reason)
         self._tell(outcome, f"the clip is cut off, the flight goes on: {reason}")
 
-    def _saves_what_there_is(self) -> bool:
+    def _saved_what_there_is(self) -> bool:
         """Make a clip of what was written; where that fails too, the next start tries again."""
         if self._writer is None:
             return False
@@ -138,4 +136,4 @@ class ClipTake:
         return False
 
     def _tell(self, outcome: ClipOutcome, words: str) -> None:
-        self._told(ClipNews(self.id, outcome, words))
+        self._on_result(ClipResult(self.id, outcome, words))

@@ -21,7 +21,7 @@ from housefly.record.movie import Movie
 
 _LOG = logging.getLogger(__name__)
 CLIP_SUFFIX, PART_SUFFIX = ".mp4", ".mp4.part"
-_MENDED_SUFFIX = ".mp4.mended"
+_REMUXED_SUFFIX = ".mp4.mended"
 _BOX = struct.Struct(">I4s")
 """Length [bytes] and kind of a box of MP4 (ISO 14496-12, section 4.2)."""
 _FIRST_BOXES, _BEGUN_MAX = (b"ftyp", b"free"), 4096
@@ -50,7 +50,7 @@ class ClipWriter:
 
     def __init__(self, path: Path) -> None:
         self._path, self._part = path, path.with_name(path.stem + PART_SUFFIX)
-        make_private(self._part)
+        create_private(self._part)
         self._movie = Movie(self._part)
         self._began_at: float | None = None
         self._newest = 0.0
@@ -77,7 +77,7 @@ class ClipWriter:
         if self._began_at is None or not self._part.stat().st_size:
             self._part.unlink(missing_ok=True)
             return None
-        _name_it(self._part, self._path)
+        _publish(self._part, self._path)
         duration = self._newest - self._began_at
         duration += duration / (self._count - 1) if self._count > 1 else 0.0
         return ClipFile(self._path, self._began_at, duration, self._path.stat().st_size)
@@ -104,14 +104,14 @@ def finish_leftover(part: Path) -> Path | None:
             return None
         case _Leftover.UNREADABLE:
             return part.replace(path)
-    mended = part.with_name(part.name.removesuffix(PART_SUFFIX) + _MENDED_SUFFIX)
+    remuxed = part.with_name(part.name.removesuffix(PART_SUFFIX) + _REMUXED_SUFFIX)
     try:
-        make_private(mended)
-        _copy(part, mended)
-        _name_it(mended, path)
+        create_private(remuxed)
+        _remux(part, remuxed)
+        _publish(remuxed, path)
     except (OSError, av.FFmpegError, IndexError, ValueError) as error:
         _LOG.warning("%s cannot be copied and stays in fragments: %s", part, error)
-        mended.unlink(missing_ok=True)
+        remuxed.unlink(missing_ok=True)
         part.replace(path)
     part.unlink(missing_ok=True)
     return path
@@ -129,7 +129,7 @@ def duration_of(path: Path) -> float:
         return 0.0
 
 
-def make_private(path: Path) -> None:
+def create_private(path: Path) -> None:
     """Make an empty file that only this user can read; an old one is removed."""
     path.unlink(missing_ok=True)
     os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o600))
@@ -166,7 +166,7 @@ def _is_only_begun(part: Path) -> bool:
     return not left.strip(b"\0")
 
 
-def _copy(part: Path, path: Path) -> None:
+def _remux(part: Path, path: Path) -> None:
     """Copy every whole picture into an ordinary MP4 file."""
     with av.open(str(part)) as source, av.open(str(path), "w", format="mp4") as target:
         stream = target.add_stream_from_template(source.streams.video[0])
@@ -184,7 +184,7 @@ def _whole_packets(source: InputContainer) -> Iterator[Any]:
                 yield packet
 
 
-def _name_it(part: Path, path: Path) -> None:
+def _publish(part: Path, path: Path) -> None:
     sync_file(part)
     part.replace(path)
     sync_folder(path.parent)

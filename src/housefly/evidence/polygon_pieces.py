@@ -23,11 +23,11 @@ def convex_pieces(polygon: Sequence[Vec2]) -> tuple[ConvexPolygon, ...]:
     if _area(corners) < 0:
         corners.reverse()
     triangles: list[ConvexPolygon] = []
-    while any(turn(*corners_at(corners, n)) < 0 for n in range(len(corners))):
+    while any(turn(*corner_and_neighbours(corners, n)) < 0 for n in range(len(corners))):
         ear = next((n for n in range(len(corners)) if _is_ear(corners, n)), None)
         if ear is None:
             return (convex_hull(polygon),)
-        triangles.append(corners_at(corners, ear))
+        triangles.append(corner_and_neighbours(corners, ear))
         del corners[ear]
     return (*triangles, convex_hull(corners))
 
@@ -46,7 +46,7 @@ def turn(a: Vec2, b: Vec2, c: Vec2) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def corners_at(corners: Sequence[Vec2], n: int) -> tuple[Vec2, Vec2, Vec2]:
+def corner_and_neighbours(corners: Sequence[Vec2], n: int) -> tuple[Vec2, Vec2, Vec2]:
     """Return a corner between its neighbours."""
     return corners[n - 1], corners[n], corners[(n + 1) % len(corners)]
 
@@ -61,7 +61,7 @@ def _chain(ordered: Sequence[Vec2]) -> list[Vec2]:
 
 
 def _is_ear(corners: Sequence[Vec2], n: int) -> bool:
-    a, b, c = corners_at(corners, n)
+    a, b, c = corner_and_neighbours(corners, n)
     if turn(a, b, c) <= 0:
         return False
     others = (point for point in corners if point not in (a, b, c))

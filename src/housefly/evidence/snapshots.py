@@ -9,16 +9,16 @@ from pathlib import Path
 from PIL import Image
 
 from housefly.config.durable import sync_folder
-from housefly.evidence.clip_writer import make_private
+from housefly.evidence.clip_writer import create_private
 from housefly.evidence.frame_blanker import FrameBlanker
 from housefly.evidence.picture_codec import Picture
-from housefly.evidence.picture_cover import FilmedFrame
+from housefly.evidence.privacy_mask import FrameToMask
 
 SNAPSHOT_SUFFIX, _PART_SUFFIX = ".jpg", ".jpg.part"
 _QUALITY = 92
 
 
-def newest_picture(frames: tuple[FilmedFrame, ...], blanker: FrameBlanker) -> Picture | None:
+def newest_picture(frames: tuple[FrameToMask, ...], blanker: FrameBlanker) -> Picture | None:
     """Return the newest picture of a group that begins with a key frame, or None."""
     newest = None
     for filmed in frames:
@@ -34,7 +34,7 @@ def write_snapshot(path: Path, picture: Picture) -> int:
     buffer = BytesIO()
     Image.fromarray(picture).save(buffer, "JPEG", quality=_QUALITY)
     part = path.with_name(path.stem + _PART_SUFFIX)
-    make_private(part)
+    create_private(part)
     try:
         with part.open("r+b") as file:
             file.write(buffer.getvalue())

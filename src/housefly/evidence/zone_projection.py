@@ -17,8 +17,8 @@ import numpy as np
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.evidence.camera_pose import CameraPose
-from housefly.evidence.picture_cover import EVERYTHING, NOTHING, PictureCover
-from housefly.evidence.polygon_pieces import ConvexPolygon, convex_pieces, corners_at
+from housefly.evidence.polygon_pieces import ConvexPolygon, convex_pieces, corner_and_neighbours
+from housefly.evidence.privacy_mask import MASK_ALL, MASK_NONE, PrivacyMask
 from housefly.geometry import Vec3, rotate
 from housefly.numeric import FloatArray
 from housefly.room.level_camera import LevelCamera
@@ -26,11 +26,11 @@ from housefly.room.level_camera import LevelCamera
 ATTITUDE_ERROR = radians(2.0)
 """Attitude, mount and lens may be wrong by this [rad]."""
 _STANDARD_DEVIATIONS = 3.0
-_NEAR = 0.05
+_NEAR_PLANE = 0.05
 """Nothing nearer than this is projected; who is so near to a zone is in it [m]."""
-_CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
+_CUBE_CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
 _AXES: tuple[Vec3, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-_SIDES = np.array([(cos(n * pi / 48), sin(n * pi / 48)) for n in range(96)])
+_SIDE_NORMALS = np.array([(cos(n * pi / 48), sin(n * pi / 48)) for n in range(96)])
 """Directions in the picture to which the sides of what is blank are square."""
 
 
@@ -59,7 +59,7 @@ class ZoneProjector:
         """Whether there is any zone."""
         return bool(self._pieces)
 
-    def cover(self, poses: tuple[CameraPose, ...], width: int, height: int) -> PictureCover:
+    def mask(self, poses: tuple[CameraPose, ...], width: int, height: int) -> PrivacyMask:
         """Return what must be blank in a picture; everything while the pose is not known.
 
         Args:
@@ -68,16 +68,18 @@ class ZoneProjector:
             height: of the picture [px].
         """
         if not self._pieces:
-            return NOTHING
+            return MASK_NONE
         if not poses:
-            return EVERYTHING
+            return MASK_ALL
         views = _Views.of(poses, self._camera, self._margin)
-        if any(piece.holds(views) for piece in self._pieces):
-            return EVERYTHING
-        lens = _Lens.of(self._camera, width, height)
-        near = (piece for piece in self._pieces if views.may_see(piece, lens.cone))
-        shown = (lens.pixels(views.before(piece.corners)) for piece in near)
-        return PictureCover(polygons=tuple(part for points in shown if (part := lens.part(points))))
+        if any(piece.contains_camera(views) for piece in self._pieces):
+            return MASK_ALL
+        pinhole = _Pinhole.of(self._camera, width, height)
+        near = (piece for piece in self._pieces if views.may_see(piece, pinhole.half_angle))
+        shown = (pinhole.pixels(views.in_front(piece.corners)) for piece in near)
+        return PrivacyMask(
+            polygons=tuple(part for points in shown if (part := pinhole.outline(points)))
+        )
 
 
 def zone_projectors(
@@ -110,13 +112,13 @@ class _Piece:
         radius = float(np.linalg.norm(corners - centre, axis=1).max())
         return cls(footprint, *heights, corners, centre, radius)
 
-    def holds(self, views: _Views) -> bool:
+    def contains_camera(self, views: _Views) -> bool:
         """Return whether the camera is, in any view, in the prism or near it."""
-        reach = views.margins + _NEAR
+        reach = views.margins + _NEAR_PLANE
         x, y, z = views.eyes.T
         inside = (z >= self.z_min - reach) & (z <= self.z_max + reach)
         for n in range(len(self.footprint)):
-            _, (ax, ay), (bx, by) = corners_at(self.footprint, n)
+            _, (ax, ay), (bx, by) = corner_and_neighbours(self.footprint, n)
             across, length = (bx - ax) * (y - ay) - (by - ay) * (x - ax), hypot(bx - ax, by - ay)
             inside &= across >= -reach * length
         return bool(inside.any())
@@ -147,16 +149,16 @@ class _Views:
             margin + _STANDARD_DEVIATIONS * spreads,
         )
 
-    def may_see(self, piece: _Piece, cone: float) -> bool:
+    def may_see(self, piece: _Piece, half_angle: float) -> bool:
         """Return whether a ball around a piece reaches into a cone around the view [rad]."""
-        ways = piece.centre - self.eyes
-        distances = np.linalg.norm(ways, axis=1)
-        ahead = (ways * self.axes[:, :, 0]).sum(axis=1) / np.maximum(distances, 1e-9)
+        offsets = piece.centre - self.eyes
+        distances = np.linalg.norm(offsets, axis=1)
+        ahead = (offsets * self.axes[:, :, 0]).sum(axis=1) / np.maximum(distances, 1e-9)
         balls = piece.radius + sqrt(3.0) * self.margins
         wide = np.arcsin(np.minimum(1.0, balls / np.maximum(distances, 1e-9)))
-        return bool((np.arccos(np.clip(ahead, -1.0, 1.0)) - wide <= cone).any())
+        return bool((np.arccos(np.clip(ahead, -1.0, 1.0)) - wide <= half_angle).any())
 
-    def before(self, corners: FloatArray) -> FloatArray:
+    def in_front(self, corners: FloatArray) -> FloatArray:
         """Return the corners of what of a grown convex body lies before the camera, in any view.
 
         Args:
@@ -165,27 +167,27 @@ class _Views:
         Returns:
             forward, left, up from the camera [m], shape (m, 3).
         """
-        grown = self.margins[:, None, None] * _CORNERS
+        grown = self.margins[:, None, None] * _CUBE_CORNERS
         points = (corners[None, :, None, :] + grown[:, None, :, :]).reshape(len(grown), -1, 3)
         points = (points - self.eyes[:, None, :]) @ self.axes
-        is_whole = points[:, :, 0].min(axis=1) >= _NEAR
-        parts = [_cut_off(view) for view in points[~is_whole]]
+        is_whole = points[:, :, 0].min(axis=1) >= _NEAR_PLANE
+        parts = [_clipped(view) for view in points[~is_whole]]
         before: FloatArray = np.concatenate((points[is_whole].reshape(-1, 3), *parts))
         return before
 
 
 @dataclass(frozen=True, slots=True)
-class _Lens:
+class _Pinhole:
     """Focal length, size and angular margin [px], and the angle that the corners reach [rad]."""
 
     focal: float
     width: int
     height: int
     margin: float
-    cone: float
+    half_angle: float
 
     @classmethod
-    def of(cls, camera: LevelCamera, width: int, height: int) -> _Lens:
+    def of(cls, camera: LevelCamera, width: int, height: int) -> _Pinhole:
         focal = width / 2 / tan(camera.width / 2)
         corner = atan(hypot(width, height) / 2 / focal)
         # In the corner of a picture an angle is widest; one pixel more for the edge of a pixel.
@@ -198,30 +200,30 @@ class _Lens:
         shown: FloatArray = centre - self.focal * points[:, 1:] / points[:, :1]
         return shown
 
-    def part(self, points: FloatArray) -> tuple[tuple[float, float], ...]:
+    def outline(self, points: FloatArray) -> tuple[tuple[float, float], ...]:
         """Return a convex polygon around points with the margin; () when it is not in the picture.
 
         Its sides have fixed directions, so that it is quickly found; it is never too small.
         """
         if not len(points):
             return ()
-        reach = (points @ _SIDES.T).max(axis=0) + self.margin
-        quarter = len(_SIDES) // 4
+        reach = (points @ _SIDE_NORMALS.T).max(axis=0) + self.margin
+        quarter = len(_SIDE_NORMALS) // 4
         right, down, left, up = (float(reach[n * quarter]) for n in range(4))
         if right < 0 or down < 0 or -left > self.width or -up > self.height:
             return ()
-        after, after_reach = np.roll(_SIDES, -1, axis=0), np.roll(reach, -1)
-        across = _SIDES[:, 0] * after[:, 1] - _SIDES[:, 1] * after[:, 0]
-        x = (reach * after[:, 1] - after_reach * _SIDES[:, 1]) / across
-        y = (_SIDES[:, 0] * after_reach - after[:, 0] * reach) / across
+        after, after_reach = np.roll(_SIDE_NORMALS, -1, axis=0), np.roll(reach, -1)
+        across = _SIDE_NORMALS[:, 0] * after[:, 1] - _SIDE_NORMALS[:, 1] * after[:, 0]
+        x = (reach * after[:, 1] - after_reach * _SIDE_NORMALS[:, 1]) / across
+        y = (_SIDE_NORMALS[:, 0] * after_reach - after[:, 0] * reach) / across
         return tuple(zip(x.tolist(), y.tolist(), strict=True))
 
 
-def _cut_off(points: FloatArray) -> FloatArray:
+def _clipped(points: FloatArray) -> FloatArray:
     """Return the corners of what of a convex body lies before the camera."""
-    front, back = points[points[:, 0] >= _NEAR], points[points[:, 0] < _NEAR]
+    front, back = points[points[:, 0] >= _NEAR_PLANE], points[points[:, 0] < _NEAR_PLANE]
     # Every edge that crosses the near plane is among the lines from front to back.
-    share = (front[:, None, 0] - _NEAR) / (front[:, None, 0] - back[None, :, 0])
+    share = (front[:, None, 0] - _NEAR_PLANE) / (front[:, None, 0] - back[None, :, 0])
     cut = front[:, None, :] + share[:, :, None] * (back[None, :, :] - front[:, None, :])
     return np.concatenate((front, cut.reshape(-1, 3)))
 

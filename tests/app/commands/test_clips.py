@@ -73,7 +73,7 @@ def test_an_export_has_the_clip_a_picture_and_what_is_known_and_is_in_the_audit_
     index: ClipIndex, folder: Path, tmp_path: Path, capsys: Capture
 ) -> None:
     name = filmed(index, folder, place="entrance")
-    index.watched(name, "anna")
+    index.log_access(name, "anna")
     out = tmp_path / "out"
     assert main(["clips", "export", name, "--out", str(out)]) == 0
     assert str(out / f"{name}.mp4") in capsys.readouterr().out

@@ -15,7 +15,7 @@ from task_stage import GOOD, TaskStage
 
 from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
-from housefly.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.evidence.clip_result import ClipOrigin, ClipOutcome, ClipResult
 from housefly.evidence.clip_store import new_clip_row
 from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase, RoomEvent
@@ -269,7 +269,7 @@ def test_a_clip_that_was_cut_off_and_saved_stays_with_its_task(stage: TaskStage)
         row = new_clip_row("clip", 1_790_000_000.0, ClipOrigin(1, "look"))
         clips.index.finish(row)
         stage.parts.engine.keep_clip(1, row.id)
-        clips._tell(ClipNews(row.id, outcome, f"{outcome.value}: the disk is full"))
+        clips._tell(ClipResult(row.id, outcome, f"{outcome.value}: the disk is full"))
         stage.stand()
         assert (row.id in stage.task().clips) is (outcome is ClipOutcome.CUT_OFF)
         assert f"{outcome.value}: the disk is full" in stage.task().report
@@ -285,7 +285,7 @@ def test_a_photo_that_a_person_takes_is_kept_and_told_with_who_took_it(stage: Ta
         clips.add(frame, None)
     (photo,) = stage.ask(TakePhoto(now - 1.0, by="Ada")).clips
     assert (photo.kind, photo.task, photo.cause) == ("snapshot", 0, "Ada")
-    assert clips.is_taking, "the light of the drone shows it"
+    assert clips.shows_light, "the light of the drone shows it"
     assert photo.keep_until is not None and clips.index.file(photo.id).exists()
     stage.stand()
     (told,) = stage.told("snapshot kept")

@@ -15,7 +15,7 @@ from starlette.applications import Starlette
 
 from housefly.config.tasks import TasksConfig
 from housefly.evidence.clip_index import ClipIndex
-from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_store import new_clip_row
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.roles import Role, role_for_path
@@ -74,7 +74,7 @@ class Show:
 
     @property
     def seen(self) -> list[str]:
-        return [view.what for view in self.index.views(self.clip)]
+        return [view.what for view in self.index.audit_log(self.clip)]
 
 
 @pytest.fixture
@@ -118,7 +118,7 @@ async def test_who_played_a_clip_looked_at_a_snapshot_and_took_both_away_is_in_t
             *(f"{show.clip}.mp4", f"{show.snapshot}.jpg", "clips.json", "SHA256SUMS")
         }
     assert show.seen == ["watched", "exported", "exported"]
-    assert [view.what for view in show.index.views(show.snapshot)] == ["watched", "exported"]
+    assert [view.what for view in show.index.audit_log(show.snapshot)] == ["watched", "exported"]
     assert show.told() == [
         ("a program", f"watched the clip {show.clip}"),
         ("a program", f"watched the clip {show.snapshot}"),

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from housefly.errors import HouseflyError
-from housefly.evidence.clip_news import ClipOrigin
+from housefly.evidence.clip_result import ClipOrigin
 from housefly.evidence.clip_values import StartClip, TakeSnapshot
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind, OrderSource

@@ -14,8 +14,8 @@ from threading import Lock
 from typing import Any
 
 from housefly.errors import HouseflyError, TaskError
-from housefly.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
 from housefly.evidence.clip_recorder import ClipRecorder
+from housefly.evidence.clip_result import KEPT, ClipOrigin, ClipOutcome
 from housefly.evidence.clip_values import (
     ClipsAnswer,
     ClipsQuestion,
@@ -248,7 +248,7 @@ class TaskService:
                 self._wall(),
                 parts.rules.mode,
                 self._drone_words() if parts.has_drone else literal(NO_DRONE),
-                any(drone.clips.records for drone in parts.drones.values()),
+                any(drone.clips.is_recording for drone in parts.drones.values()),
                 parts.engine.open,
                 parts.engine.ended,
                 self._notices(),

@@ -39,7 +39,7 @@ class ClipBook(Protocol):
         """Return the file of a clip; raises TaskError when there is none."""
         ...
 
-    def watched(self, name: str, who: str, what: str = "watched") -> object:
+    def log_access(self, name: str, who: str, what: str = "watched") -> object:
         """Write down who saw, copied or exported a clip; raises TaskError, StoreError."""
         ...
 
@@ -154,7 +154,7 @@ class ClipFiles:
             }
             if self._index is None or key in self._written:
                 return False
-            self._index.watched(clip, who, what)
+            self._index.log_access(clip, who, what)
             self._written[key] = now
         return True
 

@@ -111,7 +111,7 @@ class VideoRelay:
                     loop.call_soon_threadsafe(self._relay, shown)
 
         if self._privacy is not None:
-            self._bus.subscribe(self._topics.step, self._privacy.moved)
+            self._bus.subscribe(self._topics.step, self._privacy.add_step)
         self._bus.subscribe(self._topics.video, received)
 
     @contextmanager

@@ -12,7 +12,7 @@ from housefly.room.reach import Mask
 
 
 @dataclass(frozen=True, slots=True)
-class PictureCover:
+class PrivacyMask:
     """What of a picture must be blank.
 
     Attributes:
@@ -28,7 +28,7 @@ class PictureCover:
         """Whether nothing must be blank."""
         return not (self.is_whole or self.polygons)
 
-    def mask(self, width: int, height: int) -> Mask:
+    def pixels(self, width: int, height: int) -> Mask:
         """Return which pixels must be blank, shape (height, width)."""
         if self.is_whole:
             return np.ones((height, width), dtype=np.bool_)
@@ -39,13 +39,13 @@ class PictureCover:
         return np.asarray(picture, dtype=np.bool_)
 
 
-EVERYTHING = PictureCover(is_whole=True)
-NOTHING = PictureCover()
+MASK_ALL = PrivacyMask(is_whole=True)
+MASK_NONE = PrivacyMask()
 
 
 @dataclass(frozen=True, slots=True)
-class FilmedFrame:
+class FrameToMask:
     """One encoded picture, and what of it must be blank."""
 
     frame: VideoFrame
-    cover: PictureCover = NOTHING
+    mask: PrivacyMask = MASK_NONE

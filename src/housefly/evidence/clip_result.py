@@ -29,7 +29,7 @@ class ClipOrigin:
 
 
 @dataclass(frozen=True, slots=True)
-class ClipNews:
+class ClipResult:
     """What became of a clip or snapshot, in words for people."""
 
     clip: str
