@@ -17,6 +17,7 @@ from tello_ports import tello_ports
 from housefly.clock import RealClock
 from housefly.config.limits import LimitsConfig
 from housefly.config.site import Site, changed
+from housefly.drones.tello import driver, sockets
 from housefly.drones.tello.driver import Tello
 from housefly.drones.tello.sockets import local_address, open_socket
 from housefly.errors import LinkError
@@ -168,6 +169,22 @@ async def test_a_drone_that_was_switched_off_and_on_is_greeted_again(flight: Fli
     await flight.server.stop()
     await flight.until(lambda: not flight.drone.connected)
     flight.server = TelloServer(flight.world, flight.server._address)
+    await flight.server.start()
+    await flight.until(lambda: flight.drone.connected)
+
+
+async def test_a_new_address_of_ours_in_the_drones_wifi_is_followed(
+    flight: Flight, loopback: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = f"{loopback.rpartition('.')[0]}.253"
+    monkeypatch.setattr(sockets, "local_address", lambda drone: other)
+    monkeypatch.setattr(driver, "local_address", lambda drone: other)
+    await flight.drone.connect()
+    assert flight.drone._ours == other
+    await flight.server.stop()
+    monkeypatch.undo()
+    await flight.until(lambda: flight.drone._ours == loopback)
+    flight.server = TelloServer(flight.world, loopback)
     await flight.server.start()
     await flight.until(lambda: flight.drone.connected)
 

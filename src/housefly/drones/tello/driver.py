@@ -23,8 +23,8 @@ from housefly.config.process_log import log_traceback
 from housefly.drones.failsafe import Failsafe, Permit
 from housefly.drones.tello.flight_watch import FlightWatch
 from housefly.drones.tello.pictures import Pictures
-from housefly.drones.tello.sockets import open_socket
-from housefly.drones.tello.talk import Talk
+from housefly.drones.tello.sockets import local_address, open_socket
+from housefly.drones.tello.talk import STATE_AGE_MAX, Talk
 from housefly.errors import LinkError, WireError
 from housefly.messages import (
     Action,
@@ -75,7 +75,8 @@ class Tello:
         self._repeating: asyncio.Task[None] | None = None
         self._on_report: Callable[[], None] = lambda: None
         self._first = asyncio.Event()
-        self._sent_at = self._heard_at = -inf
+        self._sent_at = self._heard_at = self._looked_at = -inf
+        self._ours = ""
         self._state: TelloState | None = None
         self._arrivals: deque[float] = deque()
         self._problem: Words | None = None
@@ -119,17 +120,32 @@ class Tello:
 
     async def _open(self) -> None:
         if not self._links:
-            where = self._config.address, self._config.interface
-            try:
-                self._links.append(await open_socket(_Ear(self._hear_answer), *where))
-                self._links.append(await open_socket(_Ear(self._hear_state), *where, STATE_PORT))
-                if self._pictures is not None and self._config.has_video:
-                    self._links.append(await open_socket(self._pictures, *where, VIDEO_PORT))
-            except LinkError:
-                self._shut()
-                raise
+            await self._open_links()
         if self._repeating is None:
             self._repeating = asyncio.create_task(self._repeat(), name="repeat commands")
+
+    async def _open_links(self) -> None:
+        where = self._config.address, self._config.interface
+        try:
+            self._links.append(await open_socket(_Ear(self._hear_answer), *where))
+            self._links.append(await open_socket(_Ear(self._hear_state), *where, STATE_PORT))
+            if self._pictures is not None and self._config.has_video:
+                self._links.append(await open_socket(self._pictures, *where, VIDEO_PORT))
+        except LinkError:
+            self._shut()
+            raise
+        self._ours = self._links[0].get_extra_info("sockname")[0]
+
+    async def _follow_address(self, now: float) -> None:
+        """Open the sockets anew where a silent drone's Wi-Fi gave us another address meanwhile."""
+        is_lost = now - self._heard_at > STATE_AGE_MAX and now - self._looked_at > 1.0
+        if not is_lost or self._config.interface:
+            return
+        self._looked_at = now
+        with suppress(OSError, LinkError):
+            if not self._links or local_address(self._config.address) != self._ours:
+                self._shut()
+                await self._open_links()
 
     async def close(self) -> None:
         """Release the wire. Does not land: the pilot does that before."""
@@ -247,12 +263,13 @@ class Tello:
                 except Exception:
                     self._say(encode_line(Word.LAND))
                     log_traceback()
+            await self._follow_address(now)
             await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
 
     def _transmit(self, now: float) -> None:
+        self._sent_at = now
         if not self._links:
             return
-        self._sent_at = now
         told = self._failsafe.decide(now, self.telemetry)
         if told.command.action is Action.RESET:
             self._watch.reset()
