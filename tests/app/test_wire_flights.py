@@ -134,6 +134,17 @@ def test_the_drone_flies_by_other_tracking_systems(
     assert_completed(out)
 
 
+@pytest.mark.interop
+@pytest.mark.timeout(600)
+@pytest.mark.parametrize("kind", ["arducopter", "px4"])
+def test_an_autopilot_completes_the_service_over_mavlink(
+    tmp_path: Path, write_site: Any, kind: str
+) -> None:
+    site, out = write_site(rate=100, video=False, kind=kind), tmp_path / "out"
+    assert_flown(start(site, out, "entrance"), partial(start, site, out, "entrance"), out)
+    assert_completed(out)
+
+
 @pytest.mark.timeout(300)
 def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
     flight = start(write_site(), tmp_path / "out", "entrance")

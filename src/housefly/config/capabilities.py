@@ -45,6 +45,9 @@ class Silence(Section):
 
     after: float = quantity(..., 0.0, TIME_MAX, "s", "silence that it bears")
     answer: SilenceAnswer = Field(description="what it does then")
+    setpoint_ends_after: float | None = quantity(
+        None, 0.0, TIME_MAX, "s", "before that: a velocity counts no longer, and it comes to rest"
+    )
 
 
 class OnboardCamera(Section):

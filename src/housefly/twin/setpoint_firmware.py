@@ -11,7 +11,7 @@ reckons by that speed. States, take-off, landing and watchdogs are those of ever
 from __future__ import annotations
 
 from importlib import import_module
-from math import atan, cos, hypot, sin, tan
+from math import atan, cos, hypot, inf, sin, tan
 
 from housefly.config.drone import DroneConfig
 from housefly.geometry import GRAVITY, Vec2, Vec3, wrap_angle
@@ -45,6 +45,8 @@ class SetpointFirmware(Firmware):
         super().__init__(drone)
         self._drone, self._response = drone, drone.airframe.response
         self._asked: AnySetpoint | None = None
+        ends_after = drone.airframe.capabilities.silence.setpoint_ends_after
+        self._setpoint_ends_after = inf if ends_after is None else ends_after
         self._heading: float | None = None
         self.reckoned: Vec3 | None = None
 
@@ -78,6 +80,8 @@ class SetpointFirmware(Firmware):
         self._reckon(measured)
         if self.flight is not FlightState.FLYING:
             self._asked = self._asked if self.flight is FlightState.HOVERING else None
+        elif silence > self._setpoint_ends_after and isinstance(self._asked, VelocitySetpoint):
+            self._asked = VelocitySetpoint()
         return super().step(measured, voltage, silence)
 
     _turned = 0.0
