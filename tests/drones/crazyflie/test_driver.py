@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import random
 from collections.abc import Callable
-from math import cos, dist, hypot, sin
+from math import cos, degrees, dist, hypot, pi, sin
 
 import pytest
 from crazyflie_room import CrazyflieRoom, crazyflie_room
@@ -14,7 +14,7 @@ from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.crazyflie.driver import Crazyflie
-from housefly.drones.crazyflie.reports import OwnState
+from housefly.drones.crazyflie.reports import BLOCKS, MOTION_BLOCK, OwnState
 from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER
 from housefly.errors import LinkError
 from housefly.geometry import euler_from_quaternion
@@ -30,6 +30,8 @@ from housefly.messages.steering import flying
 from housefly.twin.contracts import FlightState, GroundTruth
 from housefly.twin.crazyflie.supervisor import SupervisorState
 from housefly.twin.link_filters import Deliver, LinkFilters
+from housefly.wires.crazyflie.crtp import Packet
+from housefly.wires.crazyflie.log_blocks import encode_values
 from housefly.wires.crazyflie.setpoints import AltHold
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
@@ -119,6 +121,35 @@ async def test_a_dead_driver_is_the_drones_own_affair_level_at_once_and_cut_afte
     assert level - died < 0.9
     await asyncio.sleep(1.0)
     assert room.height < 0.1
+
+
+async def test_a_driver_that_dies_in_a_climb_leaves_one_that_does_not_climb_on(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    await room.hold(flying(Setpoint(vz=0.5)), 0.6)
+    assert room.world.truth().velocity[2] > 0.3
+    height, since = room.height, len(room.trail)
+    await room.driver.close()
+    await asyncio.sleep(1.8)
+    highest = max(truth.pose.position[2] for truth in room.trail[since:])
+    assert highest < height + 0.4 and room.height > 0.5
+
+
+async def test_a_new_driver_that_finds_it_in_the_air_flies_nowhere_and_lands_it(
+    room: CrazyflieRoom,
+) -> None:
+    await room.fly()
+    await room.hold(FORWARD, 0.6)
+    x, y, _ = room.world.truth().pose.position
+    await room.driver.close()
+    room.driver = Crazyflie(room.driver._config, LimitsConfig(), RealClock())
+    since = len(room.trail)
+    await room.driver.connect()
+    await room.until(lambda: room.status is DroneStatus.LANDED, FORWARD)
+    way = (hypot(t.pose.position[0] - x, t.pose.position[1] - y) for t in room.trail[since:])
+    assert max(way) < 0.8 and room.height < 0.03
+    assert room.firmware.supervisor.state is not SupervisorState.LOCKED
 
 
 async def test_a_driver_that_dies_in_a_landing_leaves_one_that_ends_softly(
@@ -255,9 +286,26 @@ async def test_a_setpoint_that_comes_late_into_a_landing_is_answered_by_another_
 async def test_nobody_there_is_said_in_words(loopback: str) -> None:
     config = DroneConfig(kind="crazyflie", address=loopback)
     driver = Crazyflie(config, LimitsConfig(), RealClock())
-    with pytest.raises(LinkError, match="no Crazyflie answers at"):
+    with pytest.raises(LinkError, match="nobody answers at"):
         await driver.connect()
     await driver.close()
+
+
+def motion(yaw: float, milliseconds: int) -> Packet:
+    kinds = BLOCKS[MOTION_BLOCK][1].values()
+    values = zip(kinds, (0.0, 0.0, degrees(yaw), 0.0, 0.0), strict=True)
+    return encode_values(MOTION_BLOCK, milliseconds, list(values))
+
+
+def test_a_heading_that_it_takes_over_from_poses_is_no_turn_of_its_own() -> None:
+    state = OwnState().taken_in(motion(0.3, 1000), 1.0)
+    for step in range(1, 51):
+        state = state.taken_in(motion(0.3 + 0.01 * step, 1000 + 10 * step), 1.0 + 0.01 * step)
+    assert state.turned == pytest.approx(0.5, abs=1e-3)
+    state = state.taken_in(motion(3.1, 1510), 1.51).taken_in(motion(-3.12, 1520), 1.52)
+    assert state.turned == pytest.approx(0.5 + (2 * pi - 6.22), abs=1e-3)
+    report = state.report(DroneStatus.LANDED, configured=True, notes=())
+    assert report.psi == state.turned and state.yaw == pytest.approx(-3.12, abs=1e-3)
 
 
 def test_a_state_that_was_never_told_is_neither_flying_nor_configured() -> None:

@@ -34,6 +34,7 @@ from housefly.wires.crazyflie.setpoints import (
     Place,
     Stop,
     WorldVelocity,
+    ZDistance,
     encode_setpoint,
     notify_setpoints_stop,
 )
@@ -50,6 +51,8 @@ CLIMB_RATE, TAKE_OFF_HEIGHT = 0.5, 1.0
 """Of a take-off: how fast the place rises that it flies to [m/s], and how high [m]."""
 ARRIVED = 0.95
 """A take-off is over above this share of its height."""
+HEIGHT_GAIN = 2.0
+"""How fast it climbs to a height that is asked for [1/s]; ``settings`` sees to it."""
 LANDING_RATE, SINK_RATE = 0.4, 0.3
 """Of a landing by its own commander on average, and of one without tracking [m/s]."""
 LANDING_TIME_MIN = 1.0
@@ -122,6 +125,8 @@ class Manoeuvres:
             return self._cut(now)
         if action is Action.RESET:
             return self._recover(now)
+        if not state.has_state:
+            return ()
         if action is Action.LAND or (action is Action.IDLE and told.lands_all):
             return self._land(state, seen, now)
         if action is Action.TAKE_OFF:
@@ -131,11 +136,11 @@ class Manoeuvres:
             return ()
         self._begin(_Doing.FLYING, now)
         if action is Action.HOVER:
-            return self._hover(state, seen)
+            return self._hover(seen)
         self._held = None
         if seen is None and self._must_be_down:
             return self._give(Stop())
-        return self._fly(told.command.asked, state)
+        return self._fly(told.command.asked, state, has_height=seen is not None)
 
     def _follow(self, seen: Sighting | None, now: float) -> None:
         """Know how high it is: by tracking, and by what it was told where that is silent."""
@@ -160,7 +165,7 @@ class Manoeuvres:
 
     def _take_off(self, state: OwnState, seen: Sighting | None, now: float) -> tuple[Packet, ...]:
         if self._doing is _Doing.FLYING and state.is_flying:
-            return self._hover(state, seen)
+            return self._hover(seen)
         if SupervisorInfo.CAN_FLY not in state.info:
             return self._arm(state, now)
         if self._start is None:
@@ -170,23 +175,27 @@ class Manoeuvres:
             self._start = Place(*seen.pose.position, seen.pose.yaw)
         if state.is_flying and state.place[2] > ARRIVED * TAKE_OFF_HEIGHT:
             self._begin(_Doing.FLYING, now)
-            return self._hover(state, seen)
+            return self._hover(seen)
         if seen is None:
             return self._give(AltHold(0.0, 0.0, 0.0, 0.0))
         start = self._start
         z = min(start.z + CLIMB_RATE * (now - self._since), TAKE_OFF_HEIGHT)
         return self._give(Place(start.x, start.y, z, start.yaw))
 
-    def _hover(self, state: OwnState, seen: Sighting | None) -> tuple[Packet, ...]:
+    def _hover(self, seen: Sighting | None) -> tuple[Packet, ...]:
         if seen is None:
             self._held = None
             return self._give(AltHold(0.0, 0.0, 0.0, 0.0))
         if self._held is None:
-            self._held = Place(*state.place, state.yaw)
+            self._held = Place(*seen.pose.position, seen.pose.yaw)
         return self._give(self._held)
 
-    def _fly(self, asked: AnySetpoint, state: OwnState) -> tuple[Packet, ...]:
+    def _fly(self, asked: AnySetpoint, state: OwnState, *, has_height: bool) -> tuple[Packet, ...]:
         match asked:
+            case Setpoint(theta, phi, vz, yaw_rate) if vz > 0.0 and has_height:
+                # in silence it would climb on, but goes no higher than a height
+                height = state.place[2] + vz / HEIGHT_GAIN
+                return self._give(ZDistance(phi, theta, yaw_rate, height))
             case Setpoint(theta, phi, vz, yaw_rate):
                 return self._give(AltHold(phi, theta, yaw_rate, vz))
             case VelocitySetpoint(forward, left, vz, yaw_rate):

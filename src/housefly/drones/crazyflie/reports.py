@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from math import inf, isfinite, radians
 
 from housefly.errors import WireError
-from housefly.geometry import Vec3
+from housefly.geometry import Vec3, wrap_angle
 from housefly.messages import DroneFault, DroneStatus, Telemetry
 from housefly.messages.words import Words
 from housefly.wires.crazyflie.crtp import Packet
@@ -19,7 +19,9 @@ MOTION_PERIOD, STATE_PERIOD = 0.01, 0.1
 """How often the drone sends how it leans, and where it believes to be [s]."""
 LOW_VOLTAGE = 3.2
 """Below it the drone itself says that its battery is low [V]."""
-_FLOAT, _HALF = ValueType.FLOAT, ValueType.HALF
+_TURN_RATE_MAX, _TURN_SLACK, _GAP_MAX = 3.5, 0.05, 0.5
+"""It turns no faster [rad/s], its heading is no rougher [rad], and no longer gap counts [s]."""
+_FLOAT = ValueType.FLOAT
 BLOCKS: dict[int, tuple[float, dict[str, ValueType]]] = {
     MOTION_BLOCK: (
         MOTION_PERIOD,
@@ -66,6 +68,7 @@ class OwnState:
     Attributes:
         at: when it came [s].
         phi, theta, yaw: attitude [rad], our signs; the heading is the room's once it is told.
+        turned: since it was first heard, by its own word [rad].
         place: where it believes to be [m].
         info: what its supervisor says.
         voltage: of its battery [V].
@@ -78,6 +81,7 @@ class OwnState:
     phi: float = 0.0
     theta: float = 0.0
     yaw: float = 0.0
+    turned: float = 0.0
     place: Vec3 = (0.0, 0.0, 0.0)
     info: SupervisorInfo = _NOTHING
     voltage: float = 0.0
@@ -111,17 +115,28 @@ class OwnState:
             x, y, z, voltage, charge = values
             level = min(max(charge / 100.0, 0.0), 1.0)
             return replace(self, place=(x, y, z), voltage=voltage, charge=level, has_state=True)
-        roll, pitch, yaw, z, info = values
+        roll, pitch, heading, z, info = values
+        yaw = radians(heading)
         return replace(
             self,
             at=now,
             phi=radians(roll),
             theta=-radians(pitch),
-            yaw=radians(yaw),
+            yaw=yaw,
+            turned=self._turned_to(yaw, clock / 1000.0),
             place=(self.place[0], self.place[1], z),
             info=info_of(int(info)),
             drone_time=clock / 1000.0,
         )
+
+    def _turned_to(self, yaw: float, drone_time: float) -> float:
+        """Return how far it has turned [rad]: what it takes over from poses at once is no turn."""
+        if self.at == -inf:
+            return 0.0
+        by = wrap_angle(yaw - self.yaw)
+        passed = min(abs(drone_time - self.drone_time), _GAP_MAX)
+        is_turn = abs(by) <= _TURN_RATE_MAX * passed + _TURN_SLACK
+        return wrap_angle(self.turned + by) if is_turn else self.turned
 
     def report(
         self, status: DroneStatus, *, configured: bool, notes: tuple[Words, ...]
@@ -138,7 +153,7 @@ class OwnState:
             battery=self.charge,
             phi=self.phi,
             theta=self.theta,
-            psi=self.yaw,
+            psi=self.turned,
             faults=faults,
             configured=configured and self.has_state,
             notes=notes,

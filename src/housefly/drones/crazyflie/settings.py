@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from math import degrees, isclose
 
 from housefly.drones.crazyflie.link import CrtpLink
+from housefly.drones.crazyflie.manoeuvres import HEIGHT_GAIN
 from housefly.drones.crazyflie.reports import BLOCKS
 from housefly.drones.crazyflie.tables import Table
 from housefly.errors import LinkError
@@ -40,7 +41,10 @@ _ROUNDING = 1e-4
 
 
 def flight_settings(tilt_max: float) -> dict[str, float]:
-    """Return what the drone must be set to: the estimator that takes poses, and its limits.
+    """Return what the drone must be set to: the estimator that takes poses, limits, height loop.
+
+    A height is asked for anew with every setpoint, as far ahead as the climb that is wanted: what
+    its loop would learn of that is wrong.
 
     Args:
         tilt_max: largest lean of its own position loop [rad].
@@ -50,6 +54,8 @@ def flight_settings(tilt_max: float) -> dict[str, float]:
         "stabilizer.controller": _PID,
         "posCtlPid.rLimit": degrees(tilt_max),
         "posCtlPid.pLimit": degrees(tilt_max),
+        "posCtlPid.zKp": HEIGHT_GAIN,
+        "posCtlPid.zKi": 0.0,
     }
 
 

@@ -81,6 +81,8 @@ _DEFAULTS: dict[str, tuple[ValueType, float]] = {
     "posCtlPid.xVelMax": (_FLOAT, 1.0),
     "posCtlPid.yVelMax": (_FLOAT, 1.0),
     "posCtlPid.zVelMax": (_FLOAT, 1.0),
+    "posCtlPid.zKp": (_FLOAT, 2.0),
+    "posCtlPid.zKi": (_FLOAT, 0.5),
     "posCtlPid.rLimit": (_FLOAT, 20.0),
     "posCtlPid.pLimit": (_FLOAT, 20.0),
     "pm.lowVoltage": (_FLOAT, 3.2),
