@@ -32,15 +32,15 @@ class Drone:
             self.now += 0.1
             self.motors += 0.1 if turns else 0.0
             self.watch.see(state(self.motors, tof), self.now)
-            seen.add(self.watch.status(self.now))
+            seen.add(self.watch.status())
         return seen
 
 
 def test_before_its_seconds_could_count_nobody_knows_and_then_it_stands():
     drone = Drone()
-    assert drone.watch.status(100.0) is S.UNKNOWN
-    assert drone.lasts(1.4, turns=False, tof=10) == {S.UNKNOWN}
-    drone.lasts(0.3, turns=False, tof=10)
+    assert drone.watch.status() is S.UNKNOWN
+    assert drone.lasts(1.2, turns=False, tof=10) == {S.UNKNOWN}
+    drone.lasts(0.4, turns=False, tof=10)
     assert drone.lasts(5.0, turns=False, tof=10) == {S.LANDED}
 
 
@@ -114,4 +114,30 @@ def test_turning_motors_are_never_called_standing_for_longer_than_a_second_lasts
         if is_told:
             drone.watch.sent((Word.TAKE_OFF, Word.LAND, Word.COMMAND, Word.STOP)[which], drone.now)
         drone.lasts(0.3, turns=True, tof=tof)
-        assert drone.watch.status(drone.now) in (S.FLYING, S.TAKING_OFF, S.LANDING)
+        assert drone.watch.status() in (S.FLYING, S.TAKING_OFF, S.LANDING)
+
+
+@given(st.lists(st.booleans(), min_size=200, max_size=400), st.floats(0.0, 0.99))
+def test_states_that_are_lost_never_bring_down_a_drone_that_flies(heard, phase):
+    drone = Drone()
+    drone.motors = 7.0 + phase
+    drone.lasts(1.5, turns=True, tof=90)
+    for is_heard in heard:
+        drone.now += 0.1
+        drone.motors += 0.1
+        if is_heard:
+            drone.watch.see(state(drone.motors, 90), drone.now)
+        assert drone.watch.status() is S.FLYING
+
+
+def test_states_that_come_in_one_burst_after_a_stall_never_bring_it_down_either():
+    drone = Drone()
+    drone.lasts(3.0, turns=True, tof=90)
+    waiting = []
+    for _ in range(25):
+        drone.now += 0.1
+        drone.motors += 0.1
+        waiting.append(state(drone.motors, 90))
+    for one in waiting:
+        drone.watch.see(one, drone.now)
+        assert drone.watch.status() is S.FLYING

@@ -196,8 +196,7 @@ class Tello:
         """The newest report, or None before the first."""
         if self._state is None:
             return None
-        status = self._watch.status(self._clock.now())
-        report = telemetry_of_state(self._state, status, self._heard_at)
+        report = telemetry_of_state(self._state, self._watch.status(), self._heard_at)
         return replace(report, configured=self._talk.is_open, notes=self.notes)
 
     @property
@@ -276,7 +275,7 @@ class Tello:
         wanted = self._config.has_video and self._pictures is not None
         due = self._talk.lines(
             told,
-            self._watch.status(now),
+            self._watch.status(),
             now,
             state_age=now - self._heard_at,
             wants_pictures=wanted and not self.video_connected,

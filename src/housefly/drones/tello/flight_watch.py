@@ -1,8 +1,9 @@
 """Whether a Tello flies: it does not say so. Pure.
 
-What it says is how many seconds its motors have turned. While that counts, it is in the air, or on
-its way up or down as it was told last; once it stands still, it is down. A take-off or a landing
-that is answered ``ok`` is over at once, if the height agrees.
+What it says is how many whole seconds its motors have turned. While that counts, it is in the air,
+or on its way up or down as it was told last; once several states in a row say the same, it is down.
+States that are lost say nothing, so they never bring it down. A take-off or a landing that is
+answered ``ok`` is over at once, if the height agrees.
 """
 
 from __future__ import annotations
@@ -14,9 +15,9 @@ from housefly.wires.tello.answers import AnswerKind, TelloAnswer
 from housefly.wires.tello.lines import Line, Word
 from housefly.wires.tello.state import TOF_MAX, TelloState
 
-MOTORS_STAND_AFTER = 1.5
-"""Its motors stand once the seconds that they have turned do not change for so long [s]: it tells
-whole ones.
+MOTORS_STAND_AFTER, SAME_STATES = 1.3, 13
+"""Its motors stand once states that say the same seconds lie so far apart [s], and are so many: in
+the air no more than ten of them come in a second.
 """
 TAKE_OFF_TIME_MAX = 12.0
 """After that it flies, whether it said ``ok`` or not [s]; clients wait 20 s for that."""
@@ -33,8 +34,8 @@ class FlightWatch:
 
     def __init__(self) -> None:
         self.refusal = ""
-        self._first_at: float | None = None
-        self._motor_time, self._counted_at = -1, -inf
+        self._turns: bool | None = None
+        self._motor_time, self._same_since, self._same = -1, inf, 0
         self._tof = 0
         self._rises_since: float | None = None
         self._sinks = self._is_cut = False
@@ -59,38 +60,40 @@ class FlightWatch:
             if self._rises_since is not None and self._tof >= _UP_HEIGHT:
                 self._rises_since = None
             elif self._sinks and self._tof < _DOWN_HEIGHT:
-                self._sinks, self._down_at = False, now
+                self._sinks, self._down_at, self._turns = False, now, False
         elif answer.kind is AnswerKind.REFUSED and self._rises_since is not None:
             self.refusal = answer.text
-            self._rises_since = None if self._turns(now) else self._rises_since
+            self._rises_since = None if self._turns else self._rises_since
 
     def see(self, state: TelloState, now: float) -> None:
         """Take in a state that came now [s]."""
-        if self._first_at is None:
-            self._first_at = now
-        elif state.time != self._motor_time:
-            self._counted_at = now
-        self._motor_time = state.time
+        self._count(state.time, now)
         self._tof = state.tof if state.tof < TOF_MAX else state.h
         if self._rises_since is not None and now - self._rises_since > TAKE_OFF_TIME_MAX:
             self._rises_since = None
-        if not self._turns(now):
+        if not self._turns:
             self._sinks = False
 
-    def status(self, now: float) -> DroneStatus:
-        """Return what the drone does now [s]."""
-        if self._first_at is None:
+    def status(self) -> DroneStatus:
+        """Return what the drone does."""
+        if self._motor_time < 0:
             return DroneStatus.UNKNOWN
         if self._is_cut:
             return DroneStatus.EMERGENCY
-        if not self._turns(now):
-            is_seen = now - self._first_at > MOTORS_STAND_AFTER
-            return DroneStatus.LANDED if is_seen else DroneStatus.UNKNOWN
+        if not self._turns:
+            return DroneStatus.UNKNOWN if self._turns is None else DroneStatus.LANDED
         if self._rises_since is not None:
             return DroneStatus.TAKING_OFF
         return DroneStatus.LANDING if self._sinks else DroneStatus.FLYING
 
-    def _turns(self, now: float) -> bool:
-        """Return whether its motors turn; right after a landing they are believed to stand."""
-        has_counted = now - self._counted_at < MOTORS_STAND_AFTER
-        return has_counted and self._counted_at - self._down_at > MOTORS_STAND_AFTER
+    def _count(self, seconds: int, now: float) -> None:
+        """Take in for how long its motors have turned; the last tick of a landing is none."""
+        if seconds != self._motor_time:
+            is_first = self._motor_time < 0
+            if not is_first and now - self._down_at > MOTORS_STAND_AFTER:
+                self._turns = True
+            self._motor_time, self._same_since, self._same = seconds, now, 1
+            return
+        self._same += 1
+        if self._same >= SAME_STATES and now - self._same_since > MOTORS_STAND_AFTER:
+            self._turns = False
