@@ -171,7 +171,7 @@ def test_a_refusal_is_told_in_the_autopilots_own_words_for_as_long_as_it_lasts()
 
 def test_what_must_be_set_is_asked_for_and_named_with_what_is_allowed() -> None:
     vehicle = Vehicle(COPTER)
-    checks = Checks(vehicle)
+    checks = Checks(vehicle, "10.0.0.5")
     assert not checks.is_done and "FS_GCS_ENABLE" in checks.notes[0]
     vehicle.hear(Heartbeat(3, 4, False, SystemState.STANDBY), 1.0)
     checks.pose_sent_at = 1.0
@@ -189,7 +189,9 @@ def test_what_must_be_set_is_asked_for_and_named_with_what_is_allowed() -> None:
     vehicle.hear(ParameterReport("FS_GCS_ENABLE", 5.0, 0.0), 1.0)
     assert checks.is_done
     vehicle.hear(Heartbeat(12, 4, False, SystemState.STANDBY), 1.0)
-    assert checks.notes == ("what answers at MAVLink does not speak ArduCopter (MAV_AUTOPILOT 12)",)
+    assert checks.notes == (
+        "what answers at 10.0.0.5 does not speak ArduCopter (MAV_AUTOPILOT 12)",
+    )
 
 
 def test_one_that_starts_anew_is_asked_for_everything_again() -> None:

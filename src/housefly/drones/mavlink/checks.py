@@ -30,10 +30,11 @@ class Checks:
 
     Args:
         vehicle: what it tells.
+        place: where it answers, for people.
     """
 
-    def __init__(self, vehicle: Vehicle) -> None:
-        self._vehicle = vehicle
+    def __init__(self, vehicle: Vehicle, place: str) -> None:
+        self._vehicle, self._place = vehicle, place
         self.pose_sent_at = float("-inf")
 
     def due(self, target: requests.Target, now: float) -> list[Any]:
@@ -68,14 +69,14 @@ class Checks:
             return (
                 Words(
                     "what answers at {name} does not speak {protocol} ({error})",
-                    name="MAVLink",
+                    name=self._place,
                     protocol=vehicle.autopilot.name,
                     error=f"MAV_AUTOPILOT {vehicle.found}",
                 ),
             )
         lacking = [self._lacking(need.name) for need in vehicle.autopilot.needs]
         if not vehicle.knows_charge:
-            lacking.append(_untold("BATTERY_STATUS"))
+            lacking.append(_untold("SYS_STATUS"))
         if not vehicle.has_origin:
             lacking.append(_NO_ORIGIN)
         return tuple(filter(None, lacking))

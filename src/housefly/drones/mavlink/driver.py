@@ -55,7 +55,7 @@ class MavlinkDrone:
         self._config, self._clock = config, clock or RealClock()
         self._autopilot = AUTOPILOTS[config.kind]
         self._vehicle = Vehicle(self._autopilot)
-        self._orders, self._checks = Orders(self._vehicle), Checks(self._vehicle)
+        self._orders, self._checks = Orders(self._vehicle), Checks(self._vehicle, config.address)
         self._failsafe = Failsafe(self._clock.now(), limits.tilt_max, config.airframe)
         self._speed = PoseSpeed()
         self._link: MavlinkLink | None = None
