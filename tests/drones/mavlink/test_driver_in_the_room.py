@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
 
 import pytest
 from mavlink_flight import Flown
@@ -14,7 +15,11 @@ from housefly.drones.mavlink.driver import MavlinkDrone
 from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, VelocitySetpoint
 from housefly.messages.steering import flying
+from housefly.sites.loaded_site import load_site
 from housefly.twin.contracts import FlightState
+from housefly.twin.mavlink.server import MavlinkServer
+from housefly.twin.real_time import RealTimeRunner
+from housefly.twin.world import SimulatedWorld
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 AHEAD = flying(VelocitySetpoint(forward=0.4))
@@ -70,3 +75,34 @@ async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback:
         assert "no ArduCopter answers" in drone.problem and not drone.connected
     finally:
         await drone.close()
+
+
+@pytest.mark.parametrize("form", ["{}", "tcp:{}"])
+async def test_a_link_that_is_gone_for_a_while_is_found_again(loopback: str, form: str) -> None:
+    loaded = load_site("bsen", drone__kind="arducopter")
+    world = SimulatedWorld(loaded.site, loaded.room)
+    server = MavlinkServer(world, loopback)
+    address = form.format(loopback)
+    drone = MavlinkDrone(
+        DroneConfig(kind="arducopter", address=address), LimitsConfig(), RealClock()
+    )
+    running = asyncio.create_task(RealTimeRunner(world, RealClock()).run())
+    try:
+        await server.start()
+        await drone.connect()
+        await _until(lambda: drone.connected and drone.telemetry_rate_hz > 30.0)
+        await server.stop()
+        await _until(lambda: not drone.connected)
+        await server.start()
+        await _until(lambda: drone.connected and drone.telemetry_rate_hz > 30.0)
+    finally:
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+        await drone.close()
+        await server.stop()
+
+
+async def _until(holds: Callable[[], bool]) -> None:
+    async with asyncio.timeout(12.0):
+        while not holds():
+            await asyncio.sleep(0.05)
