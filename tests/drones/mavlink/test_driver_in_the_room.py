@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 from mavlink_flight import Flown
@@ -63,6 +64,12 @@ async def test_what_it_refuses_is_told_in_its_own_words_and_what_is_wrong_keeps_
     flown.command = Command(Action.TAKE_OFF)
     await asyncio.sleep(0.5)
     assert flown.flight is FlightState.LANDED and not vehicle.armed
+    for action, status in (
+        (Action.CUT, DroneStatus.EMERGENCY),
+        (Action.RESET, DroneStatus.LANDED),
+    ):
+        flown.command = Command(action)
+        await flown.until(partial(told_as, flown, status))
 
 
 async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback: str) -> None:
@@ -75,6 +82,11 @@ async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback:
         assert "no ArduCopter answers" in drone.problem and not drone.connected
     finally:
         await drone.close()
+
+
+def told_as(flown: Flown, status: DroneStatus) -> bool:
+    report = flown.drone.telemetry
+    return report is not None and report.status is status
 
 
 @pytest.mark.parametrize("form", ["{}", "tcp:{}"])

@@ -52,6 +52,7 @@ class Vehicle:
         has_origin: its map has an origin.
         refusals: what it refused.
         restarts: how often its clock went back: what was set may be lost.
+        is_cut: its motors were cut by order; so until a reset, or until somebody arms it.
     """
 
     def __init__(self, autopilot: Autopilot) -> None:
@@ -61,7 +62,7 @@ class Vehicle:
         self.parameters: dict[str, float] = {}
         self.has_origin = False
         self.refusals = Refusals()
-        self.restarts = 0
+        self.restarts, self.is_cut = 0, False
         self._heartbeat_at = self._landed_at = float("-inf")
         self._found: int | None = None
         self._state = SystemState.UNKNOWN
@@ -77,6 +78,7 @@ class Vehicle:
         match report:
             case Heartbeat():
                 self._found, self._heartbeat_at = report.autopilot, now
+                self.is_cut &= not (report.armed and not self.armed)
                 self.mode, self.armed, self._state = report.mode, report.armed, report.state
             case AttitudeReport():
                 self._move(report, now)
@@ -144,7 +146,7 @@ class Vehicle:
         """Return what it does now [s]."""
         if not self.is_heard(now) or self._landed_at == float("-inf"):
             return DroneStatus.UNKNOWN
-        if self._state is SystemState.TERMINATED:
+        if self._state is SystemState.TERMINATED or (self.is_cut and not self.armed):
             return DroneStatus.EMERGENCY
         # motors that are off carry nothing, whatever its height says
         return _STATUS[self.landed] if self.armed else DroneStatus.LANDED
