@@ -230,3 +230,12 @@ def test_what_was_cut_by_order_is_an_emergency_until_a_reset_or_somebody_arms_it
     told.armed = False
     told.step(IDLE)
     assert told.vehicle.status(told.now) is DroneStatus.LANDED
+
+
+def test_what_it_said_long_ago_of_flying_says_nothing_now() -> None:
+    told = flying_copter()
+    assert told.vehicle.status(told.now) is DroneStatus.FLYING
+    told.vehicle.hear(
+        Heartbeat(COPTER.number, COPTER.steered.number, True, SystemState.ACTIVE), told.now + 3.5
+    )
+    assert told.vehicle.status(told.now + 3.5) is DroneStatus.UNKNOWN

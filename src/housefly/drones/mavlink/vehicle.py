@@ -24,7 +24,9 @@ from housefly.wires.mavlink.reports import (
 )
 
 HEARTBEAT_AGE_MAX = 3.0
-"""Without a heartbeat for longer its mode and arming are not known [s]; they come each second."""
+"""Without a heartbeat, or a word of whether it flies, for longer its state is not known [s]: both
+come each second at least.
+"""
 _LOW = 0.2
 """A charge below this is told as low, whatever the vehicle calls low."""
 _TURN_RATE_MAX, _TURN_SLACK = 3.0, 0.05
@@ -144,7 +146,7 @@ class Vehicle:
 
     def status(self, now: float) -> DroneStatus:
         """Return what it does now [s]."""
-        if not self.is_heard(now) or self._landed_at == float("-inf"):
+        if not self.is_heard(now) or now - self._landed_at > HEARTBEAT_AGE_MAX:
             return DroneStatus.UNKNOWN
         if self._state is SystemState.TERMINATED or (self.is_cut and not self.armed):
             return DroneStatus.EMERGENCY
