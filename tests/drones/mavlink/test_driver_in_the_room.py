@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 from mavlink_flight import Flown
@@ -53,6 +54,19 @@ async def test_without_its_driver_it_stops_and_lands_by_its_own_rule(flown: Flow
     await flown.until(lambda: not flown.server.vehicle.armed)
 
 
+async def test_cut_in_the_air_it_falls_and_takes_off_again_only_after_a_reset(flown: Flown) -> None:
+    await flown.take_off()
+    flown.command = Command(Action.CUT)
+    await flown.until(partial(told_as, flown, DroneStatus.EMERGENCY), 3.0)
+    assert not flown.server.vehicle.armed
+    flown.command = Command(Action.TAKE_OFF)
+    await asyncio.sleep(1.5)
+    assert not flown.server.vehicle.armed
+    flown.command = Command(Action.RESET)
+    await flown.until(partial(told_as, flown, DroneStatus.LANDED))
+    await flown.take_off()
+
+
 async def test_what_it_refuses_is_told_in_its_own_words_and_what_is_wrong_keeps_it_down(
     flown: Flown,
 ) -> None:
@@ -63,6 +77,12 @@ async def test_what_it_refuses_is_told_in_its_own_words_and_what_is_wrong_keeps_
     flown.command = Command(Action.TAKE_OFF)
     await asyncio.sleep(0.5)
     assert flown.flight is FlightState.LANDED and not vehicle.armed
+    for action, status in (
+        (Action.CUT, DroneStatus.EMERGENCY),
+        (Action.RESET, DroneStatus.LANDED),
+    ):
+        flown.command = Command(action)
+        await flown.until(partial(told_as, flown, status))
 
 
 async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback: str) -> None:
@@ -72,9 +92,14 @@ async def test_where_nobody_answers_it_says_where_and_what_to_look_for(loopback:
     try:
         with pytest.raises(LinkError, match=r"nobody answers at tcp:.*:5999; is ArduCopter"):
             await drone.connect()
-        assert "no ArduCopter answers" in drone.problem and not drone.connected
+        assert "is ArduCopter running" in drone.problem and not drone.connected
     finally:
         await drone.close()
+
+
+def told_as(flown: Flown, status: DroneStatus) -> bool:
+    report = flown.drone.telemetry
+    return report is not None and report.status is status
 
 
 @pytest.mark.parametrize("form", ["{}", "tcp:{}"])

@@ -212,3 +212,30 @@ def test_a_heading_that_it_takes_over_from_our_poses_is_no_turn_of_its_own() -> 
         assert report is not None
         told.append(report.psi)
     assert told == pytest.approx([0.0, 0.01, 0.01, 0.03, 0.0631853, 0.0931853], abs=1e-6)
+
+
+def test_what_was_cut_by_order_is_an_emergency_until_a_reset_or_somebody_arms_it() -> None:
+    told = flying_copter()
+    assert told.step(Command(Action.CUT)) == [Deed.CUT]
+    assert told.vehicle.status(told.now) is DroneStatus.FLYING, "not yet"
+    told.armed, told.landed = False, Landed.ON_GROUND
+    told.step(IDLE)
+    assert told.vehicle.status(told.now) is DroneStatus.EMERGENCY
+    told.step(Command(Action.RESET))
+    assert told.vehicle.status(told.now) is DroneStatus.LANDED
+    told.step(Command(Action.CUT))
+    assert told.vehicle.status(told.now) is DroneStatus.EMERGENCY
+    told.armed = True
+    told.step(IDLE)
+    told.armed = False
+    told.step(IDLE)
+    assert told.vehicle.status(told.now) is DroneStatus.LANDED
+
+
+def test_what_it_said_long_ago_of_flying_says_nothing_now() -> None:
+    told = flying_copter()
+    assert told.vehicle.status(told.now) is DroneStatus.FLYING
+    told.vehicle.hear(
+        Heartbeat(COPTER.number, COPTER.steered.number, True, SystemState.ACTIVE), told.now + 3.5
+    )
+    assert told.vehicle.status(told.now + 3.5) is DroneStatus.UNKNOWN

@@ -73,7 +73,10 @@ class Orders:
             self._action = command.action
             self._sent_at.clear()
         self._follow(now)
+        if command.action is Action.RESET:
+            self._vehicle.is_cut = False
         if command.action is Action.CUT:
+            self._vehicle.is_cut = True
             is_off = self._vehicle.is_heard(now) and not self._vehicle.armed
             return () if is_off else self._once(Deed.CUT, now)
         if self.is_taken(now):

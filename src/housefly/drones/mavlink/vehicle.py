@@ -24,7 +24,9 @@ from housefly.wires.mavlink.reports import (
 )
 
 HEARTBEAT_AGE_MAX = 3.0
-"""Without a heartbeat for longer its mode and arming are not known [s]; they come each second."""
+"""Without a heartbeat, or a word of whether it flies, for longer its state is not known [s]: both
+come each second at least.
+"""
 _LOW = 0.2
 """A charge below this is told as low, whatever the vehicle calls low."""
 _TURN_RATE_MAX, _TURN_SLACK = 3.0, 0.05
@@ -52,6 +54,7 @@ class Vehicle:
         has_origin: its map has an origin.
         refusals: what it refused.
         restarts: how often its clock went back: what was set may be lost.
+        is_cut: its motors were cut by order; so until a reset, or until somebody arms it.
     """
 
     def __init__(self, autopilot: Autopilot) -> None:
@@ -61,7 +64,7 @@ class Vehicle:
         self.parameters: dict[str, float] = {}
         self.has_origin = False
         self.refusals = Refusals()
-        self.restarts = 0
+        self.restarts, self.is_cut = 0, False
         self._heartbeat_at = self._landed_at = float("-inf")
         self._found: int | None = None
         self._state = SystemState.UNKNOWN
@@ -77,6 +80,7 @@ class Vehicle:
         match report:
             case Heartbeat():
                 self._found, self._heartbeat_at = report.autopilot, now
+                self.is_cut &= not (report.armed and not self.armed)
                 self.mode, self.armed, self._state = report.mode, report.armed, report.state
             case AttitudeReport():
                 self._move(report, now)
@@ -142,9 +146,9 @@ class Vehicle:
 
     def status(self, now: float) -> DroneStatus:
         """Return what it does now [s]."""
-        if not self.is_heard(now) or self._landed_at == float("-inf"):
+        if not self.is_heard(now) or now - self._landed_at > HEARTBEAT_AGE_MAX:
             return DroneStatus.UNKNOWN
-        if self._state is SystemState.TERMINATED:
+        if self._state is SystemState.TERMINATED or (self.is_cut and not self.armed):
             return DroneStatus.EMERGENCY
         # motors that are off carry nothing, whatever its height says
         return _STATUS[self.landed] if self.armed else DroneStatus.LANDED
