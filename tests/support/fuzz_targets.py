@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fuzz_crazyflie import CRAZYFLIE
 from fuzz_drone_wires import DRONE_WIRES
 from fuzz_files import FILES
 from fuzz_imports import IMPORTS
@@ -17,5 +18,5 @@ from fuzz_web import WEB
 
 TARGETS: dict[str, FuzzTarget] = {
     **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **TWIN, **WEB,
-    **NEW_PAGE, **IMPORTS, **TELLO, **MAVLINK,
+    **NEW_PAGE, **IMPORTS, **CRAZYFLIE, **TELLO, **MAVLINK,
 }  # fmt: skip

@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable, Coroutine
+from contextlib import suppress
 from math import dist, inf
 from typing import TYPE_CHECKING
 
@@ -30,7 +31,7 @@ from housefly.drones.crazyflie.settings import (
 )
 from housefly.drones.crazyflie.tables import Table, read_table
 from housefly.drones.failsafe import Failsafe, Permit
-from housefly.errors import LinkError
+from housefly.errors import LinkError, WireError
 from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.messages.words import UNSAID, Words, error_words, figure, joined
@@ -136,7 +137,8 @@ class Crazyflie:
     def send_pose(self, seen: Sighting) -> None:
         """Tell the drone where it is; its wire has no word for how long ago."""
         self._seen = seen
-        self._link.send(encode_told_pose(seen.pose.position, seen.pose.orientation))
+        with suppress(WireError):
+            self._link.send(encode_told_pose(seen.pose.position, seen.pose.orientation))
 
     def abandon(self) -> None:
         """Note that the pilot is gone: a flying drone stands still now and lands soon."""

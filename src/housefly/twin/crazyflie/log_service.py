@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 
+from housefly.errors import WireError
 from housefly.twin.crazyflie.variables import LOG_ENTRIES, Told, logged
 from housefly.wires.crazyflie.crtp import Packet
 from housefly.wires.crazyflie.log_blocks import (
@@ -44,7 +46,9 @@ class LogService:
                 continue
             block.due_at = max(block.due_at + block.period, now)
             values = [(kind, logged(variable, told)) for kind, variable in block.variables]
-            packets.append(encode_values(number, int(1000.0 * now), values))
+            # a value may not fit the type that it was asked for as
+            with suppress(WireError):
+                packets.append(encode_values(number, int(1000.0 * now), values))
         return packets
 
     def _obeyed(self, request: BlockRequest, now: float) -> BlockError:
