@@ -35,7 +35,8 @@ def mechanics_of(airframe: Airframe) -> Mechanics:
     body, usual = airframe.body, airframe_named(_USUAL).body
     share = body.mass / usual.mass
     tilt = body.inertia_tilt or share * (usual.inertia_tilt or 0.0)
-    turn = body.inertia_turn or share * (usual.inertia_turn or 0.0)
+    # Never more than both others together, to the last bit: MuJoCo refuses such a body.
+    turn = body.inertia_turn or min(share * (usual.inertia_turn or 0.0), 2.0 * tilt)
     return Mechanics(
         mass=body.mass,
         inertia=(tilt, tilt, turn),
