@@ -10,6 +10,9 @@ from housefly.geometry import Vec3
 
 _USUAL: str = DroneConfig.model_fields["kind"].default
 
+_ROUNDING = 1e-6
+"""Models are written with nine digits."""
+
 
 @dataclass(frozen=True, slots=True)
 class Mechanics:
@@ -35,8 +38,9 @@ def mechanics_of(airframe: Airframe) -> Mechanics:
     body, usual = airframe.body, airframe_named(_USUAL).body
     share = body.mass / usual.mass
     tilt = body.inertia_tilt or share * (usual.inertia_tilt or 0.0)
-    # Never more than both others together, to the last bit: MuJoCo refuses such a body.
-    turn = body.inertia_turn or min(share * (usual.inertia_turn or 0.0), 2.0 * tilt)
+    # MuJoCo refuses a moment that is more than both others together, however it is rounded.
+    most = 2.0 * tilt * (1.0 - _ROUNDING)
+    turn = body.inertia_turn or min(share * (usual.inertia_turn or 0.0), most)
     return Mechanics(
         mass=body.mass,
         inertia=(tilt, tilt, turn),
