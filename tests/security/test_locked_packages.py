@@ -45,8 +45,9 @@ def required(*extras: str) -> set[str]:
     return {same(re.split(r"[\[<>=]", line)[0]) for line in lines} - {"housefly"}
 
 
-def test_there_are_locks_for_flying_testing_building_auditing_and_fuzzing() -> None:
-    names = ["build.txt", "dev.txt", "fuzz.txt", "installer.txt", "run.txt", "tools.txt"]
+def test_there_are_locks_for_flying_testing_building_auditing_fuzzing_and_strangers() -> None:
+    names = ["build.txt", "cflib.txt", "dev.txt", "djitellopy.txt"]
+    names += ["fuzz.txt", "installer.txt", "run.txt", "tools.txt"]
     assert [lock.name for lock in LOCKS] == names
 
 
