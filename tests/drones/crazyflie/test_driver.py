@@ -74,7 +74,7 @@ async def test_a_whole_flight_by_lean_by_velocity_and_to_a_place(room: Crazyflie
     assert vx * cos(yaw) + vy * sin(yaw) > 0.2
     await room.hold(Action.HOVER, 1.5)
     assert hypot(*room.world.truth().velocity[:2]) < 0.1
-    await room.hold(flying(VelocitySetpoint(left=0.3)), 2.5)
+    await room.hold(flying(VelocitySetpoint(left=0.3)), 1.4)
     vx, vy, _ = room.world.truth().velocity
     assert vy * cos(yaw) - vx * sin(yaw) == pytest.approx(0.3, abs=0.1)
     x, y, _ = room.world.truth().pose.position
