@@ -26,6 +26,7 @@ from contextlib import asynccontextmanager, closing
 from math import pi, sin
 from operator import itemgetter
 from pathlib import Path
+from typing import cast
 
 from playwright.async_api import Locator, Page, async_playwright
 
@@ -50,12 +51,11 @@ from housefly.messages import (
     Pose,
     SafetyMode,
 )
+from housefly.messages.stick import Maxima, Stick
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import MocapFrame
+from housefly.twin.contracts import MocapFrame, TwinDrone
 from housefly.twin.mocap.vicon_server import ViconServer
 from housefly.wires.ardrone.conversions import (
-    Maxima,
-    Stick,
     pcmd_from_setpoint,
     stick_from_pcmd,
 )
@@ -117,7 +117,7 @@ class Bench:
 
     def __init__(self, site: Site) -> None:
         self.world = Probe()
-        self.drone = ArDroneServer(self.world, site.drone.address)
+        self.drone = ArDroneServer(cast(TwinDrone, self.world), site.drone.address)
         self.vicon = ViconServer(site.tracking.address, site.tracking.port)
         self.offset = 0.0
         self.published_at = 0.0

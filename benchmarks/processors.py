@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import numpy as np
-import numpy._core._multiarray_umath as umath
+import numpy._core._multiarray_umath as umath  # type: ignore[import-not-found]
 
 from housefly.numeric import elementwise, norm
 

@@ -144,7 +144,7 @@ class FakePilot:
                     loop_p50_s=1e-4,
                     loop_p99_s=4e-4,
                     loop_max_s=2e-3,
-                    notes=self.link_notes,
+                    notes=tuple(map(literal, self.link_notes)),
                 ),
             )
 
@@ -344,7 +344,7 @@ class FakePilot:
             self.status,
             self.battery,
             height=self.height,
-            notes=self.notes,
+            notes=tuple(map(literal, self.notes)),
         )
         outputs = Outputs(
             Command(Action.FLY if self.status is DroneStatus.FLYING else Action.IDLE),
@@ -360,7 +360,7 @@ class FakePilot:
             self._goal_name(),
             self.path,
             self.waypoint,
-            "stopped until resume" if self.stopped else "",
+            literal("stopped until resume" if self.stopped else ""),
             tuple(self._events),
             answers=tuple(self._answers),
         )
@@ -379,7 +379,7 @@ class FakePilot:
                 (place.viewpoint for place in self.room.places if place.name == request.place), None
             )
         if goal is None:
-            return PlanAnswer(start, start, None, f"no place called {request.place!r}")
+            return PlanAnswer(start, start, None, literal(f"no place called {request.place!r}"))
         return plan_on(self.room.grid, start, goal)
 
 

@@ -9,6 +9,7 @@ from math import dist
 from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import GridView, OutlineView, PlaceView, RoomView
 from housefly.messages import Path, PlanAnswer, PreflightCheck
+from housefly.messages.words import literal
 
 FAKE_PILOT_SPEED = 0.5
 """Speed of the fake drone [m/s]."""
@@ -16,25 +17,25 @@ FAKE_PILOT_SPEED = 0.5
 EXAMPLE_CHECKS = (
     PreflightCheck(
         code="charge",
-        title="the battery is charged",
-        fault="the battery is too low",
+        title=literal("the battery is charged"),
+        fault=literal("the battery is too low"),
         passed=True,
         required=True,
-        value="86%",
-        limit="at least 20%",
-        why="it has to come home, and to land",
-        mend="charge it, or change the battery",
+        value=literal("86%"),
+        limit=literal("at least 20%"),
+        why=literal("it has to come home, and to land"),
+        mend=literal("charge it, or change the battery"),
     ),
     PreflightCheck(
         code="sees_people",
-        title="a sensor sees people without markers",
-        fault="people without markers are unseen",
+        title=literal("a sensor sees people without markers"),
+        fault=literal("people without markers are unseen"),
         passed=True,
         required=False,
-        value="yes",
-        limit="yes",
-        why="it makes way only for people whom a sensor sees",
-        mend="keep people out of the room",
+        value=literal("yes"),
+        limit=literal("yes"),
+        why=literal("it makes way only for people whom a sensor sees"),
+        mend=literal("keep people out of the room"),
     ),
 )
 """Two pre-flight checks of which all is well: one that is required, one that is told only."""
@@ -89,7 +90,11 @@ def plan_on(grid: GridView, start: Vec2, goal: Vec2) -> PlanAnswer:
     first, last = _cell(grid, start), _cell(grid, goal)
     if not _free(grid, last):
         return PlanAnswer(
-            start, goal, None, "an obstacle is too close to this point", _nearest_free(grid, goal)
+            start,
+            goal,
+            None,
+            literal("an obstacle is too close to this point"),
+            _nearest_free(grid, goal),
         )
     came: dict[_Cell, _Cell] = {first: first}
     waiting = deque([first])
@@ -100,7 +105,7 @@ def plan_on(grid: GridView, start: Vec2, goal: Vec2) -> PlanAnswer:
                 came[neighbour] = (i, j)
                 waiting.append(neighbour)
     if last not in came:
-        return PlanAnswer(start, goal, None, "no free way leads to this point")
+        return PlanAnswer(start, goal, None, literal("no free way leads to this point"))
     cells = [last]
     while cells[-1] != first:
         cells.append(came[cells[-1]])
