@@ -39,20 +39,3 @@ class Gap:
         """Return how much later than planned the step of now comes [s]."""
         last, self._last = self._last, now
         return 0.0 if last is None else max(0.0, now - last - self._period)
-
-
-class Frequency:
-    """Arrivals per second over the last second."""
-
-    def __init__(self) -> None:
-        self._arrivals: deque[float] = deque(maxlen=2000)
-
-    def add(self, now: float) -> None:
-        """Record one arrival."""
-        self._arrivals.append(now)
-
-    def rate_hz(self, now: float) -> float:
-        """Return how many arrived within the last second."""
-        while self._arrivals and self._arrivals[0] <= now - 1.0:
-            self._arrivals.popleft()
-        return float(len(self._arrivals))

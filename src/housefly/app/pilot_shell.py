@@ -18,7 +18,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
-from housefly.app.loop_health import Frequency, Gap, Lateness
+from housefly.app.loop_health import Gap, Lateness
 from housefly.app.machine_load import machine_load
 from housefly.app.obstacle_inbox import ObstacleInbox
 from housefly.app.order_inbox import OrderInbox
@@ -31,7 +31,7 @@ from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.app.refused_orders import answers_to
 from housefly.app.take_off_pause import TakeOffPause
 from housefly.bus.bus import Bus
-from housefly.bus.rate import Rate
+from housefly.bus.rate import Frequency, Rate
 from housefly.bus.topics import OBSTACLE_TOPIC, SIGHT_TOPIC, DroneTopics
 from housefly.clock import RealClock
 from housefly.config.frame_check import frames_known

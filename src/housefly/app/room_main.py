@@ -14,12 +14,12 @@ from collections.abc import Coroutine
 from contextlib import suppress
 from pathlib import Path
 
-from housefly.app.loop_health import Frequency
 from housefly.app.machine_load import machine_load
 from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
+from housefly.bus.rate import Frequency
 from housefly.bus.topics import FRAME_TOPIC, DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock

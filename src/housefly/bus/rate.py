@@ -1,8 +1,9 @@
-"""Keeps a loop on its period."""
+"""Keeps a loop on its period, and counts how often something comes."""
 
 from __future__ import annotations
 
 import asyncio
+from collections import deque
 
 from housefly.clock import Clock, RealClock
 
@@ -31,3 +32,20 @@ class Rate:
         self.missed += skipped
         self._next += (skipped + 1) * self.period
         return late
+
+
+class Frequency:
+    """Arrivals per second over the last second."""
+
+    def __init__(self) -> None:
+        self._arrivals: deque[float] = deque(maxlen=2000)
+
+    def add(self, now: float) -> None:
+        """Record one arrival."""
+        self._arrivals.append(now)
+
+    def rate_hz(self, now: float) -> float:
+        """Return how many arrived within the last second."""
+        while self._arrivals and self._arrivals[0] <= now - 1.0:
+            self._arrivals.popleft()
+        return float(len(self._arrivals))

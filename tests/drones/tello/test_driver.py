@@ -150,8 +150,7 @@ async def test_a_new_driver_stops_a_drone_that_an_old_one_left_flying(flight: Fl
     ahead = flying(VelocitySetpoint(forward=0.5))
     await flight.until(lambda: flight.speed > 0.4, ahead)
     # what a driver leaves that is killed: no order to land, and the last sticks
-    assert flight.drone._repeating is not None
-    flight.drone._repeating.cancel()
+    flight.drone._tasks["repeat commands"].cancel()
     await flight.drone.close()
     await asyncio.sleep(0.5)
     assert flight.speed > 0.4, "the last sticks hold"

@@ -1,34 +1,24 @@
-"""The AR.Drone 2.0 as a ``DroneDriver``: its four ports.
-
-A command whose action differs from the one before leaves in the same call. FLY setpoints leave at
-the drone's rate, timed so that a regular pilot's setpoint leaves as soon as it comes; when the
-pilot pauses, the newest command is repeated.
-"""
+"""The AR.Drone 2.0 as a ``DroneDriver``: its four ports."""
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from housefly.clock import Clock, RealClock
-from housefly.config.capabilities import Capabilities
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
-from housefly.config.process_log import log_traceback
 from housefly.drones.ardrone.handshake import Configurator
 from housefly.drones.ardrone.limits_keeper import LimitsKeeper
 from housefly.drones.ardrone.link import CommandLink, led_value
 from housefly.drones.ardrone.recording_light import RecordingLight
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
-from housefly.drones.failsafe import Failsafe, Permit
+from housefly.drones.repeating_driver import RepeatingDriver
 from housefly.errors import LinkError
 from housefly.messages import (
-    Command,
     DroneStatus,
-    KnownMotion,
     Sighting,
     Telemetry,
     VideoFrame,
@@ -44,10 +34,9 @@ if TYPE_CHECKING:
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
-_FOUND_IN_THE_AIR = Words("found in the air by a new driver: it only hovers and lands")
 
 
-class ArDrone:
+class ArDrone(RepeatingDriver):
     """Flies one AR.Drone 2.0, real or simulated.
 
     Args:
@@ -69,8 +58,7 @@ class ArDrone:
         *,
         full_navdata: bool = True,
     ) -> None:
-        self._config = config
-        self._clock = clock or RealClock()
+        super().__init__(config, limits.tilt_max, clock or RealClock())
         self._commands = CommandLink(config.address, self._clock)
         self._navdata = NavdataLink(config.address, self._clock)
         self._video = VideoLink(config.address, self._clock)
@@ -79,16 +67,9 @@ class ArDrone:
         self._limits = LimitsKeeper(
             limits, self._configurator, self._navdata, full_navdata=full_navdata
         )
-        self._failsafe = Failsafe(self._clock.now(), self._limits.maxima.tilt, config.airframe)
+        self._failsafe.tilt_max = self._limits.maxima.tilt
         self._encoder = CommandEncoder(self._limits.maxima)
-        self._sent_at = float("-inf")
         self._told: tuple[Telemetry, Telemetry] | None = None
-        self._tasks: dict[str, asyncio.Task[None]] = {}
-
-    @property
-    def capabilities(self) -> Capabilities:
-        """What an AR.Drone 2.0 can do."""
-        return self._config.airframe.capabilities
 
     async def connect(self) -> None:
         """Open the wire and configure the drone; may be called again after a failure.
@@ -99,7 +80,7 @@ class ArDrone:
         """
         await self._commands.open()
         await self._navdata.open()
-        self._start("repeat commands", self._repeat)
+        self._start_repeating()
         try:
             await self._greet()
         except LinkError as error:
@@ -124,44 +105,13 @@ class ArDrone:
 
     async def close(self) -> None:
         """Release the wire. Does not land: the pilot does that before."""
-        for task in self._tasks.values():
-            task.cancel()
-        await asyncio.gather(*self._tasks.values(), return_exceptions=True)
-        self._tasks.clear()
+        await self._end_tasks()
         await self._video.close()
         await self._navdata.close()
         self._commands.close()
 
-    def send(
-        self,
-        command: Command,
-        motion: KnownMotion | None = None,
-        issued_at: float | None = None,
-    ) -> None:
-        """Hand over the command in force from now on; returns at once.
-
-        Args:
-            command: of the pilot.
-            motion: what the pilot knew of the drone's motion; None says nothing new.
-            issued_at: when the pilot gave it [s]; now when None.
-        """
-        now = self._clock.now()
-        action_changed = self._failsafe.update(command, now, issued_at, motion)
-        if action_changed or now - self._sent_at >= self._config.airframe.link.interval_min:
-            self._transmit(now)
-
     def send_pose(self, seen: Sighting) -> None:
         """It wants none."""
-
-    def abandon(self) -> None:
-        """Note that the pilot is gone: a flying drone brakes now and lands soon."""
-        self._failsafe.abandon()
-        self._transmit(self._clock.now())
-
-    def land_for_good(self) -> None:
-        """Land now, and take no order any more but to cut the motors."""
-        self._failsafe.land_for_good()
-        self._transmit(self._clock.now())
 
     @property
     def telemetry(self) -> Telemetry | None:
@@ -178,8 +128,7 @@ class ArDrone:
     @property
     def notes(self) -> tuple[Words, ...]:
         """What is not as it should be with the drone's settings."""
-        found = (_FOUND_IN_THE_AIR,) if self._failsafe.permit is Permit.HOVER_AND_LAND else ()
-        return (*self._limits.notes, *found)
+        return (*self._limits.notes, *self._permit_notes)
 
     @property
     def configuration(self) -> dict[str, str]:
@@ -249,18 +198,6 @@ class ArDrone:
         self._encoder.maxima = self._limits.maxima
         self._failsafe.tilt_max = self._limits.maxima.tilt
 
-    async def _repeat(self) -> None:
-        after = self._config.airframe.link.repeat_after
-        while True:
-            now = self._clock.now()
-            if now - self._sent_at >= after:
-                try:
-                    self._transmit(now)
-                except Exception:
-                    self._commands.send(at.Ref(at.RefBits.LAND), at.Pcmd())
-                    log_traceback()
-            await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
-
     def _transmit(self, now: float) -> None:
         if not self._commands.is_open:
             return
@@ -277,9 +214,8 @@ class ArDrone:
         if (led := self._light.due(now)) is not None:
             self._commands.send(led)
 
-    def _start(self, name: str, work: Callable[[], Coroutine[None, None, None]]) -> None:
-        if name not in self._tasks:
-            self._tasks[name] = asyncio.create_task(work(), name=name)
+    def _land_blindly(self) -> None:
+        self._commands.send(at.Ref(at.RefBits.LAND), at.Pcmd())
 
 
 if TYPE_CHECKING:

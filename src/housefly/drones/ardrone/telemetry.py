@@ -9,11 +9,11 @@ next one comes: wrong echoes are told from right ones by what is before and afte
 from __future__ import annotations
 
 import asyncio
-from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 from math import isfinite, nan
 
+from housefly.bus.rate import Frequency
 from housefly.clock import Clock
 from housefly.drones.ardrone.link import open_datagram_socket
 from housefly.errors import WireError
@@ -61,7 +61,7 @@ class NavdataReports:
         self.old = 0
         self.unread = 0
         self._heard_since, self._heard = float("-inf"), 0
-        self._times: deque[float] = deque()
+        self._packets = Frequency()
         self._telemetry: Telemetry | None = None
         self._echoes = EchoFilter()
         self._is_read = True
@@ -81,8 +81,7 @@ class NavdataReports:
             return False
         self._read()
         self.packet, self.received_at, self._is_read = packet, now, False
-        self._times.append(now)
-        self._forget_before(now - 1.0)
+        self._packets.add(now)
         return True
 
     def _is_flooded(self, now: float) -> bool:
@@ -120,12 +119,7 @@ class NavdataReports:
 
     def rate_hz(self, now: float) -> float:
         """Return the number of reports in the second before now."""
-        self._forget_before(now - 1.0)
-        return float(len(self._times))
-
-    def _forget_before(self, time: float) -> None:
-        while self._times and self._times[0] <= time:
-            self._times.popleft()
+        return self._packets.rate_hz(now)
 
 
 class NavdataLink(asyncio.DatagramProtocol):

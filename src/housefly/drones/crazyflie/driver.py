@@ -7,17 +7,15 @@ where tracking sees it.
 from __future__ import annotations
 
 import asyncio
-from collections import deque
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable
 from contextlib import suppress
-from math import dist, inf
+from math import dist
 from typing import TYPE_CHECKING
 
+from housefly.bus.rate import Frequency
 from housefly.clock import Clock
-from housefly.config.capabilities import Capabilities
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
-from housefly.config.process_log import log_traceback
 from housefly.drones.crazyflie.link import CrtpLink
 from housefly.drones.crazyflie.manoeuvres import DISAGREES, Manoeuvres
 from housefly.drones.crazyflie.reports import OwnState, complaints
@@ -30,9 +28,13 @@ from housefly.drones.crazyflie.settings import (
     write_settings,
 )
 from housefly.drones.crazyflie.tables import Table, read_table
-from housefly.drones.failsafe import Failsafe, Permit
+from housefly.drones.repeating_driver import RepeatingDriver
 from housefly.errors import LinkError, WireError
-from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
+from housefly.messages import (
+    Sighting,
+    Telemetry,
+    VideoFrame,
+)
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.messages.words import UNSAID, Words, error_words, figure, joined
 from housefly.wires.crazyflie.crtp import UDP_PORT, Packet, Port
@@ -60,10 +62,9 @@ BLIND_LANDING = Land(0.0, 3.0)
 _GREETINGS = 5
 _LOST_AFTER = 1.0
 """Reports that stay away for so long are asked for anew: the drone may have been restarted [s]."""
-_FOUND_IN_THE_AIR = Words("found in the air by a new driver: it only hovers and lands")
 
 
-class Crazyflie:
+class Crazyflie(RepeatingDriver):
     """Flies one Crazyflie, real or simulated.
 
     Args:
@@ -72,17 +73,14 @@ class Crazyflie:
         clock: for ages and rates.
     """
 
-    video_connected = False
-
     def __init__(self, config: DroneConfig, limits: LimitsConfig, clock: Clock) -> None:
-        self._config, self._limits, self._clock = config, limits, clock
+        super().__init__(config, limits.tilt_max, clock)
+        self._limits = limits
         self._link = CrtpLink(config.address, self._hear)
-        self._failsafe = Failsafe(clock.now(), limits.tilt_max, config.airframe)
         self._manoeuvres = Manoeuvres()
         self._state = OwnState()
         self._report: Telemetry | None = None
         self._seen: Sighting | None = None
-        self._sent_at = -inf
         self._log_table: Table | None = None
         self._parameters: Table | None = None
         self._is_configured, self._problem = False, UNSAID
@@ -90,14 +88,8 @@ class Crazyflie:
         self._lands_blindly = False
         self._handler: Callable[[], None] = lambda: None
         self._heard = asyncio.Event()
-        self._times: deque[float] = deque()
-        self._tasks: dict[str, asyncio.Task[None]] = {}
+        self._reports = Frequency()
         self.firmware = ""
-
-    @property
-    def capabilities(self) -> Capabilities:
-        """What a Crazyflie can do."""
-        return self._config.airframe.capabilities
 
     async def connect(self) -> None:
         """Open the wire, read the tables, set the drone; may be called again after a failure.
@@ -106,7 +98,7 @@ class Crazyflie:
             LinkError: it does not answer, its firmware is too old, or it keeps other settings.
         """
         await self._link.open()
-        self._start("stream", self._stream)
+        self._start_repeating()
         try:
             await self._set_up()
         except LinkError as error:
@@ -116,39 +108,14 @@ class Crazyflie:
 
     async def close(self) -> None:
         """Release the wire. Does not land: the pilot does that before."""
-        for task in self._tasks.values():
-            task.cancel()
-        await asyncio.gather(*self._tasks.values(), return_exceptions=True)
-        self._tasks.clear()
+        await self._end_tasks()
         self._link.close()
-
-    def send(
-        self,
-        command: Command,
-        motion: KnownMotion | None = None,
-        issued_at: float | None = None,
-    ) -> None:
-        """Put a command in force; one of another kind leaves at once."""
-        now = self._clock.now()
-        changed = self._failsafe.update(command, now, issued_at, motion)
-        if changed or now - self._sent_at >= self._config.airframe.link.interval_min:
-            self._transmit(now)
 
     def send_pose(self, seen: Sighting) -> None:
         """Tell the drone where it is; its wire has no word for how long ago."""
         self._seen = seen
         with suppress(WireError):
             self._link.send(encode_told_pose(seen.pose.position, seen.pose.orientation))
-
-    def abandon(self) -> None:
-        """Note that the pilot is gone: a flying drone stands still now and lands soon."""
-        self._failsafe.abandon()
-        self._transmit(self._clock.now())
-
-    def land_for_good(self) -> None:
-        """Land now, and take no order any more but to cut the motors."""
-        self._failsafe.land_for_good()
-        self._transmit(self._clock.now())
 
     @property
     def telemetry(self) -> Telemetry | None:
@@ -158,8 +125,7 @@ class Crazyflie:
     @property
     def notes(self) -> tuple[Words, ...]:
         """What is not as it should be."""
-        found = (_FOUND_IN_THE_AIR,) if self._failsafe.permit is Permit.HOVER_AND_LAND else ()
-        return (*complaints(self._state.info), *self._misplaced(), *found)
+        return (*complaints(self._state.info), *self._misplaced(), *self._permit_notes)
 
     @property
     def decks(self) -> tuple[str, ...]:
@@ -174,10 +140,7 @@ class Crazyflie:
     @property
     def telemetry_rate_hz(self) -> float:
         """Reports per second over the last second."""
-        now = self._clock.now()
-        while self._times and self._times[0] <= now - 1.0:
-            self._times.popleft()
-        return float(len(self._times))
+        return self._reports.rate_hz(self._clock.now())
 
     @property
     def connected(self) -> bool:
@@ -185,14 +148,14 @@ class Crazyflie:
         return self._clock.now() - self._state.at < REPORT_AGE_MAX
 
     def show_recording(self, records: bool) -> None:
-        """It has no camera."""
+        """It has no light of ours."""
+
+    def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
+        """It has no camera of ours."""
 
     def on_report(self, handler: Callable[[], None]) -> None:
         """Call the handler after each report of the drone."""
         self._handler = handler
-
-    def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
-        """It has no camera."""
 
     async def _set_up(self) -> None:
         """Greet the drone, read its tables, set it, and let it send its logs."""
@@ -283,7 +246,7 @@ class Crazyflie:
         before, self._state = self._state, self._state.taken_in(packet, now)
         if self._state.at == before.at or not self._state.has_state:
             return
-        self._times.append(now)
+        self._reports.add(now)
         self._report = self._state.report(
             self._manoeuvres.status(self._state), configured=self._is_configured, notes=self.notes
         )
@@ -297,19 +260,9 @@ class Crazyflie:
         told = self._failsafe.decide(now, self._report)
         self._link.send(*self._manoeuvres.packets(told, self._state, self._seen, now))
 
-    async def _stream(self) -> None:
-        """Repeat the command in force; what fails in it must not end the stream."""
-        after = self._config.airframe.link.repeat_after
-        while True:
-            now = self._clock.now()
-            if now - self._sent_at >= after:
-                try:
-                    self._transmit(now)
-                    self._lands_blindly = False
-                except Exception:
-                    self._land_blindly()
-                    log_traceback()
-            await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
+    def _transmit_again(self, now: float) -> None:
+        super()._transmit_again(now)
+        self._lands_blindly = False
 
     def _land_blindly(self) -> None:
         """Have its own commander land it, once: an order behind the end would start the motors."""
@@ -326,10 +279,6 @@ class Crazyflie:
                 await self._set_up()
             except LinkError as error:
                 self._problem = error_words(error)
-
-    def _start(self, name: str, work: Callable[[], Coroutine[None, None, None]]) -> None:
-        if name not in self._tasks:
-            self._tasks[name] = asyncio.create_task(work(), name=name)
 
 
 def _is_version(packet: Packet, question: VersionQuestion) -> bool:

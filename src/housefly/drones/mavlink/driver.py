@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from housefly.clock import Clock, RealClock
-from housefly.config.capabilities import Capabilities
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.config.process_log import log_traceback
-from housefly.drones.failsafe import Failsafe, Permit
 from housefly.drones.mavlink.checks import Checks
 from housefly.drones.mavlink.link import MavlinkLink
 from housefly.drones.mavlink.orders import Deed, Order, Orders
 from housefly.drones.mavlink.vehicle import Vehicle
+from housefly.drones.repeating_driver import RepeatingDriver
 from housefly.errors import LinkError, MissingPartError
-from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
+from housefly.messages import (
+    Sighting,
+    Telemetry,
+    VideoFrame,
+)
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.messages.words import UNSAID, Words, error_words, joined
 from housefly.wires.mavlink import requests
@@ -33,10 +36,9 @@ if TYPE_CHECKING:
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first heartbeat [s]."""
 _CHECK_PERIOD = 0.5
-_FOUND_FLYING = Words("found in the air by a new driver: it only hovers and lands")
 
 
-class MavlinkDrone:
+class MavlinkDrone(RepeatingDriver):
     """Flies one ArduCopter or PX4, real or simulated, by the row of ``AUTOPILOTS`` of its model.
 
     Args:
@@ -47,29 +49,19 @@ class MavlinkDrone:
     It takes off only once it told that it is set as it must be, and has an origin.
     """
 
-    video_connected = False
-
     def __init__(
         self, config: DroneConfig, limits: LimitsConfig, clock: Clock | None = None
     ) -> None:
-        self._config, self._clock = config, clock or RealClock()
+        super().__init__(config, limits.tilt_max, clock or RealClock())
         self._autopilot = AUTOPILOTS[config.kind]
         self._vehicle = Vehicle(self._autopilot)
         self._orders, self._checks = Orders(self._vehicle), Checks(self._vehicle, config.address)
-        self._failsafe = Failsafe(self._clock.now(), limits.tilt_max, config.airframe)
         self._speed = PoseSpeed()
         self._link: MavlinkLink | None = None
         self._told: Telemetry | None = None
         self._heard = asyncio.Event()
         self._handler: Callable[[], None] = lambda: None
-        self._sent_at = float("-inf")
         self._trouble = UNSAID
-        self._tasks: dict[str, asyncio.Task[None]] = {}
-
-    @property
-    def capabilities(self) -> Capabilities:
-        """What its model can do."""
-        return self._config.airframe.capabilities
 
     @property
     def firmware(self) -> str:
@@ -80,9 +72,8 @@ class MavlinkDrone:
     def notes(self) -> tuple[Words, ...]:
         """What is not as it should be, what it refuses, and its warnings, in its own words."""
         now = self._clock.now()
-        found = (_FOUND_FLYING,) if self._failsafe.permit is Permit.HOVER_AND_LAND else ()
         taken = (self._taken_words(),) if self._orders.is_taken(now) else ()
-        return (*self._checks.notes, *found, *taken, *self._vehicle.refusals.told(now))
+        return (*self._checks.notes, *self._permit_notes, *taken, *self._vehicle.refusals.told(now))
 
     @property
     def problem(self) -> Words:
@@ -118,7 +109,7 @@ class MavlinkDrone:
         except (MissingPartError, LinkError) as error:
             self._trouble = error_words(error)
             raise LinkError(self._trouble) from error
-        self._start("tell it what to do", self._repeat)
+        self._start_repeating()
         self._start("look how it is set", self._check)
         try:
             async with asyncio.timeout(FIRST_REPORT_TIMEOUT):
@@ -131,24 +122,6 @@ class MavlinkDrone:
             )
             raise LinkError(self._trouble) from error
 
-    def send(
-        self,
-        command: Command,
-        motion: KnownMotion | None = None,
-        issued_at: float | None = None,
-    ) -> None:
-        """Hand over the command in force from now on; returns at once.
-
-        Args:
-            command: of the pilot.
-            motion: what the pilot knew of the drone's motion; None says nothing new.
-            issued_at: when the pilot gave it [s]; now when None.
-        """
-        now = self._clock.now()
-        changed = self._failsafe.update(command, now, issued_at, motion)
-        if changed or now - self._sent_at >= self._config.airframe.link.interval_min:
-            self._transmit(now)
-
     def send_pose(self, seen: Sighting) -> None:
         """Tell it where it was, and when by our clock."""
         if self._link is None or not self._link.is_open:
@@ -157,32 +130,19 @@ class MavlinkDrone:
         self._link.send(pose_message(seen.pose, velocity, seen.captured_at))
         self._checks.pose_sent_at = self._clock.now()
 
-    def abandon(self) -> None:
-        """Note that the pilot is gone: a flying drone brakes now and lands soon."""
-        self._failsafe.abandon()
-        self._transmit(self._clock.now())
-
-    def land_for_good(self) -> None:
-        """Land now, and take no order any more but to cut the motors."""
-        self._failsafe.land_for_good()
-        self._transmit(self._clock.now())
-
     def show_recording(self, records: bool) -> None:
         """It has no light of ours."""
+
+    def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
+        """It has no camera of ours."""
 
     def on_report(self, handler: Callable[[], None]) -> None:
         """Call the handler after each report of the drone."""
         self._handler = handler
 
-    def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
-        """It has no camera of ours."""
-
     async def close(self) -> None:
         """Release the wire. Does not land: the pilot does that before."""
-        for task in self._tasks.values():
-            task.cancel()
-        await asyncio.gather(*self._tasks.values(), return_exceptions=True)
-        self._tasks.clear()
+        await self._end_tasks()
         if self._link is not None:
             await self._link.close()
 
@@ -203,14 +163,6 @@ class MavlinkDrone:
         mode = self._autopilot.mode_name(self._vehicle.mode)
         return Words("somebody else flies it, or it does by itself (mode {mode})", mode=mode)
 
-    async def _repeat(self) -> None:
-        after = self._config.airframe.link.repeat_after
-        while True:
-            now = self._clock.now()
-            if now - self._sent_at >= after:
-                self._transmit(now)
-            await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
-
     async def _check(self) -> None:
         while True:
             if self._link is not None:
@@ -228,8 +180,12 @@ class MavlinkDrone:
             orders = self._orders.due(told, now)
             link.send(*(self._message(order, link.target, now) for order in orders))
         except Exception:
-            link.send(_mode_message(self._autopilot.landing, link.target))
+            self._land_blindly()
             log_traceback()
+
+    def _land_blindly(self) -> None:
+        if self._link is not None:
+            self._link.send(_mode_message(self._autopilot.landing, self._link.target))
 
     def _message(self, order: Order, target: requests.Target, now: float) -> Any:
         match order:
@@ -245,10 +201,6 @@ class MavlinkDrone:
                 return requests.take_off_order(target, self._autopilot.take_off_height)
             case setpoint:
                 return setpoint_message(setpoint, target, now)
-
-    def _start(self, name: str, work: Callable[[], Coroutine[None, None, None]]) -> None:
-        if name not in self._tasks:
-            self._tasks[name] = asyncio.create_task(work(), name=name)
 
 
 def _mode_message(mode: FlightMode, target: requests.Target) -> Any:

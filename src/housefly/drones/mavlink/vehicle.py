@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import deque
-
+from housefly.bus.rate import Frequency
 from housefly.drones.mavlink.refusals import Refusals
 from housefly.geometry import Vec3, wrap_angle
 from housefly.messages import DroneFault, DroneStatus, Telemetry
@@ -73,7 +72,7 @@ class Vehicle:
         self._heading: float | None = None
         self._turned = 0.0
         self._charge: float | None = None
-        self._times: deque[float] = deque()
+        self._motions = Frequency()
 
     def hear(self, report: VehicleReport, now: float) -> bool:
         """Take in a report that came now [s]; return whether the drone told how it moves."""
@@ -111,7 +110,7 @@ class Vehicle:
             self._turned += turned if abs(turned) <= may_turn else 0.0
         self._attitude = roll, pitch, wrap_angle(self._turned)
         self._heading, self._time = heading, report.time
-        self._times.append(now)
+        self._motions.add(now)
 
     def _forget(self) -> None:
         """It started anew: what it was told, and what it told, count no more."""
@@ -140,9 +139,7 @@ class Vehicle:
 
     def rate_hz(self, now: float) -> float:
         """Return how often it told how it moves in the second before now [s]."""
-        while self._times and self._times[0] <= now - 1.0:
-            self._times.popleft()
-        return float(len(self._times))
+        return self._motions.rate_hz(now)
 
     def status(self, now: float) -> DroneStatus:
         """Return what it does now [s]."""
@@ -161,7 +158,7 @@ class Vehicle:
             configured: whether everything is set on it that must be.
             notes: what is not as it should be.
         """
-        if not self._times and self._time is None:
+        if self._time is None and not self.rate_hz(now):
             return None
         roll, pitch, heading = self._attitude
         charge = self._charge or 0.0

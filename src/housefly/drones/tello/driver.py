@@ -8,19 +8,17 @@ command of another kind leaves in the same call.
 from __future__ import annotations
 
 import asyncio
-from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from math import inf
 from typing import TYPE_CHECKING
 
+from housefly.bus.rate import Frequency
 from housefly.clock import Clock, RealClock
-from housefly.config.capabilities import Capabilities
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
-from housefly.config.process_log import log_traceback
-from housefly.drones.failsafe import Failsafe, Permit
+from housefly.drones.repeating_driver import RepeatingDriver
 from housefly.drones.tello.flight_watch import FlightWatch
 from housefly.drones.tello.pictures import Pictures
 from housefly.drones.tello.sockets import local_address, open_socket
@@ -28,8 +26,6 @@ from housefly.drones.tello.talk import STATE_AGE_MAX, Talk
 from housefly.errors import LinkError, WireError
 from housefly.messages import (
     Action,
-    Command,
-    KnownMotion,
     Sighting,
     Telemetry,
     VideoFrame,
@@ -50,10 +46,9 @@ HOT = 90
 """Above that it may cut its motors soon [degC]."""
 _STATES_MAX = 100
 """More states or answers in a second are thrown away unread; it sends 10."""
-_FOUND_IN_THE_AIR = Words("found in the air by a new driver: it only hovers and lands")
 
 
-class Tello:
+class Tello(RepeatingDriver):
     """Flies one Tello, real or simulated.
 
     Args:
@@ -65,28 +60,21 @@ class Tello:
     def __init__(
         self, config: DroneConfig, limits: LimitsConfig, clock: Clock | None = None
     ) -> None:
-        self._config, self._clock = config, clock or RealClock()
-        self._failsafe = Failsafe(self._clock.now(), limits.tilt_max, config.airframe)
+        super().__init__(config, limits.tilt_max, clock or RealClock())
         self._watch = FlightWatch()
         self._talk = Talk(full_sticks_of(config.airframe.response))
         camera = config.airframe.capabilities.camera
         self._pictures = Pictures(config.address, camera, self._clock) if camera else None
         self._links: list[asyncio.DatagramTransport] = []
-        self._repeating: asyncio.Task[None] | None = None
         self._on_report: Callable[[], None] = lambda: None
         self._first = asyncio.Event()
-        self._sent_at = self._heard_at = self._looked_at = -inf
+        self._heard_at = self._looked_at = -inf
         self._ours = ""
         self._state: TelloState | None = None
-        self._arrivals: deque[float] = deque()
+        self._arrivals = Frequency()
         self._problem: Words | None = None
         self._broken = 0
         self._counted_since, self._counted = -inf, 0
-
-    @property
-    def capabilities(self) -> Capabilities:
-        """What a Tello can do."""
-        return self._config.airframe.capabilities
 
     async def connect(self) -> None:
         """Open the wire and enter SDK mode; may be called again after a failure.
@@ -121,8 +109,8 @@ class Tello:
     async def _open(self) -> None:
         if not self._links:
             await self._open_links()
-        if self._repeating is None:
-            self._repeating = asyncio.create_task(self._repeat(), name="repeat commands")
+        self._start_repeating()
+        self._start("follow its Wi-Fi", self._follow_wifi)
 
     async def _open_links(self) -> None:
         where = self._config.address, self._config.interface
@@ -135,6 +123,11 @@ class Tello:
             self._shut()
             raise
         self._ours = self._links[0].get_extra_info("sockname")[0]
+
+    async def _follow_wifi(self) -> None:
+        while True:
+            await asyncio.sleep(self._config.airframe.link.repeat_after)
+            await self._follow_address(self._clock.now())
 
     async def _follow_address(self, now: float) -> None:
         """Open the sockets anew where a silent drone's Wi-Fi gave us another address meanwhile."""
@@ -149,10 +142,7 @@ class Tello:
 
     async def close(self) -> None:
         """Release the wire. Does not land: the pilot does that before."""
-        if self._repeating is not None:
-            self._repeating.cancel()
-            await asyncio.gather(self._repeating, return_exceptions=True)
-            self._repeating = None
+        await self._end_tasks()
         self._shut()
 
     def _shut(self) -> None:
@@ -160,36 +150,8 @@ class Tello:
             link.abort()
         self._links.clear()
 
-    def send(
-        self,
-        command: Command,
-        motion: KnownMotion | None = None,
-        issued_at: float | None = None,
-    ) -> None:
-        """Hand over the command in force from now on; returns at once.
-
-        Args:
-            command: of the pilot.
-            motion: what the pilot knew of the drone's motion; None says nothing new.
-            issued_at: when the pilot gave it [s]; now when None.
-        """
-        now = self._clock.now()
-        action_changed = self._failsafe.update(command, now, issued_at, motion)
-        if action_changed or now - self._sent_at >= self._config.airframe.link.interval_min:
-            self._transmit(now)
-
     def send_pose(self, seen: Sighting) -> None:
         """It wants none."""
-
-    def abandon(self) -> None:
-        """Note that the pilot is gone: a flying drone brakes now and lands soon."""
-        self._failsafe.abandon()
-        self._transmit(self._clock.now())
-
-    def land_for_good(self) -> None:
-        """Land now, and take no order any more but to cut the motors."""
-        self._failsafe.land_for_good()
-        self._transmit(self._clock.now())
 
     @property
     def telemetry(self) -> Telemetry | None:
@@ -202,7 +164,7 @@ class Tello:
     @property
     def notes(self) -> tuple[Words, ...]:
         """What is not as it should be."""
-        found = [_FOUND_IN_THE_AIR] if self._failsafe.permit is Permit.HOVER_AND_LAND else []
+        found = list(self._permit_notes)
         if self._state is not None and self._state.temph >= HOT:
             found.append(literal(f"it is hot inside: {self._state.temph} degrees"))
         if self._watch.refusal:
@@ -225,10 +187,7 @@ class Tello:
     @property
     def telemetry_rate_hz(self) -> float:
         """States per second over the last second."""
-        now = self._clock.now()
-        while self._arrivals and self._arrivals[0] <= now - 1.0:
-            self._arrivals.popleft()
-        return float(len(self._arrivals))
+        return self._arrivals.rate_hz(self._clock.now())
 
     @property
     def connected(self) -> bool:
@@ -252,19 +211,6 @@ class Tello:
         if self._pictures is not None:
             self._pictures.handlers.append(handler)
 
-    async def _repeat(self) -> None:
-        after = self._config.airframe.link.repeat_after
-        while True:
-            now = self._clock.now()
-            if now - self._sent_at >= after:
-                try:
-                    self._transmit(now)
-                except Exception:
-                    self._say(encode_line(Word.LAND))
-                    log_traceback()
-            await self._follow_address(now)
-            await asyncio.sleep(max(0.001, self._sent_at + after - self._clock.now()))
-
     def _transmit(self, now: float) -> None:
         self._sent_at = now
         if not self._links:
@@ -283,6 +229,9 @@ class Tello:
         for line in due:
             self._watch.sent(line, now)
             self._say(encode_line(line))
+
+    def _land_blindly(self) -> None:
+        self._say(encode_line(Word.LAND))
 
     def _say(self, data: bytes) -> None:
         if self._links:
@@ -307,7 +256,7 @@ class Tello:
         now = self._clock.now()
         self._state, self._heard_at = state, now
         self._watch.see(state, now)
-        self._arrivals.append(now)
+        self._arrivals.add(now)
         self._first.set()
         self._on_report()
 
