@@ -123,6 +123,15 @@ async def test_commands_are_lost_late_or_repeated_under_new_numbers(
         assert not world.onboard().flight.airborne
 
 
+def test_commands_of_a_wire_without_such_numbers_are_repeated_as_they_were() -> None:
+    site = changed(Site(), faults=[{"fault": "commands:stuck"}])
+    heard: list[bytes] = []
+    send = faulty_links(FaultInjector(site, Injection.WIRES), lambda: 1.0).uplink(heard.append)
+    for datagram in (b"rc 0 0 0 0", b"rc 0 40 0 0", b"\xfd\x09\x00"):
+        send(datagram)
+    assert heard == [b"rc 0 0 0 0"] * 3
+
+
 def test_pictures_are_passed_on_as_the_faults_have_it() -> None:
     site = changed(Site(), faults=[{"fault": "video:off@1s"}])
     injector, shown, now = FaultInjector(site, Injection.WIRES), [], [0.0]

@@ -63,7 +63,10 @@ def _sender(
 
 
 def _renumbered(old: bytes, new: bytes) -> bytes:
-    """Return the commands of an old datagram with the numbers of a new one."""
+    """Return the commands of an old datagram with the numbers of a new one.
+
+    A wire whose drone asks for no new numbers has its old datagram again, as it was.
+    """
     commands = [command for _, command in parse_datagram(old).commands]
     numbers = [sequence for sequence, _ in parse_datagram(new).commands]
-    return encode_datagram(numbers[0], commands) if numbers else new
+    return encode_datagram(numbers[0], commands) if numbers else old
