@@ -9,11 +9,6 @@ from housefly.messages.words import Words, joined, literal
 from housefly.wires.mavlink.reports import Answer, Result, Said
 from housefly.wires.mavlink.requests import CommandId
 
-
-def _refused(what: str) -> Words:
-    return Words("the drone will not {what}", what=what)
-
-
 _GRAVE = 4
 """Lines up to this severity are warnings, or worse."""
 _KEPT_FOR = 6.0
@@ -22,15 +17,16 @@ _REFUSED_FOR = 4.0
 """A refusal is told for so long after it was heard last [s]: orders are repeated each second."""
 _LINES_MAX = 3
 _WANTED = {
-    CommandId.ARM: _refused("arm"),
-    CommandId.SET_MODE: _refused("change its mode"),
-    CommandId.TAKE_OFF: _refused("take off"),
+    CommandId.ARM: "arm",
+    CommandId.SET_MODE: "change its mode",
+    CommandId.TAKE_OFF: "take off",
 }
+"""What the drone will not do."""
 _RESULTS = {
     Result.TEMPORARILY_REJECTED: Words("not now"),
     Result.DENIED: Words("denied"),
-    Result.UNSUPPORTED: Words("denied"),
-    Result.FAILED: Words("denied"),
+    Result.UNSUPPORTED: literal("unsupported"),
+    Result.FAILED: literal("failed"),
     Result.CANCELLED: Words("it was cancelled"),
 }
 
@@ -91,7 +87,10 @@ class Refusals:
         return tuple(
             joined(
                 ": ",
-                (_WANTED[command], joined("; ", lines) if lines else _RESULTS[result]),
+                (
+                    Words("the drone will not {what}", what=_WANTED[command]),
+                    joined("; ", lines) if lines else _RESULTS[result],
+                ),
             )
             for command, result in refused
         )
