@@ -26,6 +26,7 @@ _OF_BOTH = (
     "drones/ardrone/driver.py",
     "drones/ardrone/limits_keeper.py",
     "drones/ardrone/settings.py",
+    "drones/repeating_driver.py",
     "tracking/",
 )
 """What tracking and drone say of themselves: to the live tests of the page of a new site, too."""
