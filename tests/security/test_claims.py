@@ -17,7 +17,7 @@ CONTROLS = {
     "test_an_entry_of_the_list_of_allowed_devices_is_checked",
     "test_things_of_long_ago_make_room_for_new_ones",
     "test_no_device_is_listened_to_unless_the_site_says_so",
-    "test_there_are_locks_for_flying_testing_building_auditing_and_fuzzing",
+    "test_there_are_locks_for_flying_testing_building_auditing_fuzzing_and_strangers",
     "test_every_line_of_a_lock_is_a_version_with_hashes",
     "test_the_locks_hold_what_the_project_needs_at_the_versions_of_the_constraints",
     "test_a_stranger_is_asked_who_he_is_and_a_user_gets_in_under_his_own_name",
