@@ -226,6 +226,9 @@ class Airframe(Section):
     """
 
     name: str = Field(min_length=1, max_length=60, description="as its maker calls it")
+    usual_address: str = Field(
+        default="", max_length=60, description="where one answers in a network of its own"
+    )
     capabilities: Capabilities
     body: BodyConstants
     response: ResponseConstants

@@ -18,7 +18,7 @@ from housefly.errors import ConfigError, HouseflyError
 from housefly.messages.words import Words
 from housefly.room.draft.files import load_draft
 from housefly.room.draft.missing import DraftStep, missing
-from housefly.room.draft.model import DraftTracking, SiteDraft, with_size
+from housefly.room.draft.model import DraftDrone, DraftTracking, SiteDraft, with_size
 from housefly.tracking.live_check import Heard, HeardBody
 
 
@@ -65,12 +65,13 @@ def heard_at(places: Iterable[tuple[float, float]]) -> Callable[[DraftTracking, 
 
 
 def test_a_size_and_enter_are_a_whole_site(tmp_path: Path) -> None:
-    asks, typed = dialog(tmp_path, "6x4", "", "", "", "", "")
+    asks, typed = dialog(tmp_path, "6x4", "", "", "", "", "", "")
     draft = asks.run()
     assert missing(draft) == ()
     assert draft.bounds == (0.0, 0.0, 6.0, 4.0)
     assert not draft.hardware
-    assert "Drone" not in typed.text
+    assert draft.drone == DraftDrone()
+    assert "asking the drone" not in typed.text
     assert load_draft(tmp_path) == draft
 
 
@@ -95,6 +96,33 @@ def test_everything_that_is_typed_is_in_the_site(tmp_path: Path) -> None:
     assert draft.zones[0].reason == "the door swings"
     assert draft.tracking == DraftTracking("natnet", "10.0.0.5", 1500, "cf1", up_axis="z")
     assert draft.drone is not None and draft.drone.address == "192.168.1.7"
+
+
+@pytest.mark.parametrize(
+    ("text", "drone"),
+    [
+        ("crazyflie", DraftDrone(model="crazyflie")),
+        ("tello", DraftDrone("192.168.10.1", model="tello")),
+        ("crazyflie 10.0.0.2", DraftDrone("10.0.0.2", model="crazyflie")),
+        ("crazyflie://10.0.0.2", DraftDrone("10.0.0.2", model="crazyflie")),
+        ("10.0.0.2", DraftDrone("10.0.0.2")),
+        ("drone.local", DraftDrone("drone.local")),
+    ],
+)
+def test_a_drone_is_a_model_an_address_or_both(text: str, drone: DraftDrone) -> None:
+    assert answered(SiteDraft(), DraftStep.DRONE, text, Path())[0].drone == drone
+
+
+def test_the_profile_of_another_model_is_left_behind(tmp_path: Path) -> None:
+    draft = SiteDraft(drone=DraftDrone("10.0.0.2", "mine.toml", "crazyflie"))
+    other, _ = answered(draft, DraftStep.DRONE, "tello", tmp_path)
+    assert other.drone == DraftDrone("192.168.10.1", "", "tello")
+
+
+@pytest.mark.parametrize("text", ["two words", "crazyflie 10.0.0.2 twice", "drohne"])
+def test_what_is_no_drone_is_refused(text: str) -> None:
+    with pytest.raises(ConfigError, match="drone"):
+        answered(SiteDraft(), DraftStep.DRONE, text, Path())
 
 
 @pytest.mark.parametrize(
@@ -125,7 +153,7 @@ def test_what_stands_in_brackets_may_be_typed(tmp_path: Path) -> None:
 
 def test_help_back_map_and_missing_answer_at_any_question(tmp_path: Path) -> None:
     asks, typed = dialog(
-        tmp_path, "help", "missing", "map", "6x4", "map", "back", "5x4", "", "", "", "", ""
+        tmp_path, "help", "missing", "map", "6x4", "map", "back", "5x4", "", "", "", "", "", ""
     )
     assert asks.run().bounds == (0.0, 0.0, 5.0, 4.0)
     assert "layers=A,B" in typed.text
@@ -138,7 +166,7 @@ def test_a_wrong_answer_is_told_and_asked_again(tmp_path: Path) -> None:
     asks, typed = dialog(
         tmp_path,
         *("6x", "nowhere.yaml", "6x4", "sofa", "remove sofa", "", "90,90", "1,1", "home 2,2"),
-        *("kitchen 9,9", "remove kitchen", "auto", "", "1,1", "", "wifi here", ""),
+        *("kitchen 9,9", "remove kitchen", "auto", "", "1,1", "", "wifi here", "", "tellp", ""),
     )
     assert missing(asks.run()) == ()
     for words in (
@@ -151,6 +179,7 @@ def test_a_wrong_answer_is_told_and_asked_again(tmp_path: Path) -> None:
         "cannot hover at 'kitchen'",
         "x_min,y_min,x_max,y_max REASON",
         "KIND one of vicon",
+        "did you mean 'tello'",
     ):
         assert words in typed.text
 
@@ -214,9 +243,9 @@ def test_each_line_is_kept_before_the_next_one_is_read(tmp_path: Path) -> None:
 
 
 def test_enter_all_the_way_changes_nothing_of_a_finished_site(tmp_path: Path) -> None:
-    asks, _ = dialog(tmp_path, "6x4", "table 3,1 1x1x.7", "", "", "", "", "")
+    asks, _ = dialog(tmp_path, "6x4", "table 3,1 1x1x.7", "", "", "", "", "", "")
     draft = asks.run()
-    again, typed = dialog(tmp_path, "", "", "", "", "", "", draft=draft)
+    again, typed = dialog(tmp_path, "", "", "", "", "", "", "", draft=draft)
     assert again.run() == draft
     assert typed.shown[0].startswith("Room")
 

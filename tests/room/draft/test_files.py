@@ -38,7 +38,7 @@ def real() -> SiteDraft:
     )
     return replace(
         whole(), hardware=True, tracking=DraftTracking("vicon", "10.0.0.5", body="drone1"),
-        drone=DraftDrone(), frame_points=points,
+        drone=DraftDrone("10.0.0.7", model="tello"), frame_points=points,
     )  # fmt: skip
 
 
@@ -62,8 +62,10 @@ def test_a_real_site_has_its_frame_and_a_simulated_one_beside_it(tmp_path: Path)
     assert (site.tracking.x, site.tracking.y) == pytest.approx((1.0, 2.0), abs=1e-3)
     assert site.tracking.yaw == pytest.approx(1.5708, abs=1e-3)
     assert not site.twin.enabled
+    assert (site.drone.kind, site.drone.address) == ("tello", "10.0.0.7")
     simulated = load_site(str(tmp_path / SIMULATED_FILE))
     assert simulated.site.twin.enabled
+    assert (simulated.site.drone.kind, simulated.site.drone.address) == ("tello", "127.0.0.1")
     assert simulated.site.name != site.name  # two memories
 
 

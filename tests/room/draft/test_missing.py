@@ -137,7 +137,10 @@ def test_a_ceiling_below_the_flight_height_is_told() -> None:
 def test_real_hardware_needs_tracking_and_drone_and_advises_on_the_frame() -> None:
     draft = replace(whole_draft(), hardware=True)
     assert steps(draft) == [DraftStep.TRACKING, DraftStep.DRONE]
-    draft = replace(draft, tracking=DraftTracking("vicon", "10.0.0.5"), drone=DraftDrone())
+    draft = replace(
+        draft, tracking=DraftTracking("vicon", "10.0.0.5"), drone=DraftDrone("10.0.0.7")
+    )
+    assert steps(replace(draft, drone=DraftDrone())) == [DraftStep.DRONE]
     assert steps(draft) == []
     assert steps(draft, hinders=False) == [DraftStep.FRAME, DraftStep.DRONE]
     assert "preflight --frames" in words(draft)
@@ -150,7 +153,7 @@ def test_points_of_the_frame_that_disagree_hinder() -> None:
     )
     draft = replace(
         whole_draft(), hardware=True, tracking=DraftTracking("vicon", "10.0.0.5"),
-        drone=DraftDrone(), frame_points=points,
+        drone=DraftDrone("10.0.0.7"), frame_points=points,
     )  # fmt: skip
     assert steps(draft) == [DraftStep.FRAME]
 

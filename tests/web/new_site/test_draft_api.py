@@ -159,7 +159,10 @@ async def test_scanned_boxes_stay_when_the_page_sends_what_was_drawn(drawer: Any
 
 async def test_tracking_and_drone_are_asked_from_the_page(drawer: Any) -> None:
     tracking = {"kind": "vicon", "address": "10.0.0.5", "body": "fly"}
-    await drawer.post("/draft", draft={"tracking": tracking, "drone": {}, "hardware": True})
+    await drawer.post(
+        "/draft",
+        draft={"tracking": tracking, "drone": {"address": "192.168.1.1"}, "hardware": True},
+    )
     status, heard = await drawer.post("/tracking/heard")
     assert status == 200 and heard["bodies"] == [{"name": "fly", "position": [1.5, 2.5, 0.05]}]
     status, heard = await drawer.post("/drone/heard")

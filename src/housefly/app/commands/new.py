@@ -28,6 +28,7 @@ examples:
   housefly new mylab                                     # asks
   housefly new mylab --page                              # draws it in the browser
   housefly new mylab --room 6x4 --yes                    # an empty rectangle, all simulated
+  housefly new mylab --room 6x4 --drone crazyflie --yes  # another model of drone
   housefly new house --room map.yaml --yes               # a ROS map
   housefly new flat --room 'scan.ply up=z' --yes         # a 3-D scan
   housefly new flat --room 'plan.dxf layers=WALL' --yes  # a floor plan
@@ -40,7 +41,7 @@ _OPTIONS = (
     ("zone", "LINE", "'0,0,1,1 the door swings'; repeatable"),
     ("tracking", "LINE", "'simulated' or 'vicon 10.0.0.5'"),
     ("point", "LINE", "'1.5,2 = 0.03,-0.12,0.06': a point on the map, and as tracking sees it"),
-    ("drone", "ADDRESS", "of a real drone"),
+    ("drone", "LINE", "'crazyflie', or 'tello 192.168.10.1' where a real one answers"),
 )
 
 

@@ -18,8 +18,9 @@ from housefly.app.new_site.typed import (
     unknown_words,
     unquoted,
 )
+from housefly.config.airframe import airframe_named, airframe_names, is_model
 from housefly.config.profile import load_profile
-from housefly.config.text import expanded
+from housefly.config.text import did_you_mean, expanded
 from housefly.config.tracking import DRONE_BODY, TrackingKind
 from housefly.errors import ConfigError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
@@ -237,14 +238,34 @@ def with_frame_point(
 
 def _drone(draft: SiteDraft, text: str, folder: Path) -> Answer:
     rest, keys = split_keys(text, ("profile",))
-    if len(rest.split()) != 1:
-        raise ConfigError("drone", f"is {text!r}; allowed: an address such as 192.168.1.1")
-    profile = keys.get("profile", draft.drone.profile if draft.drone else "")
+    known = draft.drone or DraftDrone()
+    model, address = _model_and_address(rest, known.model)
+    is_same = model == known.model
+    profile = keys.get("profile", known.profile if is_same else "")
     if profile:
         path = (folder / expanded(profile, "profile")).resolve()
         load_profile(path)
         profile = str(path)
-    return replace(draft, drone=DraftDrone(rest, profile)), ()
+    there = known.address if is_same else airframe_named(model).usual_address
+    return replace(draft, drone=DraftDrone(address or there, profile, model)), ()
+
+
+def _model_and_address(text: str, known: str) -> tuple[str, str]:
+    """Return the model that was typed, or the known one, and the address, "" for none."""
+    model, sign, address = text.partition("://")
+    if sign and is_model(model):
+        return model, address
+    words = text.split()
+    if len(words) == 2 and is_model(words[0]):
+        return words[0], words[1]
+    if len(words) == 1 and is_model(text):
+        return text, ""
+    if len(words) == 1 and (not text.isidentifier() or "." in text):
+        return known, text
+    models = airframe_names()
+    meant = did_you_mean(words[0], models) if words else ""
+    allowed = f"MODEL ADDRESS, as tello 192.168.10.1, MODEL one of {', '.join(models)}"
+    raise ConfigError("drone", f"is {text!r}{meant or f'; allowed: {allowed}'}")
 
 
 _ANSWERS: dict[DraftStep, Callable[[SiteDraft, str, Path], Answer]] = {

@@ -163,7 +163,7 @@ class NewSiteDialog:
             self._asker.tell("listening ...")
             heard = wires.hear(draft.tracking, LISTEN_SECONDS)
             return heard_words(heard, draft.tracking.body)
-        if step is DraftStep.DRONE and draft.drone and wires.check:
+        if step is DraftStep.DRONE and draft.drone and draft.drone.address and wires.check:
             self._asker.tell("asking the drone ...")
             return wires.check(draft.drone)
         if step is DraftStep.FRAME and len(draft.frame_points) > 1:

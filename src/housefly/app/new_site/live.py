@@ -42,7 +42,9 @@ def check_drone(drone: DraftDrone) -> tuple[Words, ...]:
 
 async def _drone_words(drone: DraftDrone) -> tuple[Words, ...]:
     driver = driver_of(
-        DroneConfig(address=drone.address, has_video=False), LimitsConfig(), RealClock()
+        DroneConfig(kind=drone.model, address=drone.address, has_video=False),
+        LimitsConfig(),
+        RealClock(),
     )
     try:
         await driver.connect()

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from housefly.config.airframe import airframe_names
 from housefly.room.draft.imports.imported import IMPORT_SUFFIXES
 from housefly.room.draft.missing import DraftStep
-from housefly.room.draft.model import SiteDraft
+from housefly.room.draft.model import DraftDrone, SiteDraft
 from housefly.room.draft.suggestions import suggested_pad
 
 _FILES = " ".join(IMPORT_SUFFIXES)
@@ -68,7 +69,15 @@ def _frame(draft: SiteDraft) -> str:
 
 
 def _drone(draft: SiteDraft) -> str:
-    return draft.drone.address if draft.drone else "192.168.1.1"
+    drone = draft.drone or DraftDrone()
+    if not draft.hardware:
+        return drone.model
+    return f"{drone.model} {drone.address or drone.airframe.usual_address}".rstrip()
+
+
+def _drone_is_known(draft: SiteDraft) -> bool:
+    drone = draft.drone
+    return drone is not None and bool(drone.address or not draft.hardware)
 
 
 def _nothing_more(_: SiteDraft) -> str:
@@ -170,13 +179,15 @@ Three points that are metres apart and not on one line: the third one checks the
     ),
     Question(
         DraftStep.DRONE,
-        "Drone: its address",
+        "Drone: its model, and where a real one answers",
         _drone,
-        """\
-192.168.1.1                      an AR.Drone 2.0 in its own network
-192.168.1.1 profile=my.toml      ... and its measured constants (housefly identify)
-It is asked at once for its state; nothing is ordered.""",
-        hardware=True,
+        f"""\
+crazyflie                     a model, of {", ".join(airframe_names())}
+tello 192.168.10.1            ... and its address (docs/drones), where real hardware flies
+192.168.1.1                   an address alone: of the model in brackets
+tello 192.168.10.1 profile=my.toml   ... and its measured constants (housefly identify)
+A real one is asked at once for its state; nothing is ordered.""",
+        keeps=_drone_is_known,
     ),
 )
 

@@ -25,7 +25,11 @@ DRAFT_FILE = "draft.json"
 SIMULATED_FILE = "simulated.toml"
 """The same room with the simulated drone, beside a site with real hardware."""
 
-
+_DRONE_REMARKS = {
+    "kind": "its model: driver and airframe",
+    "address": "where it answers",
+    "profile": "measured by housefly identify",
+}
 _TRACKING_WORDS = {
     "kind": "the protocol of the motion capture system",
     "address": "the machine that runs its software",
@@ -164,9 +168,8 @@ def _lines(draft: SiteDraft, tree: dict[str, Any]) -> Iterator[str]:
     if "drone" in tree:
         yield ""
         yield "[drone]"
-        yield _line("address", tree["drone"]["address"], "where it answers")
-        if "profile" in tree["drone"]:
-            yield _line("profile", tree["drone"]["profile"], "measured by housefly identify")
+        for key, value in tree["drone"].items():
+            yield _line(key, value, _DRONE_REMARKS[key])
     yield ""
     yield "[twin]"
     words = "real drone, real tracking" if is_real else "drone and tracking are simulated"

@@ -221,16 +221,19 @@ def _of_hardware(draft: SiteDraft) -> Iterator[Missing]:
         except ConfigError as error:
             yield Missing(DraftStep.TRACKING, refusal_words(error), _CORRECT)
     yield from _of_frame(draft)
-    if draft.drone is None:
+    if draft.drone is None or not draft.drone.address:
         yield Missing(
             DraftStep.DRONE,
             Words("it is not said where the drone answers"),
-            Words("say its address; an AR.Drone 2.0 in its own network is 192.168.1.1"),
+            Words("say its model and its address, such as: tello 192.168.10.1"),
         )
     elif not draft.drone.profile:
         yield Missing(
             DraftStep.DRONE,
-            Words("the drone flies with the constants of a usual AR.Drone 2.0"),
+            Words(
+                "the drone flies with the constants of a usual {name}",
+                name=draft.drone.airframe.name,
+            ),
             Words("measure yours: housefly identify (docs/identify-and-gains.md)"),
             hinders=False,
         )

@@ -11,6 +11,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import AfterValidator, ConfigDict, Field
 
+from housefly.config.airframe import Airframe, airframe_named, airframe_names, is_model
 from housefly.config.edits import NAME
 from housefly.config.rectangle import FLOOR_SIDE_MAX, check_floor
 from housefly.config.tracking import DRONE_BODY, TrackingKind
@@ -127,14 +128,32 @@ class FramePoint:
     ]
 
 
+def _known(model: str) -> str:
+    if not is_model(model):
+        raise ValueError(f"is {model!r}; allowed: {', '.join(airframe_names())}")
+    return model
+
+
 @dataclass(frozen=True, slots=True)
 class DraftDrone:
-    """A real drone, and the profile of ``housefly identify`` if it has one."""
+    """A drone.
+
+    Attributes:
+        address: where a real one answers; "" while unknown.
+        profile: of ``housefly identify``; "" without one.
+        model: its driver and airframe.
+    """
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    address: Annotated[Text, Field(min_length=1)] = "192.168.1.1"
+    address: Text = ""
     profile: Annotated[str, Field(max_length=400)] = ""
+    model: Annotated[str, AfterValidator(_known)] = "ardrone"
+
+    @property
+    def airframe(self) -> Airframe:
+        """What its model can do."""
+        return airframe_named(self.model)
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +169,8 @@ class SiteDraft:
         pad: where the drone starts and lands [m]; None while unknown.
         pad_yaw: where its nose looks there [rad].
         places, zones: where to fly to, and where not.
-        tracking, frame_points, drone: of the real room.
+        tracking, frame_points: of the real room.
+        drone: what flies; None is the usual model.
         hardware: whether real hardware flies; False is all simulated.
         flight_height: [m].
         source: the file that the room came from.

@@ -8,7 +8,7 @@ from housefly.config.site import Site, site_from_tree
 from housefly.config.tracking import BRIDGED, TrackingConfig
 from housefly.config.validation import validated
 from housefly.room.draft.alignment import RigidFit, rigid_fit
-from housefly.room.draft.model import DraftPlace, DraftTracking, SiteDraft
+from housefly.room.draft.model import DraftDrone, DraftPlace, DraftTracking, SiteDraft
 from housefly.room.draft.shapes import room_of_draft
 from housefly.room.draft.suggestions import clearance_profile
 from housefly.room.grid import build_grid
@@ -51,11 +51,15 @@ def site_tree(draft: SiteDraft, *, simulated: bool | None = None) -> dict[str, A
     if is_real and draft.tracking is not None:
         fit = rigid_fit(draft.frame_points) if draft.frame_points else None
         tree["tracking"] = _tracking_tree(draft.tracking, fit)
-    if is_real and draft.drone is not None:
-        tree["drone"] = {"address": draft.drone.address} | (
-            {"profile": draft.drone.profile} if draft.drone.profile else {}
-        )
+    if draft.drone is not None:
+        tree["drone"] = _drone_tree(draft.drone, is_real=is_real)
     return tree
+
+
+def _drone_tree(drone: DraftDrone, *, is_real: bool) -> dict[str, str]:
+    """Return the keys of ``[drone]``; a simulated one answers where the room puts it."""
+    real = {"address": drone.address, "profile": drone.profile} if is_real else {}
+    return {"kind": drone.model} | {key: value for key, value in real.items() if value}
 
 
 def site_of_draft(draft: SiteDraft, *, simulated: bool | None = None) -> Site:

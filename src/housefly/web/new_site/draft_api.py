@@ -132,7 +132,7 @@ class DraftApi:
     def _hear_drone(self, body: bytes) -> bytes:
         parsed_request(DraftRequest, body)
         drone = self._service.draft().drone
-        if drone is None:
+        if drone is None or not drone.address:
             raise ConfigError("drone", Words("say first where the drone answers"))
         return _HEARD.dump_json(HeardView(self._check_drone(drone), ()))
 

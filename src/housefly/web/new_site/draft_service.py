@@ -13,7 +13,7 @@ from housefly.room.draft.codec import draft_to_json
 from housefly.room.draft.files import load_draft, save_draft, write_site
 from housefly.room.draft.model import SiteDraft
 from housefly.web.new_site.draft_checker import DraftChecker
-from housefly.web.new_site.draft_view import DraftView, without_scan
+from housefly.web.new_site.draft_view import DraftView, model_views, without_scan
 
 _UNDO_MAX = 200
 
@@ -131,6 +131,7 @@ class DraftService:
             grid=check.grid,
             missing=check.missing,
             fit=check.fit,
+            models=model_views(),
             settled=settled,
             undoable=bool(self._before),
             redoable=bool(self._after),

@@ -7,6 +7,7 @@ from math import ceil
 
 import numpy as np
 
+from housefly.config.airframe import airframe_named, airframe_names
 from housefly.errors import ConfigError, HouseflyError
 from housefly.geometry import Vec2
 from housefly.hub.api.grid_view import grid_view
@@ -45,6 +46,15 @@ class FitView:
 
 
 @dataclass(frozen=True, slots=True)
+class ModelView:
+    """A model of drone: as site files and its maker call it; ``address`` is the usual one."""
+
+    model: str
+    name: str
+    address: str
+
+
+@dataclass(frozen=True, slots=True)
 class DraftView:
     """A draft and what follows from it.
 
@@ -57,6 +67,7 @@ class DraftView:
         grid: where the drone may be, ``i`` too close; None while nobody can say.
         missing: in the order of the steps.
         fit: of the points of the tracking frame; None with fewer than two.
+        models: of drones that can be chosen.
         settled: whether grid, scan, missing and fit are of this draft; else of an earlier one.
         undoable, redoable: whether there is a draft before and after this one.
         words: what was done; UNSAID for nothing.
@@ -71,11 +82,18 @@ class DraftView:
     grid: GridView | None
     missing: tuple[MissingView, ...]
     fit: FitView | None
+    models: tuple[ModelView, ...]
     settled: bool
     undoable: bool
     redoable: bool
     words: Words
     notes: tuple[Words, ...]
+
+
+def model_views() -> tuple[ModelView, ...]:
+    """Return the models of drones that can be chosen."""
+    airframes = ((model, airframe_named(model)) for model in airframe_names())
+    return tuple(ModelView(model, one.name, one.usual_address) for model, one in airframes)
 
 
 def missing_views(draft: SiteDraft) -> tuple[MissingView, ...]:

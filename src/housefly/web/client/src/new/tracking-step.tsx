@@ -44,7 +44,7 @@ export function TrackingStep() {
         <Button pressed={!hardware} press={() => change({ hardware: false })}>
           {t("All simulated")}
         </Button>
-        <Button pressed={hardware} press={() => change({ hardware: true, ...realDrone() })}>
+        <Button pressed={hardware} press={() => change({ hardware: true })}>
           {t("Real hardware")}
         </Button>
       </div>
@@ -58,10 +58,6 @@ export function TrackingStep() {
       )}
     </>
   );
-}
-
-function realDrone(): object {
-  return known.value.drone ? {} : { drone: { address: "192.168.1.1", profile: "" } };
 }
 
 function TrackingForm() {

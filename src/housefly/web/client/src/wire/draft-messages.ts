@@ -52,6 +52,7 @@ export interface FramePoint {
 export interface DraftDrone {
   address: string;
   profile: string;
+  model: string;
 }
 
 export interface SiteDraft {
@@ -101,6 +102,12 @@ export interface FitView {
   trusted: boolean;
 }
 
+export interface ModelView {
+  model: string;
+  name: string;
+  address: string;
+}
+
 export interface DraftView {
   version: string;
   folder: string;
@@ -110,6 +117,7 @@ export interface DraftView {
   grid: GridView | null;
   missing: MissingView[];
   fit: FitView | null;
+  models: ModelView[];
   settled: boolean;
   undoable: boolean;
   redoable: boolean;

@@ -57,10 +57,10 @@ export const DE_TOLD: Templates = {
     "hier drei Punkte nehmen oder die Drohne tragen: housefly preflight --frames --site SITE",
   "take the points again": "die Punkte neu nehmen",
   "it is not said where the drone answers": "es ist nicht gesagt, wo die Drohne antwortet",
-  "say its address; an AR.Drone 2.0 in its own network is 192.168.1.1":
-    "ihre Adresse angeben; eine AR.Drone 2.0 in ihrem eigenen Netz hat 192.168.1.1",
-  "the drone flies with the constants of a usual AR.Drone 2.0":
-    "die Drohne fliegt mit den Konstanten einer üblichen AR.Drone 2.0",
+  "say its model and its address, such as: tello 192.168.10.1":
+    "Modell und Adresse angeben, etwa: tello 192.168.10.1",
+  "the drone flies with the constants of a usual {name}":
+    "die Drohne fliegt mit den Konstanten einer üblichen {name}",
   "measure yours: housefly identify (docs/identify-and-gains.md)":
     "die eigene vermessen: housefly identify (docs/identify-and-gains.md)",
   // the points of the tracking frame

@@ -48,9 +48,9 @@ export const JA_TOLD: Templates = {
     "ここで3点を取るか、ドローンを持って歩いてください：housefly preflight --frames --site SITE",
   "take the points again": "点を取り直してください",
   "it is not said where the drone answers": "ドローンのアドレスが決まっていません",
-  "say its address; an AR.Drone 2.0 in its own network is 192.168.1.1":
-    "アドレスを入力してください。AR.Drone 2.0 の自前のネットワークでは 192.168.1.1 です",
-  "the drone flies with the constants of a usual AR.Drone 2.0": "一般的なAR.Drone 2.0の定数で飛びます",
+  "say its model and its address, such as: tello 192.168.10.1":
+    "機種とアドレスを入力してください。例：tello 192.168.10.1",
+  "the drone flies with the constants of a usual {name}": "一般的な{name}の定数で飛びます",
   "measure yours: housefly identify (docs/identify-and-gains.md)":
     "ご自分の機体を測ってください：housefly identify (docs/identify-and-gains.md)",
   // the points of the tracking frame

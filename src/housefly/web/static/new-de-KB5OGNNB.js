@@ -1,4 +1,4 @@
-var a=["000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000","0183100173c7014464g02003366991200051101c02177x13110008207101c44256049090a115011011g42060043720714412922090402706323392100013444h13e1114h2887b4b2f157a31kc102c71038c9153602102022732112864024a010103032072a52b03c1520765109320h8aa5024d00491a483b481a041241b7420707c4ae077320c2425943214","87p67zm373b0a4fmf8rfg7vyhs8fjcxpm625i6tactsa4sme3msub3rzxnbtmdvwlghsvnrpo8smbwykkbu1r6mm7samdi27a3l4s62v5tacwgwkxx11yw976n2whu3io4ggfuxo9nuvaizv6r9b7c8y0jot4wyf5m3smt1reznlbqg9gcb2pzv6i65fxp43osg5dz0eweiw8a6flwgm7pssm7p64u6ez22ma94bnbvz3hnoh6pjmag450elxnvv6u8pedahd7lkdgyuf6qil4j","9d0sr8g5e1tniwazi2yupk2bpu9j57fu5nha2w5izbqd5sr2gs4hjn0xhf3i4a58gu10u6wurnmot3rjkae6ifi1xdmn7uaelmsl6anpaf698cg5dzjwpwf8bpm7ty4vlq51d9hr6222h4sgbku0ujj7tzsm9rzmj0evur98201yyiiomu8axkeupx79ny0w1teunaoilj9lu2x4tzea971dbak3fxxcowtyauy943ka62ikm4cr0orh0iq004xm82kpddif0ztlg8881x37bph","9x258ky66ua1arlkb97nuriu5neam4hc1dntmvgl1j3o4mnqbfl4jpif12hovwlyrbrkxbg2q1g7jv9k8qh4bgpwf51rm23p2xjg9di8bnw4s9k8or9yaiwjmecv32lvrkt55ohhb17195z9u0kdhyvgyjayyp4yvav2pog2ye0qjyuj6i2lasyiaj4jf1jl7k8jkgrirc0j517kt81awjgkky219hghfl7t1o4aujdcvqv0z92lspolhgqfla4rwioy560gt2gncu2rucp2mhn"],r=0,e=Object.fromEntries(`Zentimeter
+var a=["000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000","0183100173c7014464g020033d990020005201c02177x13110008207101c44256049090a115011011g42060043720714412922090402706323392100013444h13e1114h2887b4b2f157a31kc102c71038c9153602102022732112864024a010103032072a52b03c1520765109320h8aa5024d00491a483b481a041241b7420707c4ae077320832425943214","87p67zm373b0a4fmf8rfg7vyh1fjwfxpm62n6tactsa4sme3msub3rzxnbtmdvwlghsvnrpo8smbwykkbu1r6mm7samdi27a3l4s62v5tacwgwkxx11yw976n2whu3io4ggfuxo9nuvaizv6r9b7c8y0jot4wyf5m3smt1reznlbqg9gcb2pzv6i65fxp43osg5dz0eweiw8a6flwgm7pssm7p64u6ez22ma94bnbvz3hnoh6pjmag450elxnvv6u8pedahd7lkyegyuf6qil4j","9d0sr8g5e1tniwazi2yupk2bp4j5lmfu5nhdw5izbqd5sr2gs4hjn0xhf3i4a58gu10u6wurnmot3rjkae6ifi1xdmn7uaelmsl6anpaf698cg5dzjwpwf8bpm7ty4vlq51d9hr6222h4sgbku0ujj7tzsm9rzmj0evur98201yyiiomu8axkeupx79ny0w1teunaoilj9lu2x4tzea971dbak3fxxcowtyauy943ka62ikm4cr0orh0iq004xm82kpddif0ztljw8881x37bph","9x258ky66ua1arlkb97nuriu51am22hc1dnfvgl1j3o4mnqbfl4jpif12hovwlyrbrkxbg2q1g7jv9k8qh4bgpwf51rm23p2xjg9di8bnw4s9k8or9yaiwjmecv32lvrkt55ohhb17195z9u0kdhyvgyjayyp4yvav2pog2ye0qjyuj6i2lasyiaj4jf1jl7k8jkgrirc0j517kt81awjgkky219hghfl7t1o4aujdcvqv0z92lspolhgqfla4rwioy560gt2gnzdu2rucp2mhn"],r=0,e=Object.fromEntries(`Zentimeter
 weniger als 20 Bilder je Sekunde: langsam fliegen oder die Rate erhöhen
 die Wände als .dxf ausgeben
 das Leseprogramm für {kind} ({name})
@@ -23,17 +23,16 @@ seine Zahlen ({thing}) sind laut Datei je {a} m
 außerhalb seiner Wände wird nicht geflogen
 ihn verschieben oder weglassen
 einen umbenennen
-die Drohne fliegt mit den Konstanten einer üblichen AR.Drone 2.0
 {why}, {more}
 der Leser bricht mit {name} ab
 {name} umfasst {a} m²; den Teil zum Fliegen ausschneiden
+Modell und Adresse angeben, etwa: tello 192.168.10.1
 die Punkte neu nehmen
 der Name einer pgm- oder png-Datei neben der yaml-Datei
 {name} hat Punkte ohne drei Koordinaten
 {name}: origin hat yaw {a} rad; nur 0 kann eingelesen werden: das Bild drehen und yaw auf 0 setzen
 ist {name}; erlaubt: eine Zahl von {a} bis {b} {unit}
 die Drohne passt nirgends hin: Stimmt die Einheit der Datei?
-ihre Adresse angeben; eine AR.Drone 2.0 in ihrem eigenen Netz hat 192.168.1.1
 die Punkte liegen {what} innerhalb von {a} m; Punkte nehmen, die {b} m und mehr auseinanderliegen, besser mehrere Meter
 eine endliche Zahl angeben
 eine Liste x, y, yaw aus drei Zahlen [m, m, rad]
@@ -266,6 +265,7 @@ zwei Orte heißen {place}
 {name} hat kein Feld {thing}; es hat: {place}
 {name} ist beschädigt: Die Punkte sind nicht so lang wie angegeben
 es fehlt
+die Drohne fliegt mit den Konstanten einer üblichen {name}
 ist {name}; erlaubt: eine Zahl von {a} bis {b}
 entfernt
 niemand hat den Ortungsrahmen bisher mit der Karte verglichen
