@@ -34,6 +34,7 @@ _EPILOG = """\
 examples:
   housefly safety                              all of it (about two hours on two cores)
   housefly safety --quick                      a few flights of each row
+  housefly safety --model crazyflie            a cut of it, flown by another drone
   housefly safety --wires 1                    and one of each in real processes, over real wires
   housefly safety --seeds 0 --wires 10         ten of each in real processes only
   housefly safety --seeds 0                    only the page, of what was flown before
@@ -42,17 +43,21 @@ examples:
 _MAX_WORKERS = 256
 _AT_ONCE_MAX = 64
 _QUICK_SEEDS, _QUICK_CONTROLS, _QUICK_CALM = 16, 4, 12
+_SEEDS, _SEEDS_OF_MODEL, _CALM_OF_MODEL = 300, 5, 12
 
 
 def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--out", default="safety-case", metavar="DIR", help="where to write (default: safety-case)"
+        "--out", metavar="DIR", help="where to write (default: safety-case, or safety-case-MODEL)"
+    )
+    parser.add_argument(
+        "--model", default="", help="of the drone: a cut, few flights of each row and no controls"
     )
     parser.add_argument("--rows", nargs="+", default=[], metavar="ROW", help="only these: F01 ...")
     parser.add_argument(
-        "--seeds", type=int, default=300, metavar="N",
-        help="flights of each row (default: 300); with 0 only those of --wires are flown, and the"
-        " page shows what was flown before",
+        "--seeds", type=int, metavar="N",
+        help="flights of each row (default: 300, with --model 5); with 0 only those of --wires are"
+        " flown, and the page shows what was flown before",
     )  # fmt: skip
     parser.add_argument(
         "--crossed", type=int, default=50, metavar="N",
@@ -85,9 +90,16 @@ def _run(options: Namespace) -> int:
     """Fly; 0 when no flight was unsafe, and each harmful row did harm without guards."""
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.disk_space import why_unwritable
+    from housefly.config.airframe import airframe_names, is_model
     from housefly.lab.safety_case.plan import flown_rows
     from housefly.lab.safety_case.wired_flight import wired_rows
 
+    if options.model and not is_model(options.model):
+        allowed = ", ".join(airframe_names())
+        raise ConfigError("--model", f"is {options.model!r}; allowed: {allowed}")
+    if options.seeds is None:
+        options.seeds = _SEEDS_OF_MODEL if options.model else _SEEDS
+    options.out = options.out or "-".join(filter(None, ("safety-case", options.model)))
     known = sorted({row.number for row in (*flown_rows(), *wired_rows())})
     for row in options.rows:
         if row not in known:
@@ -136,6 +148,9 @@ def _plan(options: Namespace) -> SafetyPlan:
     rows = tuple(options.rows)
     if not options.seeds:
         return SafetyPlan(0, 0, 0, 0, 0, rows)
+    if options.model:
+        cut = options.seeds
+        return SafetyPlan(cut, 0, 0, _CALM_OF_MODEL, cut, rows, options.model)
     if options.quick:
         return SafetyPlan(_QUICK_SEEDS, _QUICK_CONTROLS, 0, _QUICK_CALM, _QUICK_SEEDS, rows)
     return SafetyPlan(seeds=options.seeds, crossed=options.crossed, rows=rows)
@@ -227,7 +242,8 @@ def _fly_again(row: str, options: Namespace) -> int:
     from housefly.lab.safety_case.trial import PersonOrder, TrialKey
 
     order = PersonOrder(options.order)
-    result = fly_trial(TrialKey(row, options.seed, not options.unguarded, order))
+    key = TrialKey(row, options.seed, not options.unguarded, order, options.model)
+    result = fly_trial(key)
     for name, words in result.to_json().items():
         console.print(f"{name:<18}{words}", markup=False, soft_wrap=True)
     return 1 if result.unsafe else 0

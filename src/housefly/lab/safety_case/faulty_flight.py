@@ -60,10 +60,11 @@ _ORDERS: dict[PersonOrder, tuple[tuple[float, Order], ...]] = {
 
 
 @lru_cache(maxsize=2)
-def _base(scanned: bool) -> LoadedSite:
+def _base(scanned: bool, model: str = "") -> LoadedSite:
     """Return the room, with its scanners where people and things may get in the way."""
     lasers = demo_changes()["lasers"] if scanned else ()
-    return load_site(SAFETY_SITE, hub__enabled=False, lasers=lasers)
+    drone = {"drone__kind": model} if model else {}
+    return load_site(SAFETY_SITE, hub__enabled=False, lasers=lasers, **drone)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,7 @@ class FlightCourse:
         has_intruders: whether people and things may get in the way.
         scanned: whether the room has its scanners.
         guarded: with its guards, else the negative control.
+        model: of the drone; "" is the room's own.
     """
 
     seed: int
@@ -83,6 +85,7 @@ class FlightCourse:
     has_intruders: bool
     scanned: bool
     guarded: bool
+    model: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +101,12 @@ def course_of(key: TrialKey) -> FlightCourse:
     phases = _phases_of(key.row)
     rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
     return FlightCourse(
-        key.seed, rate, _needs_intruders(key.row), needs_scanners(key.row), key.guarded
+        key.seed,
+        rate,
+        _needs_intruders(key.row),
+        needs_scanners(key.row),
+        key.guarded,
+        key.model,
     )
 
 
@@ -186,7 +194,7 @@ class FaultyFlight:
     """One service, into which faults come."""
 
     def __init__(self, course: FlightCourse) -> None:
-        base = _base(course.scanned)
+        base = _base(course.scanned, course.model)
         site = changed(base.site, twin__seed=1 + course.seed, twin__mocap_rate_hz=course.rate_hz)
         self._guarded = course.guarded
         self._simulation = Simulation(

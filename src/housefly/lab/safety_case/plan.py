@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 from housefly.lab.safety_case.trial import PersonOrder, TrialKey
@@ -30,6 +30,7 @@ class SafetyPlan:
         fault_free: flights without a fault.
         crossed: flights of each row that is crossed with a person's orders.
         rows: only these rows; all when empty.
+        model: of the drone; "" is the room's own.
     """
 
     seeds: int = 300
@@ -38,9 +39,13 @@ class SafetyPlan:
     fault_free: int = 300
     crossed: int = 50
     rows: tuple[str, ...] = ()
+    model: str = ""
 
     def keys(self) -> list[TrialKey]:
         """Return every flight, those that tell most first."""
+        return [replace(key, model=self.model) for key in self._keys()]
+
+    def _keys(self) -> list[TrialKey]:
         rows = [row for row in flown_rows() if not self.rows or row.number in self.rows]
         keys = [
             TrialKey(name, seed)

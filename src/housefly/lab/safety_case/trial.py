@@ -30,12 +30,14 @@ class TrialKey:
         seed: of everything random; it also chooses phase and tracking rate.
         guarded: with its guards, else the negative control.
         order: what a person does.
+        model: of the drone; "" is the room's own.
     """
 
     row: str
     seed: int
     guarded: bool = True
     order: PersonOrder = PersonOrder.NOTHING
+    model: str = ""
 
 
 @dataclass(frozen=True, slots=True)
