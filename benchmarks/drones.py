@@ -1,0 +1,163 @@
+"""How well each model of drone flies in the simulated room, on the truth: a hover, a figure eight,
+ten errands from place to place, and the visitor service with one seed after the other.
+
+    python benchmarks/drones.py                          every model, about 10 minutes each
+    python benchmarks/drones.py --models tello --seeds 3
+    python benchmarks/drones.py --models crazyflie --no-service
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from _run import table
+from housefly.config.airframe import airframe_names
+from housefly.lab.lockstep.service import fly_lockstep
+from housefly.messages import Order, OrderKind, PilotStep
+from housefly.numeric import FloatArray
+from housefly.record.series import collect
+from housefly.record.summary import Summary, summarize_flight
+from housefly.record.truth import read_truth
+from housefly.sites.loaded_site import open_site, read_site
+from quality_gate.errands import BSEN_ERRANDS
+from quality_gate.flown_row import FlownRow
+from quality_gate.flown_track import COLUMNS
+from quality_gate.fly import fly_row
+from quality_gate.quality_flight import QualityFlight
+from quality_gate.rooms import GateRoom, gate_site
+from quality_gate.rows import GATE_ROWS
+from quality_gate.scenario import Scenario, Way
+
+HOVER_TIME = 20.0
+PLACE = "table"
+_X, _RX = COLUMNS.index("x"), COLUMNS.index("rx")
+_ROWS = {row.name: row for row in GATE_ROWS}
+_EIGHT = _ROWS["eight-100"]
+_ERRANDS = replace(_ROWS["errands-0.5"], name="ten errands", goals=BSEN_ERRANDS[:10])
+
+
+@dataclass(frozen=True, slots=True)
+class Hover:
+    """A hover of ``HOVER_TIME``: how far it truly was from where it should be [m]."""
+
+    rms: float
+    most: float
+
+
+def hovered(model: str) -> Hover | None:
+    """Hover in the middle of the hall; None where it did not rise."""
+    flight = QualityFlight(gate_site(GateRoom.HALL, drone__kind=model))
+    if not flight.rise():
+        return None
+    first = len(flight.track.rows)
+    flight.wait(HOVER_TIME)
+    away = _off_reference(flight.track.part(first))
+    return Hover(float(np.sqrt(np.mean(away**2))), float(away.max()))
+
+
+def _off_reference(rows: FloatArray) -> FloatArray:
+    away = rows[:, _X : _X + 3] - rows[:, _RX : _RX + 3]
+    return np.sqrt(np.sum(away**2, axis=1))
+
+
+def flown(row: Scenario, model: str) -> FlownRow:
+    """Fly a row of the flight-quality gate by trajectories in space."""
+    return fly_row(row, Way.SPACE, model, {"drone__kind": model})
+
+
+def served(model: str, seed: int) -> tuple[Summary, int]:
+    """Fly the visitor service; return its summary, and how much was touched."""
+    loaded = open_site(read_site("bsen", drone__kind=model, twin__seed=seed))
+    steps: list[PilotStep] = []
+    with TemporaryDirectory() as folder:
+        course = Path(folder) / "truth.jsonl"
+        order = Order(OrderKind.SERVICE, PLACE, look_s=3.0)
+        outcome = fly_lockstep(loaded, order, steps.append, truth_file=course)
+        truth = read_truth(course)
+    flight = collect(steps, loaded.site.tracking.body)
+    site, room, grid = loaded.site, loaded.room, loaded.grid
+    return summarize_flight(flight, outcome, site, room, grid, truth=truth), len(
+        truth.contacts if truth else ()
+    )
+
+
+def _quality_row(model: str) -> list[object]:
+    hover, eight, errands = hovered(model), flown(_EIGHT, model), flown(_ERRANDS, model)
+    return [
+        model,
+        f"{1000 * hover.rms:.0f} / {1000 * hover.most:.0f}" if hover else "did not rise",
+        *(_cell(one) for one in (eight, errands)),
+        f"{errands.measures.time:.0f}",
+        f"{1000 * errands.measures.overshoot:.0f}",
+        f"{errands.measures.gap:.2f}",
+        eight.outcome or errands.outcome or "all arrived",
+    ]
+
+
+def _cell(row: FlownRow) -> str:
+    measures = row.measures
+    off = f"{1000 * measures.reference_rms:.0f} / {1000 * measures.reference_max:.0f}"
+    return f"{measures.arrived:.0f} of {measures.legs:.0f}: {off}"
+
+
+def _service_row(model: str, seeds: int) -> list[object]:
+    done, touched, errors, landed = 0, 0, list[float](), list[float]()
+    ended = set[str]()
+    for seed in range(1, seeds + 1):
+        summary, contacts = served(model, seed)
+        _tell(f"{model}, seed {seed}: {summary.outcome}, {contacts} contacts")
+        done += summary.outcome == "completed"
+        touched += contacts
+        errors += [] if summary.rms_error_m is None else [summary.rms_error_m]
+        landed += [] if summary.landed_error_m is None else [summary.landed_error_m]
+        ended |= {str(summary.outcome)}
+    rms = f"{1000 * min(errors):.0f} to {1000 * max(errors):.0f}" if errors else "-"
+    off_pad = f"{1000 * max(landed):.0f}" if landed else "-"
+    return [model, f"{done} of {seeds}", touched, rms, off_pad, ", ".join(sorted(ended))]
+
+
+def _tell(words: str) -> None:
+    print(f"[{time.strftime('%H:%M:%S')}] {words}", file=sys.stderr, flush=True)
+
+
+def main() -> None:
+    """Fly and print."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    known = airframe_names()
+    parser.add_argument("--models", nargs="+", default=known, choices=known, metavar="MODEL")
+    parser.add_argument("--seeds", type=int, default=20, help="of the service (default: 20)")
+    parser.add_argument("--no-service", action="store_true", help="hover, eight and errands only")
+    parser.add_argument("--no-quality", action="store_true", help="the service only")
+    wanted = parser.parse_args()
+    print("### How well each drone flies, on the truth\n")
+    if not wanted.no_quality:
+        headings = [
+            "model", "hover of 20 s off its place rms / max [mm]",
+            "figure eight at 0.5 m/s, off its reference [mm]",
+            "ten errands at 0.5 m/s, off their reference [mm]", "time of them [s]",
+            "overshoot [mm]", "hull to solid [m]", "outcome",
+        ]  # fmt: skip
+        rows = []
+        for model in wanted.models:
+            rows.append(_quality_row(model))
+            _tell(f"{model}: {rows[-1]}")
+        print(table(headings, rows), "\n", flush=True)
+    if not wanted.no_service:
+        headings = [
+            "model", "services completed", "contacts", "rms off the path [mm]",
+            "landed off the pad, most [mm]", "outcomes",
+        ]  # fmt: skip
+        print(table(headings, [_service_row(model, wanted.seeds) for model in wanted.models]))
+
+
+if __name__ == "__main__":
+    main()
