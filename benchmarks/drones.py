@@ -63,8 +63,9 @@ def hovered(model: str) -> Hover | None:
 
 
 def _off_reference(rows: FloatArray) -> FloatArray:
-    away = rows[:, _X : _X + 3] - rows[:, _RX : _RX + 3]
-    return np.sqrt(np.sum(away**2, axis=1))
+    away: FloatArray = rows[:, _X : _X + 3] - rows[:, _RX : _RX + 3]
+    distance: FloatArray = np.sqrt(np.sum(away**2, axis=1))
+    return distance
 
 
 def flown(row: Scenario, model: str) -> FlownRow:
