@@ -206,6 +206,14 @@ def test_missing_steps_are_counted(tmp_path: Path, flight: tuple[PilotStep, ...]
     assert (verdict.steps, verdict.missing) == (15, 5)
 
 
+def test_steps_before_a_recording_began_are_missing(
+    tmp_path: Path, flight: tuple[PilotStep, ...]
+) -> None:
+    late = flight[7:20]
+    verdict = verify(write(tmp_path / "flight.mcap", late), lambda: Parrot(late))
+    assert (verdict.steps, verdict.missing) == (13, 7)
+
+
 def test_of_a_recording_that_was_cut_it_is_known_how_much_is_there(
     recording: Path, flight: tuple[PilotStep, ...], tmp_path: Path
 ) -> None:

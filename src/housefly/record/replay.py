@@ -163,8 +163,8 @@ class ReplayResult:
 
     Attributes:
         steps: steps compared.
-        missing: steps that the recording lacks; a pilot that never saw them may rightly decide
-            otherwise.
+        missing: steps that the recording lacks, those before its first, too; a pilot that never
+            saw them may rightly decide otherwise.
         difference: the first difference, or None when every command is the same bit for bit.
         recorded: steps that the summary beside the recording speaks of; None without one.
         is_whole: whether the recording has its end: a cut copy, a full disk and a power cut leave
@@ -190,9 +190,9 @@ def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> ReplayResul
     """
     path = path / "flight.mcap" if path.is_dir() else path
     pilot, recorded, is_whole = pilot_factory(), _steps_in_summary(path), _has_end(path)
-    count, missing, last = 0, 0, None
+    count, missing, last = 0, 0, -1
     for step in read_steps(path):
-        missing += max(0, step.sequence - last - 1) if last is not None else 0
+        missing += max(0, step.sequence - last - 1)
         last = step.sequence
         command = pilot.step(step.now, step.inputs).command
         if repr(command) != repr(step.outputs.command):

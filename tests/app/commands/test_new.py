@@ -25,7 +25,7 @@ def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.slow
 @pytest.mark.usefixtures("no_report")
 def test_an_empty_rectangle_is_typed_with_few_keys_and_a_service_lands(tmp_path: Path) -> None:
-    done = typed_site(tmp_path / "mylab", "6x4x2.5", "", "", "", "", "")
+    done = typed_site(tmp_path / "mylab", "6x4x2.5", "", "", "", "", "", "crazyflie")
     assert done.status == 0, done.shown
     assert done.keys < KEYS_IN_TEN_MINUTES / 10
     assert "housefly doctor --site mylab" in done.shown
@@ -38,7 +38,7 @@ def test_ctrl_c_loses_nothing_and_the_same_line_goes_on(tmp_path: Path) -> None:
     assert broken.status == 130, broken.shown
     assert "go on with: housefly new mylab" in broken.shown
     assert not (tmp_path / "mylab" / "site.toml").exists()
-    done = typed_site(tmp_path / "mylab", "", "", "", "", "")
+    done = typed_site(tmp_path / "mylab", "", "", "", "", "", "")
     assert done.status == 0, done.shown
     room = load_site(str(tmp_path / "mylab")).room
     assert room.bounds == (0.0, 0.0, 6.0, 4.0)
@@ -48,7 +48,7 @@ def test_ctrl_c_loses_nothing_and_the_same_line_goes_on(tmp_path: Path) -> None:
 def test_a_script_answers_through_a_pipe(tmp_path: Path) -> None:
     done = subprocess.run(
         [*HOUSEFLY, "new", "mylab"],
-        input="6x4\n\n1,2\nkitchen 5,2\n\n\nsimulated\n",
+        input="6x4\n\n1,2\nkitchen 5,2\n\n\nsimulated\n\n",
         cwd=tmp_path, capture_output=True, text=True, timeout=100.0, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

@@ -12,13 +12,26 @@ from urllib.request import HTTPCookieProcessor, build_opener
 
 import pytest
 
+from housefly.room.draft.files import load_draft
+
 pytestmark = pytest.mark.wire
 
 
 @pytest.fixture
 def serving(tmp_path: Path) -> Iterator[subprocess.Popen[str]]:
     process = subprocess.Popen(
-        [sys.executable, "-m", "housefly.cli", "new", str(tmp_path / "mylab"), "--page"],
+        [
+            sys.executable,
+            "-m",
+            "housefly.cli",
+            "new",
+            str(tmp_path / "mylab"),
+            "--page",
+            "--room",
+            "6x4",
+            "--drone",
+            "tello",
+        ],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
@@ -28,8 +41,8 @@ def serving(tmp_path: Path) -> Iterator[subprocess.Popen[str]]:
     process.communicate()
 
 
-def test_the_printed_link_opens_the_page_and_ctrl_c_ends_it(
-    serving: subprocess.Popen[str],
+def test_the_printed_link_opens_the_page_with_what_options_said_and_ctrl_c_ends_it(
+    serving: subprocess.Popen[str], tmp_path: Path
 ) -> None:
     assert serving.stdout is not None
     found = re.search(r"http://127\.0\.0\.1:\d+/\?token=\S+", serving.stdout.readline())
@@ -40,3 +53,6 @@ def test_the_printed_link_opens_the_page_and_ctrl_c_ends_it(
     serving.send_signal(signal.SIGINT)
     rest, _ = serving.communicate(timeout=30)
     assert (serving.returncode, rest) == (0, "")
+    draft = load_draft(tmp_path / "mylab")
+    assert draft is not None and draft.bounds == (0.0, 0.0, 6.0, 4.0)
+    assert draft.drone is not None and draft.drone.model == "tello"

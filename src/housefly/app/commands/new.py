@@ -70,6 +70,7 @@ def _run(options: Namespace) -> int:
     if options.page:
         from housefly.app.new_site.page import serve_new_page
 
+        NewSiteDialog(draft, folder, DefaultsAsker(), given=_given(options)).take_given()
         return serve_new_page(folder, options.port)
     _greet(folder, kept)
     if options.yes:

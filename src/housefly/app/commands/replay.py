@@ -31,12 +31,12 @@ def _run(options: Namespace) -> int:
     verdict = verify_recording(recording, open_site(site))
     if verdict.missing:
         console.print(
-            f"{verdict.missing} steps are missing in the recording: it cannot replay bit for bit"
-            " from there on"
+            f"{verdict.missing} steps are missing in the recording (it began late, or the disk was"
+            " too slow): from there on another pilot may rightly decide otherwise"
         )
     if verdict.difference is not None:
         console.print(f"differs: {verdict.difference}", markup=False)
-        return 1
+        return _CUT_OFF if verdict.missing else 1
     if not verdict.is_whole or (verdict.share or 1.0) < 1.0:
         recorded, share = verdict.recorded, 100.0 * (verdict.share or 0.0)
         there = f"{verdict.steps} steps"
@@ -56,7 +56,8 @@ REPLAY_COMMAND = Subcommand(
     help="give a recording to a fresh pilot and compare every command",
     description=(
         "Feed the inputs of a recorded flight to a fresh pilot. Exit code 0 when every command"
-        " is the same, bit for bit; 1 when one differs; 3 when the recording is cut off."
+        " is the same, bit for bit; 1 when one differs; 3 when the recording is cut off, or"
+        " when steps are missing before one that differs."
     ),
     add_arguments=_add_arguments,
     run=_run,

@@ -71,9 +71,7 @@ class NewSiteDialog:
             OutOfAnswers: a script's lines ended.
             HouseflyError: an option, or a script's answer, is refused.
         """
-        for question in QUESTIONS:
-            for text in self._given.get(question.step, ()):
-                self._take(question.step, text)
+        self.take_given()
         for item in self._hindrances():
             if item.step in self._given:
                 raise _refusal(item)
@@ -90,6 +88,12 @@ class NewSiteDialog:
                 if not (self._asker.is_patient and self._is_asked(QUESTIONS[number])):
                     raise _refusal(open_[0])
         return self.draft
+
+    def take_given(self) -> None:
+        """Take the answers of the command's options in; raises HouseflyError for a refused one."""
+        for question in QUESTIONS:
+            for text in self._given.get(question.step, ()):
+                self._take(question.step, text)
 
     def _first(self) -> int:
         steps = [question.step.value for question in QUESTIONS]
