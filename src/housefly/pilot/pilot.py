@@ -417,6 +417,9 @@ class Pilot:
         if estimate is None or self._params.is_paper or not (assessment.steered or is_descent):
             self._landing = None
             return None
+        if not assessment.knows_motion:  # braked by a mirrored velocity it would gather speed
+            self._landing = None
+            return None
         here, height = estimate.position[:2], estimate.position[2]
         if not assessment.knows_place:
             return sinking(estimate)

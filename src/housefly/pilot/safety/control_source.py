@@ -53,7 +53,8 @@ def knows_place(c: RuleContext) -> bool:
 
 def tracking_is_believed(c: RuleContext) -> bool:
     """Return whether tracking shows neither a mirror image nor a height that cannot be."""
-    return not (seems_low(c) or c.inputs.consistency.mirrored)
+    is_mirrored = c.inputs.consistency.mirrored or c.seen.leans_mirrored
+    return not (seems_low(c) or is_mirrored)
 
 
 def hover_is_believed(c: RuleContext) -> bool:

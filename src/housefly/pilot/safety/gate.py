@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import dist, hypot, inf, isfinite
 
-from housefly.config.airframe import Airframe
+from housefly.config.airframe import Ability, Airframe
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.event_code import EventCode
@@ -123,6 +123,7 @@ class GateAssessment:
         to_floor: our setpoint has to sink to the floor: the drone's own last bit is in doubt.
         knows_place: tracking is believed.
         knows_speed: the drone's own hover is.
+        knows_motion: tracking does not show the opposite of how the drone leans.
         missing_lean: as in ``GateInputs``, within ``tilt_max``, the largest tilt [rad].
         form: of the setpoints that the drone is steered by.
         hovers: the drone has a hover of its own.
@@ -138,6 +139,7 @@ class GateAssessment:
     to_floor: bool = False
     knows_place: bool = False
     knows_speed: bool = True
+    knows_motion: bool = True
     missing_lean: Vec2 | None = None
     tilt_max: float = 0.0
     form: SetpointForm = SetpointForm.TILT_AND_CLIMB
@@ -238,7 +240,8 @@ class Gate:
         rules = tuple(rule for rule in rules if not rule.needs & airframe.lacks)
         self._rules = tuple((rule, list(IN_SCOPE).index(rule.scope)) for rule in rules)
         self._waiting = frozenset(rule.code for rule in rules if rule.may_wait)
-        self._observer = FlightObserver(limits)
+        tells_speed = Ability.VELOCITY not in airframe.lacks
+        self._observer = FlightObserver(limits, tells_speed=tells_speed)
         self._since: dict[EventCode, float] = {}
         self._until: dict[EventCode, float] = {}
         self._landing: BrokenRule | None = None
@@ -298,6 +301,7 @@ class Gate:
             to_floor=lands_on_floor(context),
             knows_place=knows_place(context),
             knows_speed=inputs.consistency.flow_believed,
+            knows_motion=not context.seen.leans_mirrored,
             missing_lean=inputs.missing_lean,
             tilt_max=self._limits.tilt_max,
             form=self._airframe.capabilities.form,

@@ -13,6 +13,7 @@ from housefly.messages.steering import Setpoint
 from housefly.numeric import running_sum
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget, EnergyMonitor
 from housefly.pilot.safety.inputs import GateInputs
+from housefly.pilot.safety.lean_consistency import LeanConsistency
 from housefly.pilot.safety.timers import Stopwatch, Window
 
 TILT_TIME_CONSTANT = 0.2
@@ -80,6 +81,8 @@ class FlightObservations:
         held_for: how long it was held in the last ``HOLD_SPAN`` [s].
         late_steps: how many steps of the last ``LATE_SPAN`` were late.
         landing_for: how long a landing has been wanted [s].
+        leans_mirrored: in this flight tracking has shown the opposite of what the lean does; only
+            looked for where the drone does not tell its speed.
         energy: what charge and clock still allow.
     """
 
@@ -97,6 +100,7 @@ class FlightObservations:
     held_for: float = 0.0
     late_steps: int = 0
     landing_for: float = 0.0
+    leans_mirrored: bool = False
     energy: EnergyBudget = NO_ENERGY
 
 
@@ -104,10 +108,17 @@ NOTHING_OBSERVED = FlightObservations()
 
 
 class FlightObserver:
-    """Remembers one flight; fed once a step."""
+    """Remembers one flight; fed once a step.
 
-    def __init__(self, limits: LimitsConfig) -> None:
-        self._limits = limits
+    Args:
+        limits: of the site.
+        tells_speed: the drone tells its own speed, by which others judge tracking.
+    """
+
+    def __init__(self, limits: LimitsConfig, *, tells_speed: bool = True) -> None:
+        self._limits, self._tells_speed = limits, tells_speed
+        self._lean_consistency: LeanConsistency | None = None
+        self._leans_mirrored = False
         self._energy = EnergyMonitor(limits)
         self._now = inf
         self._cruising, self._climbing, self._landing = Stopwatch(), Stopwatch(), Stopwatch()
@@ -165,6 +176,7 @@ class FlightObserver:
             ),
             late_steps=self._late_steps(inputs),
             landing_for=self._landing.update(wants_down, now),
+            leans_mirrored=self._is_mirrored(inputs, steady, dt),
             energy=self._energy.observe(inputs),
         )
 
@@ -245,6 +257,26 @@ class FlightObserver:
         self._unexplained.add(inputs.now, (vx - x, vy - y))
         before_x, before_y = self._unexplained.oldest(inputs.now)
         return hypot(vx - x - before_x, vy - y - before_y)
+
+    def _is_mirrored(self, inputs: GateInputs, steady: float, dt: float) -> bool:
+        """Return whether tracking has shown the opposite of what the lean does in this flight."""
+        told, velocity = inputs.telemetry, inputs.velocity
+        if not inputs.airborne:
+            self._leans_mirrored = False
+        if (
+            self._tells_speed
+            or told is None
+            or velocity is None
+            or not inputs.airborne
+            or not all(map(isfinite, (inputs.yaw, told.theta, told.phi)))
+            or steady < SETTLING_TIME
+        ):
+            self._lean_consistency = None
+            return self._leans_mirrored
+        watch = self._lean_consistency = self._lean_consistency or LeanConsistency()
+        now = watch.is_mirrored(dt, velocity[:2], inputs.yaw, told.theta, told.phi)
+        self._leans_mirrored = self._leans_mirrored or now
+        return self._leans_mirrored
 
     def _velocity_error(self, inputs: GateInputs, steady: float, dt: float) -> float:
         """Return the rms velocity error of this flight.
