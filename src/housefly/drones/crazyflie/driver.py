@@ -77,7 +77,8 @@ class Crazyflie(RepeatingDriver):
         super().__init__(config, limits.tilt_max, clock)
         self._limits = limits
         self._link = CrtpLink(config.address, self._hear)
-        self._manoeuvres = Manoeuvres()
+        by_state = config.airframe.capabilities.is_told_full_state
+        self._manoeuvres = Manoeuvres(by_state=by_state)
         self._state = OwnState()
         self._report: Telemetry | None = None
         self._seen: Sighting | None = None
