@@ -50,16 +50,15 @@ class RoomHere:
         site = self.loaded.site
         self.world = SimulatedWorld(site, self.loaded.room)
         self._time = RealTimeRunner(self.world, RealClock())
-        self._servers = (
-            server_of(
-                site.drone.kind,
-                self.world,
-                site.drone.address,
-                beyond_loopback=False,
-                filters=self.filters,
-            ),
-            *tracking_servers(site),
+        drone = server_of(
+            site.drone.kind,
+            self.world,
+            site.drone.address,
+            beyond_loopback=False,
+            filters=self.filters,
         )
+        self._trackers = tuple(tracking_servers(site))
+        self._servers = (drone, *self._trackers)
         for server in self._servers:
             await server.start()
         self._running = asyncio.create_task(self._time.run(self._after_step))
@@ -95,7 +94,7 @@ class RoomHere:
 
     def _after_step(self) -> None:
         for frame in self.world.mocap_frames():
-            for server in self._servers[1:] if self.is_tracked else ():
+            for server in self._trackers if self.is_tracked else ():
                 server.publish(frame)
         truth = self.world.truth()
         (x, y, height), (vx, vy, _) = truth.pose.position, truth.velocity
