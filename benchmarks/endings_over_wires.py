@@ -50,6 +50,8 @@ from tello_ports import tello_ports
 KINDS = ("crazyflie", "crazyflie_brushless", "arducopter", "px4", "tello")
 READY_TIME, DOWN_TIME, STAYS = 90.0, 60.0, 2.0
 """Longest wait for all processes, and for the air or the floor; how long it stays there [s]."""
+HOVERS = 0.5
+"""A hover is so far above where it stood, or higher [m]."""
 ORDERS = 6
 """How often it is ordered, at most."""
 LEVEL_WITHIN, LOW = 0.3, 0.1
@@ -226,6 +228,8 @@ async def tracking_cut(run: Run, chance: random.Random) -> Ended:
     room = run.room
     await run.until(lambda: room.now.height > 0.8, OrderKind.TAKE_OFF)
     await asyncio.sleep(3.0 + chance.uniform(0.0, 1.0))
+    if room.now.height < room.moments[0].height + HOVERS:
+        raise AssertionError(f"it came down before: {room.now}")
     since, room.is_tracked = room.now, False
     return await run.ended(since)
 
