@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import asyncio
 import sys
+from collections.abc import Iterator
 from math import dist
 from pathlib import Path
 
@@ -30,11 +31,14 @@ VENV = Path(__file__).resolve().parents[2] / ".venv" / "cflib"
 
 
 @pytest.fixture(autouse=True)
-def cflib(monkeypatch: pytest.MonkeyPatch) -> None:
+def cflib(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     found = list(VENV.glob("lib/python3*/site-packages"))
     if not (VENV / "ready").exists() or not found:
         pytest.skip("cflib is not installed: make interop")
     monkeypatch.setattr(sys, "path", [*sys.path, *map(str, found)])
+    yield
+    for name in [one for one in sys.modules if one.partition(".")[0] == "cflib"]:
+        del sys.modules[name]
 
 
 def over_cflib(room: CrazyflieRoom, loopback: str) -> Crazyflie:

@@ -129,8 +129,7 @@ class RadioWire:
         self.problem, self._link = "", driver
 
     def _fail(self, words: str) -> None:
-        """Take in what cflib complains of: the link is opened anew."""
-        self.problem = f"the radio of {self.name}: {words.splitlines()[0] if words else 'failed'}"
+        """Let the link be opened anew, whatever cflib complains of."""
         self._fails.set()
 
     def _close(self) -> None:
@@ -142,6 +141,8 @@ class RadioWire:
         """Hand over what comes; open the radio anew when it fails or says nothing any more."""
         quiet = 0.0
         while not self._ends.is_set():
+            if self._fails.is_set() or quiet > _SILENT_AFTER:
+                self._close()
             if self._link is None:
                 try:
                     self._open()
@@ -149,12 +150,14 @@ class RadioWire:
                     self._ends.wait(_AGAIN_AFTER)
                     continue
                 quiet = 0.0
-            heard = self._link.receive_packet(_PATIENCE)
+            try:
+                heard = self._link.receive_packet(_PATIENCE)
+            except Exception as error:
+                self._fail(str(error))
+                continue
             quiet = quiet + _PATIENCE if heard is None else 0.0
             if heard is not None:
                 self._take_in(bytes((heard.header, *heard.data)), loop)
-            if self._fails.is_set() or quiet > _SILENT_AFTER:
-                self._close()
         self._close()
 
     def _take_in(self, data: bytes, loop: asyncio.AbstractEventLoop) -> None:
@@ -172,4 +175,7 @@ class RadioWire:
             packet, link = self._outbox.take(_PATIENCE), self._link
             if packet is not None and link is not None:
                 header, *data = encode_crtp(packet)
-                link.send_packet(stack.CRTPPacket(header, data))
+                try:
+                    link.send_packet(stack.CRTPPacket(header, data))
+                except Exception as error:
+                    self._fail(str(error))
