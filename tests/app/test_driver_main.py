@@ -31,12 +31,13 @@ pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.m
 
 OTHERS = [
     pytest.param(kind, marks=pytest.mark.interop)
-    for kind in ("tello", "arducopter", "px4", "crazyflie")
+    for kind in ("tello", "arducopter", "px4", "crazyflie", "crazyflie_brushless")
 ]
 LANDED = (FlightState.LANDED,)
 DOWN = {
-    # it cuts its motors two seconds after its driver died, unless that is back before
+    # they cut their motors two seconds after their driver died, unless that is back before
     "crazyflie": (FlightState.LANDED, FlightState.EMERGENCY),
+    "crazyflie_brushless": (FlightState.LANDED, FlightState.EMERGENCY),
 }
 """How a drone ends whose driver was killed; any other has landed."""
 STOPPING_DISTANCE_MAX = 0.6
@@ -190,7 +191,9 @@ async def test_a_room_killed_in_cruise_is_back_soon_and_the_drone_is_safe_meanwh
 
 
 @pytest.mark.interop
-@pytest.mark.parametrize("kind", ["ardrone", "tello", "arducopter", "px4", "crazyflie"])
+@pytest.mark.parametrize(
+    "kind", ["ardrone", "tello", "arducopter", "px4", "crazyflie", "crazyflie_brushless"]
+)
 async def test_a_driver_killed_in_cruise_comes_back_and_lets_the_drone_only_hover_and_land(
     tmp_path: Path, write_site: Any, kind: str
 ) -> None:

@@ -35,6 +35,25 @@ async def test_a_drone_that_is_well_is_said_to_be_and_one_that_is_locked_says_wh
         assert any("switch it off and on" in words for words in said)
 
 
+@pytest.mark.parametrize(
+    ("parameters", "told"),
+    [
+        ((), "none that tells it where it is"),
+        (("deck.bcFlow2",), "Flow deck"),
+        (("deck.bcLighthouse4", "deck.bcDWM1000"), "Lighthouse deck, Loco deck"),
+    ],
+)
+async def test_the_decks_that_tell_a_drone_where_it_is_are_found_and_told(
+    loopback: str, parameters: tuple[str, ...], told: str
+) -> None:
+    async with crazyflie_room(loopback) as room:
+        room.server.values.update(dict.fromkeys(parameters, 1.0))
+        await asyncio.sleep(0.2)
+        checks = await asyncio.to_thread(look_at_drone, drone_at(f"crazyflie://{loopback}"))
+        decks = next(check for check in checks if check.name == "decks")
+        assert decks.well and decks.found == told
+
+
 def test_a_drone_that_is_not_there_ends_the_command_with_words(
     loopback: str, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -145,6 +145,18 @@ def test_an_autopilot_completes_the_service_over_mavlink(
     assert_completed(out)
 
 
+@pytest.mark.interop
+@pytest.mark.timeout(600)
+def test_a_crazyflie_completes_the_service_over_its_wire_by_full_states(
+    tmp_path: Path, write_site: Any
+) -> None:
+    site, out = write_site(rate=100, video=False, kind="crazyflie"), tmp_path / "out"
+    chosen = '[drone]\nsteered_by = "trajectory"\n'
+    site.write_text(site.read_text().replace("[drone]\n", chosen))
+    assert_flown(start(site, out, "entrance"), partial(start, site, out, "entrance"), out)
+    assert_completed(out)
+
+
 @pytest.mark.timeout(300)
 def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
     flight = start(write_site(), tmp_path / "out", "entrance")

@@ -5,11 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from pydantic import ValidationError
 
 from housefly.config.airframe import FOLDER, airframe_in, airframe_named, airframe_names
 from housefly.config.drone import DroneConfig
 from housefly.config.site import Site, site_from_tree
 from housefly.errors import ConfigError
+from housefly.messages import SetpointForm
 from housefly.pilot.behavior.braking import REFERENCE_BRAKING
 
 GOOD = (FOLDER / "ardrone.toml").read_text(encoding="utf-8")
@@ -40,7 +42,7 @@ def test_every_airframe_that_ships_can_be_read_and_a_site_may_name_it(name: str)
         ("gain = 4.0", "gian = 4.0", "brake.gain: is missing"),
         ("lead = 0.2", "lead = 0.2\nleed = 0.2", "brake.leed: is not a known key"),
         ('"tilt and climb"', '"thrust"', "capabilities.setpoints.0: is 'thrust'"),
-        ('"tilt and climb"', '"trajectory"', "setpoints: none that the pilot makes"),
+        ('"tilt and climb"', '"trajectory"', "setpoints: a place in the room means nothing"),
         ('"tilt and climb"', '"position"', "setpoints: a place in the room means nothing"),
         ('"tilt and climb"', '"velocity"', "response.velocity_lag is missing"),
         ('answer = "lands"', 'answer = "sings"', "capabilities.silence.answer: is 'sings'"),
@@ -79,3 +81,18 @@ def test_a_model_that_nobody_knows_is_refused_by_name(kind: str) -> None:
 @pytest.mark.parametrize("name", airframe_names())
 def test_every_drone_brakes_as_hard_as_a_reference_does_that_is_to_stop(name: str) -> None:
     assert airframe_named(name).braking.deceleration >= REFERENCE_BRAKING
+
+
+def test_a_site_may_choose_another_form_of_setpoints_of_those_that_its_drone_takes() -> None:
+    usual = DroneConfig(kind="crazyflie")
+    chosen = DroneConfig(kind="crazyflie", steered_by="trajectory")
+    assert usual.airframe.capabilities.form is SetpointForm.TILT_AND_CLIMB
+    able = chosen.airframe.capabilities
+    assert able.form is SetpointForm.POSITION and able.is_told_full_state
+    assert set(able.setpoints) == set(usual.airframe.capabilities.setpoints)
+    assert chosen.airframe.body == usual.airframe.body
+
+
+def test_a_form_that_its_drone_does_not_take_is_refused_with_those_that_it_does() -> None:
+    with pytest.raises(ValidationError, match="which DJI Tello does not take; allowed: velocity"):
+        DroneConfig(kind="tello", steered_by="position")

@@ -9,7 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.capabilities import (
-    FLOWN_FORMS,
     Capabilities,
     OnboardCamera,
     OwnManoeuvre,
@@ -88,14 +87,11 @@ cameras = st.builds(
     height=st.integers(16, 8192),
     ahead=st.floats(-1.0, 1.0),
 )
-forms = (
-    st.lists(st.sampled_from(SetpointForm), min_size=1)
-    .map(tuple)
-    .filter(lambda some: any(form in FLOWN_FORMS for form in some))
-)
+forms = st.lists(st.sampled_from(SetpointForm), min_size=1).map(tuple)
+to_places = {SetpointForm.POSITION, SetpointForm.TRAJECTORY}
 rates = st.floats(0.1, 1000.0)
 told_places = st.tuples(forms, rates) | st.tuples(
-    forms.filter(lambda some: SetpointForm.POSITION not in some), st.none()
+    forms.filter(lambda some: to_places.isdisjoint(some)), st.none()
 )
 abilities = told_places.flatmap(
     lambda told: st.builds(

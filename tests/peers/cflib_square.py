@@ -95,10 +95,17 @@ def main() -> None:
             commander.go_to(*corner, HEIGHT, 0.0, 1.5)
             time.sleep(2.2)
             tell(corner=corner, reached=tracking.place[:2])
-        for corner in corners[2:]:
+        rest, ahead = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]
+        sent = (
+            lambda x, y: setpoints.send_position_setpoint(x, y, HEIGHT, 0.0),
+            lambda x, y: setpoints.send_full_state_setpoint(
+                [x, y, HEIGHT], rest, rest, ahead, 0.0, 0.0, 0.0
+            ),
+        )
+        for send, corner in zip(sent, corners[2:], strict=True):
             end = time.monotonic() + 2.2
             while time.monotonic() < end:
-                setpoints.send_position_setpoint(*corner, HEIGHT, 0.0)
+                send(*corner)
                 time.sleep(0.05)
             tell(corner=corner, reached=tracking.place[:2])
         setpoints.send_notify_setpoint_stop()

@@ -89,10 +89,13 @@ class CrazyflieRoom:
 
 @asynccontextmanager
 async def crazyflie_room(
-    address: str, kind: str = "crazyflie", filters: LinkFilters = UNFILTERED
+    address: str,
+    kind: str = "crazyflie",
+    filters: LinkFilters = UNFILTERED,
+    steered_by: str | None = None,
 ) -> AsyncIterator[CrazyflieRoom]:
     """Open a room with one drone, at an address; runs the world in real time meanwhile."""
-    site = Site(drone={"kind": kind, "address": address})
+    site = Site(drone={"kind": kind, "address": address, "steered_by": steered_by})
     async with crazyflie_rooms(site, filters) as (room,):
         yield room
 

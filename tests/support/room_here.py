@@ -9,9 +9,10 @@ from math import hypot
 from typing import Self
 
 from housefly.clock import RealClock
+from housefly.geometry import euler_from_quaternion
 from housefly.sites.loaded_site import LoadedSite
 from housefly.twin.drone_servers import server_of
-from housefly.twin.link_filters import UNFILTERED
+from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
@@ -19,13 +20,14 @@ from housefly.twin.world import SimulatedWorld
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """The truth at one time of the world: x, y, height [m] and speed over ground [m/s]."""
+    """The truth at one time of the world: x, y, height [m], speed over ground [m/s], lean [rad]."""
 
     at: float
     x: float
     y: float
     height: float
     speed: float
+    lean: float
 
 
 @dataclass
@@ -34,26 +36,29 @@ class RoomHere:
 
     Attributes:
         world: the simulated room.
+        filters: what stands between the driver and the drone.
+        is_tracked: whether tracking is heard of.
         moments: the truth so far, 200 a second.
     """
 
     loaded: LoadedSite
+    filters: LinkFilters = UNFILTERED
+    is_tracked: bool = True
     moments: list[Moment] = field(default_factory=list)
 
     async def __aenter__(self) -> Self:
         site = self.loaded.site
         self.world = SimulatedWorld(site, self.loaded.room)
         self._time = RealTimeRunner(self.world, RealClock())
-        self._servers = (
-            server_of(
-                site.drone.kind,
-                self.world,
-                site.drone.address,
-                beyond_loopback=False,
-                filters=UNFILTERED,
-            ),
-            *tracking_servers(site),
+        drone = server_of(
+            site.drone.kind,
+            self.world,
+            site.drone.address,
+            beyond_loopback=False,
+            filters=self.filters,
         )
+        self._trackers = tuple(tracking_servers(site))
+        self._servers = (drone, *self._trackers)
         for server in self._servers:
             await server.start()
         self._running = asyncio.create_task(self._time.run(self._after_step))
@@ -89,8 +94,10 @@ class RoomHere:
 
     def _after_step(self) -> None:
         for frame in self.world.mocap_frames():
-            for server in self._servers[1:]:
+            for server in self._trackers if self.is_tracked else ():
                 server.publish(frame)
         truth = self.world.truth()
         (x, y, height), (vx, vy, _) = truth.pose.position, truth.velocity
-        self.moments.append(Moment(self.world.now, x, y, height, hypot(vx, vy)))
+        phi, theta, _ = euler_from_quaternion(truth.pose.orientation)
+        moment = Moment(self.world.now, x, y, height, hypot(vx, vy), hypot(phi, theta))
+        self.moments.append(moment)

@@ -11,7 +11,7 @@ from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.config.text import did_you_mean
 from housefly.drones import driver_of
-from housefly.drones.contract import DroneDriver
+from housefly.drones.contract import CarriesDecks, DroneDriver
 from housefly.errors import ConfigError, HouseflyError
 from housefly.messages import DroneStatus
 
@@ -57,6 +57,14 @@ async def _look(config: DroneConfig) -> tuple[MachineCheck, ...]:
         await driver.close()
 
 
+def _decks(driver: DroneDriver) -> tuple[MachineCheck, ...]:
+    """Return what was found on a drone that tells it where it is, if that is looked for."""
+    if not isinstance(driver, CarriesDecks):
+        return ()
+    found = ", ".join(driver.decks) or "none that tells it where it is"
+    return (MachineCheck("decks", True, found),)
+
+
 def _found(config: DroneConfig, driver: DroneDriver) -> tuple[MachineCheck, ...]:
     report, rate = driver.telemetry, driver.telemetry_rate_hz
     firmware = driver.firmware or "unknown firmware"
@@ -87,6 +95,7 @@ def _found(config: DroneConfig, driver: DroneDriver) -> tuple[MachineCheck, ...]
             "written and read back" if report.configured else "not as they should be",
             "switch it off and on, and look again",
         ),
+        *_decks(driver),
         *(MachineCheck("it says", False, note) for note in report.notes),
         *(MachineCheck("it complains", False, fault.value) for fault in report.faults),
     )

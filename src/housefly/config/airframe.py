@@ -320,6 +320,23 @@ def is_model(name: str) -> bool:
 
 
 @lru_cache
+def airframe_steered(model: str, form: SetpointForm) -> Airframe:
+    """Return the airframe of a model that prefers one of its forms of setpoints.
+
+    Raises:
+        ValueError: it does not take that form, or has no constants for it.
+    """
+    airframe = airframe_named(model)
+    able = airframe.capabilities
+    if form not in able.setpoints:
+        told = ", ".join(one.value for one in able.setpoints)
+        raise ValueError(f"is {form.value!r}, which {airframe.name} does not take; allowed: {told}")
+    others = (one for one in able.setpoints if one is not form)
+    able = able.model_copy(update={"setpoints": (form, *others)})
+    return Airframe.model_validate(dict(airframe) | {"capabilities": able})
+
+
+@lru_cache
 def airframe_named(model: str) -> Airframe:
     """Return the airframe of a model; raises ConfigError as ``airframe_in`` does."""
     return airframe_in(_own_file(model) or _installed_file(model))

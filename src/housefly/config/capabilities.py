@@ -11,8 +11,13 @@ from housefly.config.section import Section, quantity
 from housefly.messages.steering import SetpointForm
 
 TIME_MAX, RATE_MAX = 3600.0, 1000.0
-FLOWN_FORMS = (SetpointForm.TILT_AND_CLIMB, SetpointForm.VELOCITY, SetpointForm.POSITION)
-"""Forms of setpoints that the pilot can make."""
+MADE_FORMS = {
+    SetpointForm.TILT_AND_CLIMB: SetpointForm.TILT_AND_CLIMB,
+    SetpointForm.VELOCITY: SetpointForm.VELOCITY,
+    SetpointForm.POSITION: SetpointForm.POSITION,
+    SetpointForm.TRAJECTORY: SetpointForm.POSITION,
+}
+"""What the pilot makes for each form: a full state says the place, and leaves the rest at zero."""
 
 
 class OwnManoeuvre(Enum):
@@ -88,9 +93,6 @@ class Capabilities(Section):
 
     @model_validator(mode="after")
     def _can_be_flown(self) -> Self:
-        if not any(form in FLOWN_FORMS for form in self.setpoints):
-            told = ", ".join(form.value for form in FLOWN_FORMS)
-            raise ValueError(f"setpoints: none that the pilot makes; allowed: one of {told}")
         if self.form is SetpointForm.POSITION and self.external_pose_rate is None:
             raise ValueError(
                 "setpoints: a place in the room means nothing to a drone that is not told where it"
@@ -101,7 +103,17 @@ class Capabilities(Section):
     @property
     def form(self) -> SetpointForm:
         """The form of setpoints that the pilot makes for it."""
-        return next(form for form in self.setpoints if form in FLOWN_FORMS)
+        return MADE_FORMS[self.setpoints[0]]
+
+    @property
+    def forms(self) -> frozenset[SetpointForm]:
+        """All that the pilot could make for it."""
+        return frozenset(MADE_FORMS[form] for form in self.setpoints)
+
+    @property
+    def is_told_full_state(self) -> bool:
+        """Whether a place is told it as a full state."""
+        return self.setpoints[0] is SetpointForm.TRAJECTORY
 
     @property
     def hovers(self) -> bool:

@@ -5,10 +5,17 @@ from __future__ import annotations
 from math import hypot
 from typing import Annotated, Any
 
-from pydantic import Field, field_validator
+from pydantic import Field, ValidationInfo, field_validator
 
-from housefly.config.airframe import Airframe, airframe_named, airframe_names, is_model
+from housefly.config.airframe import (
+    Airframe,
+    airframe_named,
+    airframe_names,
+    airframe_steered,
+    is_model,
+)
 from housefly.config.section import Section
+from housefly.messages.steering import SetpointForm
 
 TWIN_ODOMETRY_ERROR = 0.001
 """The simulated drone's flow has the right scale."""
@@ -68,6 +75,10 @@ class DroneConfig(Section):
             " Tellos; left out: found by the address"
         ),
     )
+    steered_by: SetpointForm | None = Field(
+        default=None,
+        description="setpoints that it is flown by, of those it takes; left out: as it prefers",
+    )
     hull_length: float = _of_airframe("body", "hull_length")
     hull_width: float = _of_airframe("body", "hull_width")
     hull_height: float = _of_airframe("body", "hull_height")
@@ -114,7 +125,16 @@ class DroneConfig(Section):
     @property
     def airframe(self) -> Airframe:
         """The constants of its model; those that the site may give itself are above."""
+        if self.steered_by is not None:
+            return airframe_steered(self.kind, self.steered_by)
         return airframe_named(self.kind)
+
+    @field_validator("steered_by")
+    @classmethod
+    def _taken(cls, form: SetpointForm | None, info: ValidationInfo) -> SetpointForm | None:
+        if form is not None and "kind" in info.data:
+            airframe_steered(info.data["kind"], form)
+        return form
 
     @field_validator("kind")
     @classmethod

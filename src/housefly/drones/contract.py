@@ -8,7 +8,7 @@ complains of is ``messages.DroneFault``; what it can do is ``config.capabilities
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from housefly.config.capabilities import Capabilities
 from housefly.messages import Command, KnownMotion, Sighting, Telemetry, VideoFrame
@@ -141,4 +141,14 @@ class DroneDriver(Drone, Protocol):
 
     def on_report(self, handler: Callable[[], None]) -> None:
         """Call the handler after each report of the drone."""
+        ...
+
+
+@runtime_checkable
+class CarriesDecks(Protocol):
+    """A driver that looks for decks on its drone which tell it where it is."""
+
+    @property
+    def decks(self) -> tuple[str, ...]:
+        """What was found when it connected, by name."""
         ...

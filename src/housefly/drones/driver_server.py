@@ -25,7 +25,7 @@ from housefly.drones.driver_messages import (
     encode_driver_message,
 )
 from housefly.drones.failsafe import LAND_AFTER
-from housefly.errors import LinkError, WireError
+from housefly.errors import LinkError, MissingPartError, WireError
 from housefly.messages import Action, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.messages.words import literal
@@ -136,7 +136,7 @@ class DriverServer:
         while True:
             try:
                 await self._drone.connect()
-            except LinkError:
+            except (LinkError, MissingPartError):
                 await asyncio.sleep(_RECONNECT_PAUSE)
             except Exception:
                 log_traceback()

@@ -75,7 +75,7 @@ class Failsafe:
         self._sinking_since: float | None = None
         self._speed = AttitudeSpeed(airframe)
         self._has_sonar = airframe.sonar is not None
-        self._forms = frozenset(airframe.capabilities.setpoints)
+        self._forms = airframe.capabilities.forms
         self._standstill = standstill_of(airframe.capabilities.form, self._speed)
 
     def update(

@@ -17,7 +17,7 @@ from housefly.drones.crazyflie.driver import Crazyflie
 from housefly.drones.crazyflie.reports import BLOCKS, MOTION_BLOCK, OwnState
 from housefly.drones.failsafe import HOVER_AFTER, LAND_AFTER
 from housefly.errors import LinkError
-from housefly.geometry import euler_from_quaternion
+from housefly.geometry import euler_from_quaternion, wrap_angle
 from housefly.messages import (
     Action,
     DroneStatus,
@@ -30,9 +30,15 @@ from housefly.messages.steering import flying
 from housefly.twin.contracts import FlightState, GroundTruth
 from housefly.twin.crazyflie.supervisor import SupervisorState
 from housefly.twin.link_filters import Deliver, LinkFilters
-from housefly.wires.crazyflie.crtp import Packet
+from housefly.wires.crazyflie.crtp import Packet, Port, decode_crtp
 from housefly.wires.crazyflie.log_blocks import encode_values
-from housefly.wires.crazyflie.setpoints import AltHold
+from housefly.wires.crazyflie.setpoints import (
+    AltHold,
+    FullState,
+    GenericSetpoint,
+    Place,
+    decode_setpoint,
+)
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
@@ -86,6 +92,38 @@ async def test_a_whole_flight_by_lean_by_velocity_and_to_a_place(room: Crazyflie
     assert room.world.contact_log == ()
     await room.until(lambda: room.status is DroneStatus.FLYING, Action.TAKE_OFF)
     assert room.height > 0.85, "and once more"
+
+
+@pytest.mark.parametrize(("steered_by", "given"), [("position", Place), ("trajectory", FullState)])
+async def test_a_place_is_told_as_one_or_as_a_full_state_and_nothing_is_where_tracking_is_silent(
+    loopback: str, steered_by: str, given: type[GenericSetpoint]
+) -> None:
+    asked: list[GenericSetpoint] = []
+
+    def tapped(deliver: Deliver) -> Deliver:
+        def heard(datagram: bytes) -> None:
+            packet = decode_crtp(datagram)
+            if packet.port == Port.GENERIC_SETPOINT and packet.channel == 0:
+                asked.append(decode_setpoint(packet))
+            deliver(datagram)
+
+        return heard
+
+    filters = LinkFilters(uplink=tapped)
+    async with crazyflie_room(loopback, filters=filters, steered_by=steered_by) as room:
+        await room.fly()
+        pose, since = room.world.truth().pose, len(asked)
+        x, y, _ = pose.position
+        await room.hold(flying(PositionSetpoint(x + 0.3, y, 1.2)), 3.0)
+        there = room.world.truth().pose
+        assert {type(one) for one in asked[since:]} == {given}
+        assert dist(there.position, (x + 0.3, y, 1.2)) < 0.08
+        assert abs(wrap_angle(there.yaw - pose.yaw)) < 0.05
+        await room.hold(flying(PositionSetpoint(x + 0.3, y, 1.2, yaw_rate=0.4)), 1.0)
+        assert wrap_angle(room.world.truth().pose.yaw - there.yaw) > 0.2
+        room.tracked = False
+        await room.hold(flying(PositionSetpoint(x, y, 1.2)), 0.5)
+        assert asked[-1] == AltHold(0.0, 0.0, 0.0, 0.0)
 
 
 async def test_a_silent_pilot_lets_it_stand_and_sink_and_it_is_down_without_a_crash(

@@ -11,7 +11,7 @@ from math import dist, hypot, inf
 import pytest
 
 from housefly.config.site import Site
-from housefly.geometry import euler_from_quaternion, quaternion_from_euler, rotate
+from housefly.geometry import euler_from_quaternion, quaternion_from_euler, rotate, wrap_angle
 from housefly.room.files import load_room
 from housefly.twin.contracts import FlightState
 from housefly.twin.crazyflie.firmware import CrazyflieFirmware
@@ -161,6 +161,13 @@ def test_each_setpoint_moves_it_as_it_says(
     wanted = rotate(quaternion_from_euler(0.0, 0.0, pose.yaw), moved)
     along = sum(a * b for a, b in zip(way, wanted, strict=True))
     assert along > 0.15 and along > 0.8 * hypot(*way)
+
+
+def test_a_full_state_is_faced_by_its_attitude_and_not_by_its_yaw_rate() -> None:
+    room = Stepped().hovering()
+    yaw = wrap_angle(room.world.truth().pose.yaw + 1.0)
+    room.run(2.0, FullState(room.place, yaw=yaw, yaw_rate=-1.0))
+    assert abs(wrap_angle(room.world.truth().pose.yaw - yaw)) < 0.1
 
 
 def test_told_to_turn_it_turns_counter_clockwise() -> None:

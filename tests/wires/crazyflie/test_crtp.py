@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.errors import WireError
-from housefly.geometry import normalized
+from housefly.geometry import normalized, wrap_angle
 from housefly.wires.crazyflie import high_level, localization, log_blocks, parameters, tables
 from housefly.wires.crazyflie import setpoints as sp
 from housefly.wires.crazyflie import supervisor as words
@@ -95,15 +95,19 @@ def test_a_setpoint_is_read_as_it_was_given(setpoint: sp.GenericSetpoint) -> Non
         assert getattr(read, name) == pytest.approx(getattr(setpoint, name), abs=1e-4)
 
 
-@given(st.tuples(numbers, numbers, numbers), st.tuples(numbers, numbers, numbers), angles)
-def test_a_full_state_is_told_to_the_millimetre(
-    position: tuple[float, float, float], velocity: tuple[float, float, float], turn: float
+@given(st.tuples(numbers, numbers, numbers), st.tuples(numbers, numbers, numbers), angles, angles)
+def test_a_full_state_is_told_to_the_millimetre_with_its_heading(
+    position: tuple[float, float, float],
+    velocity: tuple[float, float, float],
+    yaw: float,
+    turn: float,
 ) -> None:
-    state = sp.FullState(position, velocity, (0.0, 0.0, 0.0), turn)
+    state = sp.FullState(position, velocity, yaw=yaw, yaw_rate=turn)
     read = sp.decode_setpoint(sp.encode_setpoint(state))
     assert isinstance(read, sp.FullState)
     assert dist(read.position, position) < 1e-3 and dist(read.velocity, velocity) < 1e-3
     assert isclose(read.yaw_rate, turn, abs_tol=1e-3)
+    assert abs(wrap_angle(read.yaw - yaw)) < 5e-3
 
 
 def test_leaning_forward_is_a_negative_pitch_in_degrees_on_the_wire() -> None:

@@ -1,4 +1,4 @@
-"""The Crazyflie as a ``DroneDriver``: CRTP over UDP, port 19850 of its address.
+"""The Crazyflie as a ``DroneDriver``: CRTP over UDP, port 19850 of its address, or over a radio.
 
 It takes off only once it was set to take poses, its limits were read back, and it believes to be
 where tracking sees it.
@@ -29,7 +29,7 @@ from housefly.drones.crazyflie.settings import (
 )
 from housefly.drones.crazyflie.tables import Table, read_table
 from housefly.drones.repeating_driver import RepeatingDriver
-from housefly.errors import LinkError, WireError
+from housefly.errors import LinkError, MissingPartError, WireError
 from housefly.messages import (
     Sighting,
     Telemetry,
@@ -37,7 +37,7 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.messages.words import UNSAID, Words, error_words, figure, joined
-from housefly.wires.crazyflie.crtp import UDP_PORT, Packet, Port
+from housefly.wires.crazyflie.crtp import Packet, Port
 from housefly.wires.crazyflie.high_level import Land, encode_high_level, is_land_answer
 from housefly.wires.crazyflie.localization import encode_told_pose
 from housefly.wires.crazyflie.log_blocks import DATA
@@ -77,7 +77,8 @@ class Crazyflie(RepeatingDriver):
         super().__init__(config, limits.tilt_max, clock)
         self._limits = limits
         self._link = CrtpLink(config.address, self._hear)
-        self._manoeuvres = Manoeuvres()
+        by_state = config.airframe.capabilities.is_told_full_state
+        self._manoeuvres = Manoeuvres(by_state=by_state)
         self._state = OwnState()
         self._report: Telemetry | None = None
         self._seen: Sighting | None = None
@@ -96,12 +97,13 @@ class Crazyflie(RepeatingDriver):
 
         Raises:
             LinkError: it does not answer, its firmware is too old, or it keeps other settings.
+            MissingPartError: it is reached by radio, and cflib is not installed.
         """
-        await self._link.open()
-        self._start_repeating()
         try:
+            await self._link.open()
+            self._start_repeating()
             await self._set_up()
-        except LinkError as error:
+        except (LinkError, MissingPartError) as error:
             self._problem = error_words(error)
             raise
         self._start("keep", self._keep)
@@ -109,7 +111,7 @@ class Crazyflie(RepeatingDriver):
     async def close(self) -> None:
         """Release the wire. Does not land: the pilot does that before."""
         await self._end_tasks()
-        self._link.close()
+        await self._link.close()
 
     def send_pose(self, seen: Sighting) -> None:
         """Tell the drone where it is; its wire has no word for how long ago."""
@@ -164,9 +166,10 @@ class Crazyflie(RepeatingDriver):
             await link.ask(source_question(), is_source, _GREETINGS)
         except LinkError as error:
             raise LinkError(
-                Words(
+                link.problem
+                or Words(
                     "nobody answers at {name}; is it switched on, and in this network?",
-                    name=f"{self._config.address}:{UDP_PORT}",
+                    name=link.name,
                 )
             ) from error
         await self._read_versions()
@@ -206,7 +209,7 @@ class Crazyflie(RepeatingDriver):
             raise LinkError(
                 Words(
                     "what answers at {name} does not speak {protocol} ({error})",
-                    name=f"{self._config.address}:{UDP_PORT}",
+                    name=self._link.name,
                     protocol=f"CRTP {PROTOCOL_MIN}",
                     error=f"CRTP {protocol}",
                 )

@@ -1,65 +1,104 @@
-"""The UDP socket to a Crazyflie: packets out, packets in, and questions that are asked again."""
+"""What is asked of a Crazyflie: packets out, packets in, and questions that are asked again."""
 
 from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from typing import Protocol
 
+from housefly.drones.crazyflie.radio_wire import RadioWire, is_for_radio
+from housefly.drones.crazyflie.udp_wire import UdpWire
 from housefly.errors import LinkError, WireError
-from housefly.wires.crazyflie.crtp import UDP_PORT, Packet, decode_crtp, encode_crtp
+from housefly.wires.crazyflie.crtp import Packet
 
 ANSWER_TIMEOUT = 0.2
 """How long an answer is waited for before the question is asked again [s]."""
 TRIES = 10
 
 
-class CrtpLink(asyncio.DatagramProtocol):
-    """Speaks with one drone; all calls belong to one asyncio loop.
+class CrtpWire(Protocol):
+    """What carries packets to one drone and back; all calls belong to one asyncio loop."""
 
-    Args:
-        address: IP address of the drone.
-        hear: what takes every packet of the drone.
+    broken: int
+    """What came and was no packet."""
 
-    Attributes:
-        broken: datagrams that were no packets.
-    """
+    @property
+    def name(self) -> str:
+        """Where the drone is."""
+        ...
 
-    def __init__(self, address: str, hear: Callable[[Packet], None]) -> None:
-        self.broken = 0
-        self._address, self._hear = address, hear
-        self._transport: asyncio.DatagramTransport | None = None
-        self._waiting: list[tuple[Callable[[Packet], bool], asyncio.Future[Packet]]] = []
+    @property
+    def problem(self) -> str:
+        """What is wrong with the wire itself; "" for nothing."""
+        ...
 
     @property
     def is_open(self) -> bool:
         """Whether ``send`` goes anywhere."""
-        return self._transport is not None
+        ...
 
     async def open(self) -> None:
-        """Open the socket; raises LinkError when the address cannot be used."""
-        if self._transport is not None:
-            return
-        there, loop = (self._address, UDP_PORT), asyncio.get_running_loop()
-        try:
-            self._transport, _ = await loop.create_datagram_endpoint(
-                lambda: self, remote_addr=there
-            )
-        except OSError as error:
-            raise LinkError(
-                f"cannot open a socket to {self._address}:{UDP_PORT}: {error.strerror or error}"
-            ) from error
+        """Open it; raises LinkError or MissingPartError where that cannot be."""
+        ...
 
-    def close(self) -> None:
-        """Close the socket."""
-        if self._transport is not None:
-            self._transport.abort()
-            self._transport = None
+    async def close(self) -> None:
+        """Close it."""
+        ...
+
+    def send(self, packet: Packet) -> None:
+        """Send a packet; returns at once."""
+        ...
+
+
+def wire_to(address: str, hear: Callable[[Packet], None]) -> CrtpWire:
+    """Return what leads to a drone's address, not yet open; raises ConfigError for none."""
+    return RadioWire(address, hear) if is_for_radio(address) else UdpWire(address, hear)
+
+
+class CrtpLink:
+    """Speaks with one drone; all calls belong to one asyncio loop.
+
+    Args:
+        address: of the drone, IP or a radio's.
+        hear: what takes every packet of the drone.
+
+    Attributes:
+        broken: packets that nobody could read.
+    """
+
+    def __init__(self, address: str, hear: Callable[[Packet], None]) -> None:
+        self.broken = 0
+        self._hear = hear
+        self._wire = wire_to(address, self._take_in)
+        self._waiting: list[tuple[Callable[[Packet], bool], asyncio.Future[Packet]]] = []
+
+    @property
+    def name(self) -> str:
+        """Where the drone is."""
+        return self._wire.name
+
+    @property
+    def problem(self) -> str:
+        """What is wrong with the wire itself; "" for nothing."""
+        return self._wire.problem
+
+    @property
+    def is_open(self) -> bool:
+        """Whether ``send`` goes anywhere."""
+        return self._wire.is_open
+
+    async def open(self) -> None:
+        """Open the wire; raises LinkError or MissingPartError where that cannot be."""
+        await self._wire.open()
+
+    async def close(self) -> None:
+        """Close the wire."""
+        await self._wire.close()
 
     def send(self, *packets: Packet) -> None:
-        """Send packets at once, each as a datagram; without a socket they are dropped."""
-        if self._transport is not None:
-            for packet in packets:
-                self._transport.sendto(encode_crtp(packet))
+        """Send packets at once, in order; without a wire they are dropped."""
+        for packet in packets:
+            self._wire.send(packet)
 
     async def ask(
         self, question: Packet, is_answer: Callable[[Packet], bool], tries: int = TRIES
@@ -87,17 +126,11 @@ class CrtpLink(asyncio.DatagramProtocol):
             self._waiting.remove(waiting)
             answer.cancel()
         raise LinkError(
-            f"the Crazyflie at {self._address}:{UDP_PORT} does not answer a question of port"
+            f"the Crazyflie at {self.name} does not answer a question of port"
             f" {question.port}, channel {question.channel}, asked {tries} times"
         )
 
-    def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
-        """Take in a packet of the drone; anything else is counted."""
-        try:
-            packet = decode_crtp(data)
-        except WireError:
-            self.broken += 1
-            return
+    def _take_in(self, packet: Packet) -> None:
         for is_answer, answer in tuple(self._waiting):
             if not answer.done() and _fits(is_answer, packet):
                 answer.set_result(packet)
@@ -105,9 +138,6 @@ class CrtpLink(asyncio.DatagramProtocol):
             self._hear(packet)
         except WireError:
             self.broken += 1
-
-    def error_received(self, exc: Exception) -> None:
-        """Ignore that nobody listens yet: we ask again."""
 
 
 def _fits(is_answer: Callable[[Packet], bool], packet: Packet) -> bool:

@@ -30,6 +30,7 @@ from housefly.wires.crazyflie.high_level import Land, encode_high_level
 from housefly.wires.crazyflie.localization import encode_emergency_stop
 from housefly.wires.crazyflie.setpoints import (
     AltHold,
+    FullState,
     GenericSetpoint,
     Place,
     Stop,
@@ -81,12 +82,16 @@ class _Doing(Enum):
 class Manoeuvres:
     """Knows what the drone is about.
 
+    Args:
+        by_state: whether the pilot's places are told as full states.
+
     Attributes:
         protocol: version of its CRTP; says where it is armed and stopped.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, by_state: bool = False) -> None:
         self.protocol = SUPERVISOR_SINCE
+        self._by_state = by_state
         self._doing, self._since = _Doing.NOTHING, -inf
         self._start: Place | None = None
         self._held: Place | None = None
@@ -140,7 +145,7 @@ class Manoeuvres:
         self._held = None
         if seen is None and self._must_be_down:
             return self._give(Stop())
-        return self._fly(told.command.asked, state, has_height=seen is not None)
+        return self._fly(told.command.asked, state, is_seen=seen is not None)
 
     def _follow(self, seen: Sighting | None, now: float) -> None:
         """Know how high it is: by tracking, and by what it was told where that is silent."""
@@ -190,9 +195,9 @@ class Manoeuvres:
             self._held = Place(*seen.pose.position, seen.pose.yaw)
         return self._give(self._held)
 
-    def _fly(self, asked: AnySetpoint, state: OwnState, *, has_height: bool) -> tuple[Packet, ...]:
+    def _fly(self, asked: AnySetpoint, state: OwnState, *, is_seen: bool) -> tuple[Packet, ...]:
         match asked:
-            case Setpoint(theta, phi, vz, yaw_rate) if vz > 0.0 and has_height:
+            case Setpoint(theta, phi, vz, yaw_rate) if vz > 0.0 and is_seen:
                 # in silence it would climb on, but goes no higher than a height
                 height = state.place[2] + vz / HEIGHT_GAIN
                 return self._give(ZDistance(phi, theta, yaw_rate, height))
@@ -201,8 +206,13 @@ class Manoeuvres:
             case VelocitySetpoint(forward, left, vz, yaw_rate):
                 vx, vy = _turned((forward, left), state.yaw)
                 return self._give(WorldVelocity(vx, vy, vz, yaw_rate))
+            case PositionSetpoint() if not is_seen:
+                # without poses it would fly to where it wrongly believes that place to be
+                return self._give(AltHold(0.0, 0.0, 0.0, 0.0))
             case PositionSetpoint(x, y, z, yaw_rate):
                 yaw = wrap_angle(state.yaw + _TURN_LEAD * yaw_rate)
+                if self._by_state:
+                    return self._give(FullState((x, y, z), yaw=yaw, yaw_rate=yaw_rate))
                 return self._give(Place(x, y, z, yaw))
 
     def _land(self, state: OwnState, seen: Sighting | None, now: float) -> tuple[Packet, ...]:

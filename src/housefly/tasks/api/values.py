@@ -114,6 +114,7 @@ class ReasonCode(Enum):
     RESTARTED = "restarted"
     NOT_READY = "not_ready"
     NO_DRONE = "no_drone"
+    NO_CAMERA = "no_camera"
     CONDITION = "condition"
     PREEMPTED = "preempted"
 

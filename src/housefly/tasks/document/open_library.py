@@ -35,7 +35,6 @@ class _Found:
 
 
 NO_DRONE = "this room has no drone"
-NO_CAMERA = "the drone has no camera"
 
 
 class OpenLibrary(Mapping[str, TaskDocument]):
@@ -82,9 +81,9 @@ class OpenLibrary(Mapping[str, TaskDocument]):
     def _objection(self, document: TaskDocument) -> tuple[ReasonCode, str] | None:
         """Return why a document is no service here, or None where it is one."""
         if document.flies and not self._has_drone:
-            return ReasonCode.NO_DRONE, f"flies, and {NO_DRONE}"
+            return ReasonCode.NO_DRONE, "needs a drone, and this room has none"
         if document.looks and not self._has_camera:
-            return ReasonCode.NO_VIEW, f"looks, and {NO_CAMERA}"
+            return ReasonCode.NO_CAMERA, "needs a camera, and the drone has none"
         return None
 
     def services(self) -> tuple[ServiceInfo, ...]:
@@ -103,7 +102,7 @@ class OpenLibrary(Mapping[str, TaskDocument]):
 
         Raises:
             TaskError: UNKNOWN_SERVICE; says what there is, or what is wrong with the document;
-                NO_DRONE; NO_VIEW where it looks and the drone has no camera.
+                NO_DRONE; NO_CAMERA where it looks and the drone has none.
         """
         self.refresh()
         found = self._found

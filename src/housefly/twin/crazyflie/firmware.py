@@ -62,6 +62,7 @@ class CrazyflieFirmware(Firmware):
         self.estimator, self.planner = PlaceEstimator(), Planner()
         self.supervisor = Supervisor(arms_itself=not drone.airframe.capabilities.arms)
         self._thrust_min = _THRUST_MIN * (drone.airframe.body.thrust_max or 0.0)
+        self._hears_states = drone.airframe.capabilities.is_told_full_state
         self.now, self._psi, self._turns = 0.0, 0.0, False
         self._low: GenericSetpoint | None = None
         self._given_at = -inf
@@ -133,7 +134,9 @@ class CrazyflieFirmware(Firmware):
                 vx, vy = _turned((forward, left), yaw)
                 self.give(WorldVelocity(vx, vy, vz, yaw_rate))
             case PositionSetpoint(x, y, z, yaw_rate):
-                self.give(Place(x, y, z, wrap_angle(yaw + yaw_rate / YAW_GAIN)))
+                yaw = wrap_angle(yaw + yaw_rate / YAW_GAIN)
+                is_state = self._hears_states
+                self.give(FullState((x, y, z), yaw=yaw) if is_state else Place(x, y, z, yaw))
 
     def request_take_off(self) -> None:
         """Be armed, then rise by its own, once after a request to land."""
@@ -233,8 +236,8 @@ class CrazyflieFirmware(Firmware):
             case Place(x, y, z, yaw):
                 turn = _clipped(YAW_GAIN * wrap_angle(yaw - self.estimator.yaw), YAW_RATE_MAX)
                 return self._leaning(self._speed_to(x, y), self._climb_to(z), turn)
-            case FullState((x, y, z), _, _, yaw_rate):
-                return self._leaning(self._speed_to(x, y), self._climb_to(z), yaw_rate)
+            case FullState((x, y, z), yaw=yaw):
+                return self._references(Place(x, y, z, yaw))
             case Stop():
                 return LoopReferences(0.0, 0.0, 0.0, 0.0)
 

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from math import degrees, isfinite, radians
 
 from housefly.errors import WireError
-from housefly.geometry import Vec3
+from housefly.geometry import Vec3, euler_from_quaternion, quaternion_from_euler
 from housefly.wires.crazyflie.crtp import Packet, Port
+from housefly.wires.crazyflie.localization import compressed, decompressed
 
 _SETPOINT, _META = 0, 1
 _STOP, _ALT_HOLD, _FULL_STATE, _PLACE, _VELOCITY, _Z_DISTANCE, _HOVER = 0, 4, 6, 7, 8, 9, 10
@@ -89,16 +90,21 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class FullState:
-    """Where it should be now, and how it should move; the attitude is left out.
+    """Where it should be now, and how it should move; of its attitude, the heading.
+
+    Its PID controller takes the place and the heading alone (controller_pid.c: a quaternion goes
+    before a yaw rate); the others of the firmware take all of it.
 
     Attributes:
         position, velocity, acceleration: in the world [m], [m/s], [m/s^2]; each below 32.767.
+        yaw: heading [rad], to a thousandth or two.
         yaw_rate: [rad/s].
     """
 
     position: Vec3
-    velocity: Vec3
-    acceleration: Vec3
+    velocity: Vec3 = (0.0, 0.0, 0.0)
+    acceleration: Vec3 = (0.0, 0.0, 0.0)
+    yaw: float = 0.0
     yaw_rate: float = 0.0
 
 
@@ -166,11 +172,12 @@ def _four(kind: int, *numbers: float) -> bytes:
 
 def _full_state(state: FullState) -> bytes:
     numbers = (*state.position, *state.velocity, *state.acceleration, state.yaw_rate)
-    if not all(isfinite(number) and abs(number) <= _RANGE for number in numbers):
+    is_whole = all(isfinite(number) and abs(number) <= _RANGE for number in numbers)
+    if not is_whole or not isfinite(state.yaw):
         raise WireError(f"a full state with numbers beyond {_RANGE}: {numbers}")
     *nine, yaw_rate = (round(_MILLI * number) for number in numbers)
-    # the attitude is level, facing along x: the largest of its four numbers is w
-    return _STATE.pack(_FULL_STATE, *nine, 3 << 30, 0, 0, yaw_rate)
+    turned = quaternion_from_euler(0.0, 0.0, state.yaw)
+    return _STATE.pack(_FULL_STATE, *nine, compressed(turned), 0, 0, yaw_rate)
 
 
 def _read_full_state(data: bytes) -> FullState:
@@ -178,7 +185,8 @@ def _read_full_state(data: bytes) -> FullState:
         raise WireError(f"a full state of {len(data)} bytes; allowed: {_STATE.size}")
     _, *numbers = _STATE.unpack(data)
     x, y, z, vx, vy, vz, ax, ay, az = (number / _MILLI for number in numbers[:9])
-    return FullState((x, y, z), (vx, vy, vz), (ax, ay, az), numbers[12] / _MILLI)
+    _, _, yaw = euler_from_quaternion(decompressed(numbers[9]))
+    return FullState((x, y, z), (vx, vy, vz), (ax, ay, az), yaw, numbers[12] / _MILLI)
 
 
 _READERS: dict[int, Callable[[float, float, float, float], GenericSetpoint]] = {

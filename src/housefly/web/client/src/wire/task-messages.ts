@@ -42,6 +42,7 @@ export type ReasonCode =
   | "restarted"
   | "not_ready"
   | "no_drone"
+  | "no_camera"
   | "condition"
   | "preempted";
 
