@@ -37,8 +37,8 @@ _SPOOL_FROM, _SPOOL_RATE, _SPOOL_MAX = 0.3, 0.7, 1.4
 """Thrust over weight once it is armed, how quickly it rises [1/s], and where it is given up."""
 _ARM_AGAIN, _ARM_PAUSE = 1.0, 0.4
 """An arm switch that arms nothing goes off after this, and on again after that [s]."""
-_STOOD_FOR, _STOOD_SPEED, _SINKS_AGAIN = 0.5, 0.08, 0.06
-"""It stands once it no longer sinks for so long [s], slower than that [m/s]; if it falls so far
+_STOOD_FOR, _STOOD_STEP, _SINKS_AGAIN = 0.5, 0.01, 0.06
+"""It stands once tracking has seen it no lower by a step [m] for so long [s]; if it falls so far
 while its motors are turned down [m], it was not the ground.
 """
 _TURN_DOWN_TIME = 0.4
@@ -123,8 +123,8 @@ class Manoeuvres:
         self._since = self._seen_at = -inf
         self._start_height = self._held_height = 0.0
         self._armed_since = self._disarmed_since = -inf
-        self._stood_since: float | None = None
-        self._stood_height = 0.0
+        self._seen_height = self._lowest = inf
+        self._lowest_at = -inf
         self._fell_since: float | None = None
         self._is_cut = False
         self._action = Action.IDLE
@@ -143,7 +143,7 @@ class Manoeuvres:
         """Take in where tracking saw the drone."""
         if seen.captured_at <= self._seen_at:
             return
-        self._seen_at = seen.captured_at
+        self._seen_at, self._seen_height = seen.captured_at, seen.pose.position[2]
         self._place = self._place.seen(seen.pose, seen.captured_at)
         self.height = self.height.seen(seen.pose.position[2], seen.captured_at)
 
@@ -187,7 +187,8 @@ class Manoeuvres:
         if doing is self.doing:
             return
         self.doing, self._since = doing, now
-        self._stood_since = self._fell_since = None
+        self._fell_since = None
+        self._lowest, self._lowest_at = inf, now
         self._place = replace(self._place, held=None)
         self._held_height = self.height.state.place
 
@@ -277,23 +278,19 @@ class Manoeuvres:
         is_low = height.place < self._ground + TOUCHDOWN_HEIGHT
         if self._stands(is_low, now):
             self._begin(Doing.TURNING_DOWN, now)
-            self._stood_height = height.place
+            self._lowest = self._seen_height
             return self._turn_down(state, now)
         self._place = self._place.holding()
         return self._held(-TOUCHDOWN_RATE if is_low else -LANDING_RATE, state)
 
     def _stands(self, is_low: bool, now: float) -> bool:
         """Return whether it has not sunk for a while, though it was told to."""
-        sinks = self.height.state.speed < -_STOOD_SPEED or now - self._since < 2.0 * _STOOD_FOR
-        if sinks:
-            self._stood_since = None
-        elif self._stood_since is None:
-            self._stood_since = now
-        wait = _STOOD_FOR if is_low else 2.0 * _STOOD_FOR
-        return self._stood_since is not None and now - self._stood_since > wait
+        if self._seen_height < self._lowest - _STOOD_STEP:
+            self._lowest, self._lowest_at = self._seen_height, now
+        return now - self._lowest_at > (_STOOD_FOR if is_low else 2.0 * _STOOD_FOR)
 
     def _turn_down(self, state: FcState, now: float) -> Told:
-        if self.height.state.place < self._stood_height - _SINKS_AGAIN and not self.gave_up:
+        if self._seen_height < self._lowest - _SINKS_AGAIN:
             self._begin(Doing.LANDING, now)
             return self._held(-TOUCHDOWN_RATE, state)
         left = 1.0 - (now - self._since) / _TURN_DOWN_TIME
