@@ -69,6 +69,7 @@ class Betaflight(RepeatingDriver):
         self._manoeuvres = Manoeuvres(self._model, limits.tilt_max, standing)
         self._link: MspLink | None = None
         self._report: Telemetry | None = None
+        self._is_ours = False
         self._lacking: tuple[Words, ...] = ()
         self._trouble = UNSAID
         self._heard = asyncio.Event()
@@ -196,9 +197,10 @@ class Betaflight(RepeatingDriver):
 
     @property
     def _is_configured(self) -> bool:
-        is_ours = self._echo.lacking(self._clock.now()) == frozenset()
+        if not self._controller.is_armed:
+            self._is_ours = self._echo.lacking(self._clock.now()) == frozenset()
         is_known = self._controller.is_known and self._stranger() is None
-        return is_known and is_ours and not self._lacking
+        return is_known and self._is_ours and not self._lacking
 
     @property
     def _state(self) -> FcState:
@@ -282,6 +284,8 @@ class Betaflight(RepeatingDriver):
         question = self._questions.due(now, stands=not self._controller.is_armed)
         if question is not None:
             link.send(question)
+            if question is Msp.RC:
+                self._echo.asked(now)
 
     def _land_blindly(self) -> None:
         """Sink level by what its hover throttle was learned to be."""

@@ -12,8 +12,8 @@ from math import inf
 
 WIGGLE, WIGGLE_TIME = 12, 0.5
 """How far channels are moved while it stands [us], and for how long each way [s]."""
-_WINDOW = 0.35
-"""What was sent for so long before may come back [s]."""
+_WINDOW, _KEPT = 0.35, 3.0
+"""What was sent for so long before the question may come back [s], and how long it is kept [s]."""
 _SLACK = 4
 _AFTER = 4
 """Answers in a row of which each says whether a channel is ours."""
@@ -32,7 +32,7 @@ class Echo:
         self._own = own
         self._sent: deque[tuple[float, tuple[int, ...]]] = deque()
         self._lacking: deque[frozenset[int]] = deque(maxlen=_AFTER)
-        self._heard_at = -inf
+        self._asked_at = self._heard_at = -inf
 
     def moved(self, channels: tuple[int, ...], now: float) -> tuple[int, ...]:
         """Return channels moved a little, one way and the other by turns; now is [s]."""
@@ -42,14 +42,19 @@ class Echo:
     def sent(self, channels: tuple[int, ...], now: float) -> None:
         """Note what left [us], in the order of the firmware, at a time [s]."""
         self._sent.append((now, channels))
-        while self._sent[0][0] < now - _WINDOW:
+        while self._sent[0][0] < now - _KEPT:
             self._sent.popleft()
+
+    def asked(self, now: float) -> None:
+        """Note that it was asked what it flies by, at a time [s]."""
+        self._asked_at = now
 
     def heard(self, channels: tuple[int, ...], now: float) -> None:
         """Take in what it flies by [us]."""
         if not self._sent:
             return
         self._heard_at = now
+        recent = [sent for at, sent in self._sent if at >= self._asked_at - _WINDOW]
         self._lacking.append(
             frozenset(
                 number
@@ -57,7 +62,7 @@ class Echo:
                 if number >= len(channels)
                 or not any(
                     number < len(sent) and abs(sent[number] - channels[number]) <= _SLACK
-                    for _, sent in self._sent
+                    for sent in recent
                 )
             )
         )

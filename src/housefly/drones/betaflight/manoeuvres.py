@@ -58,6 +58,7 @@ class Doing(Enum):
     FLYING = "flying"
     LANDING = "landing"
     TURNING_DOWN = "turning down"
+    STOPPED = "stopped"
 
 
 class FcState(NamedTuple):
@@ -98,6 +99,7 @@ _STATUS = {
     Doing.FLYING: DroneStatus.FLYING,
     Doing.LANDING: DroneStatus.LANDING,
     Doing.TURNING_DOWN: DroneStatus.LANDING,
+    Doing.STOPPED: DroneStatus.LANDING,
 }
 
 
@@ -172,6 +174,8 @@ class Manoeuvres:
         if self.doing in (Doing.NOTHING, Doing.ARMING):
             # armed a moment ago by us, else found so
             self._begin(Doing.SPOOLING if self.doing is Doing.ARMING else Doing.FLYING, now)
+        if self.doing is Doing.STOPPED:
+            return _OFF
         if action is Action.LAND or told.lands_all or action in (Action.IDLE, Action.RESET):
             return self._land(state, now)
         if action is Action.TAKE_OFF:
@@ -191,6 +195,11 @@ class Manoeuvres:
         self._lowest, self._lowest_at = inf, now
         self._place = replace(self._place, held=None)
         self._held_height = self.height.state.place
+
+    def _stop(self, now: float) -> Told:
+        """Switch its motors off, and on no more before it has said that they are."""
+        self._begin(Doing.STOPPED, now)
+        return _OFF
 
     def _on_the_floor(self, action: Action, state: FcState, now: float) -> Told:
         self._settle(now, 0.0)
@@ -226,8 +235,7 @@ class Manoeuvres:
         thrust = _SPOOL_FROM + _SPOOL_RATE * (now - self._since)
         if thrust > _SPOOL_MAX or not self._is_tracked(now):
             self.gave_up = True
-            self._begin(Doing.TURNING_DOWN, now)
-            return Told(Sticks(), arms=False)
+            return self._stop(now)
         state = self.height.state
         is_up = state.place > self._start_height + _LIFT_OFF_HEIGHT
         if is_up or state.speed > _LIFT_OFF_SPEED:
@@ -264,8 +272,7 @@ class Manoeuvres:
 
     def _land(self, state: FcState, now: float) -> Told:
         if self.doing is Doing.SPOOLING:
-            self._begin(Doing.TURNING_DOWN, now)
-            return Told(Sticks(), arms=False)
+            return self._stop(now)
         if self.doing not in _LANDS:
             self._begin(Doing.LANDING, now)
         if not self._is_tracked(now):
@@ -295,7 +302,7 @@ class Manoeuvres:
             return self._held(-TOUCHDOWN_RATE, state)
         left = 1.0 - (now - self._since) / _TURN_DOWN_TIME
         if left <= 0.0:
-            return _OFF
+            return self._stop(now)
         return Told(Sticks(throttle=left * self.height.throttle()), arms=True)
 
     @property
@@ -314,7 +321,7 @@ class Manoeuvres:
         if self._fell_since is None:
             self._fell_since = now
         if now - self._fell_since > _BLIND_FALL_TIME:
-            return _OFF
+            return self._stop(now)
         self.height = self.height.accelerating(_BLIND_FALL)
         return Told(Sticks(throttle=self.height.throttle(state.phi, state.theta)), arms=True)
 
