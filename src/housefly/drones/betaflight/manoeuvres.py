@@ -14,7 +14,6 @@ from math import inf
 from typing import NamedTuple
 
 from housefly.drones.betaflight.height import HeightLoop, HeightModel
-from housefly.drones.betaflight.observer import AxisState
 from housefly.drones.betaflight.place import PlaceLoop
 from housefly.messages import Action, DroneStatus, Setpoint, Sighting
 from housefly.messages.steering import Instruction
@@ -32,7 +31,7 @@ POSE_AGE_MAX = 0.3
 """An older pose is no ground to hold a height or a place [s]."""
 _HEIGHT_GAIN = 1.5
 _CLIMB_MIN = 0.15
-_LIFT_OFF_HEIGHT, _LIFT_OFF_SPEED = 0.03, 0.12
+_LIFT_OFF_HEIGHT = 0.02
 _SPOOL_FROM, _SPOOL_RATE, _SPOOL_MAX = 0.3, 0.7, 1.4
 """Thrust over weight once it is armed, how quickly it rises [1/s], and where it is given up."""
 _ARM_AGAIN, _ARM_PAUSE = 1.0, 0.4
@@ -202,24 +201,20 @@ class Manoeuvres:
         return _OFF
 
     def _on_the_floor(self, action: Action, state: FcState, now: float) -> Told:
-        self._settle(now, 0.0)
+        self.height = self.height.standing()
         wants_up = action is Action.TAKE_OFF and state.may_arm and not self.gave_up
         if not wants_up or not self._is_tracked(now):
             self._begin(Doing.NOTHING, now)
             return _OFF
         if self.doing is not Doing.ARMING:
             self._begin(Doing.ARMING, now)
-            self._start_height = self.height.state.place
+            self._start_height = self._seen_height
         is_on = (now - self._since) % (_ARM_AGAIN + _ARM_PAUSE) < _ARM_AGAIN
         return Told(Sticks(), arms=is_on)
 
-    def _settle(self, now: float, thrust: float) -> None:
-        """Know that it stands where tracking sees it."""
-        self.height = self.height.standing(self.height.state.place, now, thrust)
-
     def _rise(self, state: FcState, now: float) -> Told:
         if self.doing is Doing.SPOOLING:
-            return self._spool(now)
+            return self._spool(state, now)
         if self.doing is not Doing.RISING or not self._is_tracked(now):
             return self._hover(state, now)
         height = self.height.state
@@ -230,27 +225,20 @@ class Manoeuvres:
         climb = min(max(_HEIGHT_GAIN * (top - height.place), _CLIMB_MIN), CLIMB_RATE)
         return self._held(climb, state)
 
-    def _spool(self, now: float) -> Told:
+    def _spool(self, state: FcState, now: float) -> Told:
         """Turn its motors up until it leaves the ground."""
         thrust = _SPOOL_FROM + _SPOOL_RATE * (now - self._since)
         if thrust > _SPOOL_MAX or not self._is_tracked(now):
             self.gave_up = True
             return self._stop(now)
-        state = self.height.state
-        is_up = state.place > self._start_height + _LIFT_OFF_HEIGHT
-        if is_up or state.speed > _LIFT_OFF_SPEED:
-            self.height = self.height.lifted()
+        rise = self._seen_height - self._start_height
+        if rise > _LIFT_OFF_HEIGHT:
+            self.height = self.height.lifted(rise, _SPOOL_RATE)
             self._begin(Doing.RISING, now)
             self._place = self._place.holding()
-        else:
-            self._spin(now, thrust)
+            return self._rise(state, now)
+        self.height = self.height.standing(thrust)
         return Told(Sticks(throttle=self.height.throttle()), arms=True)
-
-    def _spin(self, now: float, thrust: float) -> None:
-        """Follow a drone whose motors do not carry it yet."""
-        state = self.height.state
-        loop = self.height.standing(state.place, now, thrust)
-        self.height = replace(loop, state=loop.state._replace(speed=_rising(state)))
 
     def _hover(self, state: FcState, now: float) -> Told:
         if self.doing is not Doing.FLYING or self._place.held is None:
@@ -334,8 +322,3 @@ class Manoeuvres:
         """Climb in its place."""
         phi, theta = self._place.lean(self._tilt_max)
         return self._level(Setpoint(theta, phi, climb), state)
-
-
-def _rising(state: AxisState) -> float:
-    """Return how fast it rises; what stands does not sink."""
-    return max(state.speed, 0.0)
