@@ -12,9 +12,9 @@ from housefly.config.site import Site
 from housefly.drones.betaflight.driver import Betaflight
 from housefly.messages import Action, Command, DroneStatus, Sighting
 from housefly.room.files import load_room
-from housefly.twin.contracts import GroundTruth
 from housefly.twin.betaflight.firmware import BetaflightFirmware
 from housefly.twin.betaflight.server import BetaflightServer
+from housefly.twin.contracts import GroundTruth
 from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.simulated_drone import SimulatedDrone
@@ -69,10 +69,14 @@ class BetaflightRoom:
         start = self.world.now
         await self.until(lambda: self.world.now - start > seconds, command)
 
+    @property
+    def is_ready(self) -> bool:
+        report = self.driver.telemetry
+        return report is not None and report.configured and not self.driver.problem
+
     async def fly(self) -> None:
         await self.driver.connect()
-        report = self.driver
-        await self.until(lambda: report.telemetry is not None and not report.problem, Action.IDLE)
+        await self.until(lambda: self.is_ready, Action.IDLE)
         await self.until(lambda: self.status is DroneStatus.FLYING, Action.TAKE_OFF)
 
     async def watch(self) -> None:

@@ -38,7 +38,7 @@ from housefly.wires.betaflight.switches import STICKS, Switches, switches_of
 if TYPE_CHECKING:
     from housefly.drones.contract import DroneDriver
 
-FIRST_REPORT_TIMEOUT = 3.0
+FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits until everything was told [s]."""
 BLIND_THRUST = 0.95
 """Over weight: what it is told where nobody knows what to send any more, level."""
@@ -92,8 +92,11 @@ class Betaflight(RepeatingDriver):
         try:
             async with asyncio.timeout(FIRST_REPORT_TIMEOUT):
                 await self._heard.wait()
+            stranger = self._stranger()
+            if stranger is not None:
+                raise LinkError(stranger)
         except TimeoutError as error:
-            self._trouble = self._stranger() or Words(
+            self._trouble = Words(
                 "nobody answers at {name}; is {what} running, and does it stream?",
                 name=str(endpoint),
                 what=_NAME,
@@ -218,6 +221,8 @@ class Betaflight(RepeatingDriver):
             self._echo.heard(controller.channels, now)
         if not controller.is_known or not controller.is_heard(now):
             self._ask_missing()
+        if self._stranger() is not None:
+            self._heard.set()
         if not is_motion or not controller.is_known:
             return
         self._report = controller.report(

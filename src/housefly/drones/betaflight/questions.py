@@ -23,16 +23,19 @@ class Questions:
         self._looked_at, self._looked = -inf, 0
 
     def missing(self, told: frozenset[int], now: float) -> Msp | None:
-        """Return the next question of those that are asked before a flight; None while one is out.
+        """Return the next question of those that are asked before a flight; None while all are out.
 
         Args:
             told: what was answered.
             now: [s].
         """
         left = [one for one in QUESTIONS if one not in told]
-        if not left or now - self._asked_at.get(left[0], -inf) < AGAIN_AFTER:
+        if not left:
             return None
-        return self._ask(left[0], now)
+        next_one = min(left, key=lambda one: self._asked_at.get(one, -inf))
+        if now - self._asked_at.get(next_one, -inf) < AGAIN_AFTER:
+            return None
+        return self._ask(next_one, now)
 
     def due(self, now: float, *, stands: bool) -> Msp | None:
         """Return what is due now [s], the most overdue first; None for nothing.

@@ -174,6 +174,7 @@ _QUESTIONS: dict[int, Callable[[BetaflightServer], bytes]] = {
         (server._set.deadband, 1), (server._set.yaw_deadband, 1), (0, 1), (50, 2)
     ),
     Msp.BATTERY_STATE: BetaflightServer._battery,
+    Msp.STATUS: BetaflightServer._status,
     Msp.STATUS_EX: BetaflightServer._status,
 }
 """What is answered to each question."""

@@ -22,6 +22,7 @@ class Msp(IntEnum):
     RXFAIL_CONFIG = 77
     ADVANCED_CONFIG = 90
     PID_ADVANCED = 94
+    STATUS = 101
     RAW_IMU = 102
     RC = 105
     ATTITUDE = 108
