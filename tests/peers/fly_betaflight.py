@@ -56,7 +56,7 @@ def main() -> None:
         seen["armed"] = until(lambda: bool(board.CONFIG["mode"] & 1), LEVEL, LOW, HIGH)
         fly(1.2, LEVEL, hover + 20, HIGH)
         fly(0.6, LEVEL, hover, HIGH)
-        fly(0.5, 1550, hover, HIGH)
+        fly(0.5, 1650, hover + 10, HIGH)
         ask("MSP_ATTITUDE")
         seen["pitch"] = board.SENSOR_DATA["kinematics"][1]
         ask("MSP_RC")

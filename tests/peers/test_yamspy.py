@@ -65,6 +65,6 @@ async def test_it_asks_arms_flies_and_disarms_over_a_serial_port(loopback: str) 
     assert seen["variant"] == "BTFL"
     assert seen["cells"] == 4 and seen["voltage"] == pytest.approx(16.6, abs=0.4)
     assert seen["armed"] and seen["disarmed"] and not firmware.is_armed
-    assert seen["pitch"] == pytest.approx(6.0, abs=1.5), "a tenth of 60 degrees"
+    assert seen["pitch"] == pytest.approx(6.7, abs=1.5), "the curve of its rates at 0.3 of a stick"
     assert seen["channels"][4] == 1800
     assert max(heights) > 0.2 and heights[-1] < 0.06

@@ -23,14 +23,17 @@ class Phase(Enum):
 class FcFailsafe:
     """The second stage of one drone's failsafe.
 
+    Args:
+        now: when it was switched on [s].
+
     Attributes:
         phase: where it is.
         is_up: whether sticks are believed.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, now: float) -> None:
         self.phase, self.is_up = Phase.IDLE, False
-        self._lost_at: float | None = 0.0
+        self._lost_at: float | None = now
         self._lands_until = self._throttle_up_at = 0.0
 
     def update(

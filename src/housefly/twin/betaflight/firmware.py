@@ -60,8 +60,8 @@ class BetaflightFirmware(Firmware):
         self._full = body.thrust_max or 4.0 * body.mass * GRAVITY
         self._inertia = body.inertia_tilt or 0.0, body.inertia_turn or 0.0
         self.receiver = Receiver(usual_settings(body.mass * GRAVITY / self._full))
-        self.failsafe = FcFailsafe()
         self.is_armed, self.blocked, self.now = False, ArmingFlag.RX_FAILSAFE, BOOT_GRACE_TIME
+        self.failsafe = FcFailsafe(self.now)
         self._thrust = 0.0
         self._was_switched_off = False
 
