@@ -13,13 +13,13 @@ from housefly.wires.betaflight import reports, settings
 from housefly.wires.betaflight.commands import VARIANT, Msp
 from housefly.wires.betaflight.endpoint import msp_endpoint_of
 from housefly.wires.betaflight.framing import (
-    Direction,
-    FrameReader,
+    MspDirection,
     MspFrame,
+    MspReader,
     MspVersion,
-    encode_frame,
+    encode_msp,
 )
-from housefly.wires.betaflight.sticks import Sticks, flight_channels
+from housefly.wires.betaflight.sticks import RadioSticks, flight_channels
 from housefly.wires.betaflight.switches import switches_of
 
 _ANSWERS = {
@@ -44,19 +44,19 @@ _ANSWERS = {
 
 
 def _answer(command: Msp, payload: bytes) -> bytes:
-    return encode_frame(MspFrame(command, payload, Direction.ANSWER))
+    return encode_msp(MspFrame(command, payload, MspDirection.ANSWER))
 
 
 def _stream(data: bytes) -> None:
     """Let a controller take in whatever comes, then fly by what it is said to be set to."""
-    reader, controller = FrameReader(), Controller()
+    reader, controller = MspReader(), Controller()
     for number, piece in enumerate(pieces(data[1:], 1 + (data[0] if data else 0))):
         for frame in reader.feed(piece):
             with suppress(WireError):
                 controller.hear(frame, 0.01 * number)
     controller.report(DroneStatus.FLYING, configured=True, notes=())
     switches_of(controller.settings.ranges)
-    channels = flight_channels(Sticks(0.1, -0.1, 0.5, 0.4), controller.settings)
+    channels = flight_channels(RadioSticks(0.1, -0.1, 0.5, 0.4), controller.settings)
     assert all(0 <= one <= 2500 for one in channels)
     assert controller.is_known or not controller.told.issuperset(QUESTIONS)
 
@@ -71,8 +71,8 @@ BETAFLIGHT: dict[str, FuzzTarget] = {
         lambda: (
             b"\x20" + b"".join(_answer(command, payload) for command, payload in _ANSWERS.items()),
             b"\x03"
-            + encode_frame(
-                MspFrame(Msp.ATTITUDE, _ANSWERS[Msp.ATTITUDE], Direction.ANSWER, MspVersion.V2)
+            + encode_msp(
+                MspFrame(Msp.ATTITUDE, _ANSWERS[Msp.ATTITUDE], MspDirection.ANSWER, MspVersion.V2)
             ),
         ),
         (),

@@ -15,7 +15,7 @@ from housefly.messages import DroneStatus, Order, OrderKind
 from housefly.sites.loaded_site import load_site
 from housefly.twin.contracts import TwinDrone
 from housefly.wires.betaflight.settings import FcSettings
-from housefly.wires.betaflight.sticks import Sticks, sticks_of
+from housefly.wires.betaflight.sticks import RadioSticks, radio_sticks_of
 
 pytestmark = [pytest.mark.slow]
 
@@ -29,12 +29,14 @@ def test_it_is_level_within_a_third_of_a_second_sinks_within_two_and_lands_where
     room = simulation._loops[simulation.drones[0]].room
     wire, fc = room._wire, FcSettings()
     assert isinstance(wire, BetaflightWire)
-    heard: list[tuple[float, Sticks, bool]] = []
+    heard: list[tuple[float, RadioSticks, bool]] = []
     obey = wire.obey
 
     def listen(drone: TwinDrone, channels: tuple[int, ...]) -> None:
         roll, pitch, throttle, yaw, arm = channels[:5]
-        heard.append((simulation.now, sticks_of((roll, pitch, yaw, throttle), fc), arm > 1500))
+        heard.append(
+            (simulation.now, radio_sticks_of((roll, pitch, yaw, throttle), fc), arm > 1500)
+        )
         obey(drone, channels)
 
     wire.obey = listen  # type: ignore[method-assign]

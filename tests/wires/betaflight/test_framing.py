@@ -9,19 +9,19 @@ from hypothesis import strategies as st
 from housefly.errors import WireError
 from housefly.wires.betaflight.framing import (
     PAYLOAD_MAX,
-    Direction,
-    FrameReader,
+    MspDirection,
     MspFrame,
+    MspReader,
     MspVersion,
     crc8,
-    encode_frame,
+    encode_msp,
 )
 
 FRAMES = st.builds(
     MspFrame,
     st.integers(0, 255),
     st.binary(max_size=300),
-    st.sampled_from(Direction),
+    st.sampled_from(MspDirection),
     st.sampled_from(MspVersion),
 )
 
@@ -30,8 +30,8 @@ FRAMES = st.builds(
 def test_frames_cut_anywhere_come_back_in_order(
     frames: list[MspFrame], data: st.DataObject
 ) -> None:
-    stream = b"".join(map(encode_frame, frames))
-    reader, found = FrameReader(), []
+    stream = b"".join(map(encode_msp, frames))
+    reader, found = MspReader(), []
     while stream:
         size = data.draw(st.integers(1, len(stream)))
         found += reader.feed(stream[:size])
@@ -41,7 +41,7 @@ def test_frames_cut_anywhere_come_back_in_order(
 
 @given(st.binary(max_size=200))
 def test_any_bytes_are_frames_or_counted(data: bytes) -> None:
-    reader = FrameReader()
+    reader = MspReader()
     reader.feed(data)
     assert reader.noise + reader.broken <= len(data)
 
@@ -50,8 +50,8 @@ def test_any_bytes_are_frames_or_counted(data: bytes) -> None:
 def test_noise_before_a_frame_is_dropped_and_the_frame_is_not(
     noise: bytes, frame: MspFrame
 ) -> None:
-    reader = FrameReader()
-    assert reader.feed(noise + encode_frame(frame)) == [frame]
+    reader = MspReader()
+    assert reader.feed(noise + encode_msp(frame)) == [frame]
     assert reader.noise == len(noise)
 
 
@@ -59,25 +59,25 @@ def test_noise_before_a_frame_is_dropped_and_the_frame_is_not(
 def test_a_frame_with_a_wrong_byte_behind_its_head_does_not_pass(
     frame: MspFrame, data: st.DataObject
 ) -> None:
-    whole = bytearray(encode_frame(frame))
+    whole = bytearray(encode_msp(frame))
     at = data.draw(st.integers(3, len(whole) - 1))
     whole[at] ^= data.draw(st.integers(1, 255))
-    assert frame not in FrameReader().feed(bytes(whole))
+    assert frame not in MspReader().feed(bytes(whole))
 
 
 def test_a_frame_behind_a_broken_one_is_found() -> None:
-    good = MspFrame(105, b"\x01\x02", Direction.ANSWER)
-    broken = bytearray(encode_frame(MspFrame(108, b"abcdef", Direction.ANSWER)))
+    good = MspFrame(105, b"\x01\x02", MspDirection.ANSWER)
+    broken = bytearray(encode_msp(MspFrame(108, b"abcdef", MspDirection.ANSWER)))
     broken[-1] ^= 0xFF
-    reader = FrameReader()
-    assert reader.feed(bytes(broken) + encode_frame(good)) == [good]
+    reader = MspReader()
+    assert reader.feed(bytes(broken) + encode_msp(good)) == [good]
     assert reader.broken == 1
 
 
 def test_known_frames_have_the_bytes_that_the_firmware_sends() -> None:
-    assert encode_frame(MspFrame(108)) == b"$M<\x00\x6c\x6c"
-    assert encode_frame(MspFrame(2, b"BTFL", Direction.ANSWER)) == b"$M>\x04\x02BTFL\x1a"
-    v2 = encode_frame(MspFrame(0x3010, b"x", version=MspVersion.V2))
+    assert encode_msp(MspFrame(108)) == b"$M<\x00\x6c\x6c"
+    assert encode_msp(MspFrame(2, b"BTFL", MspDirection.ANSWER)) == b"$M>\x04\x02BTFL\x1a"
+    v2 = encode_msp(MspFrame(0x3010, b"x", version=MspVersion.V2))
     assert v2[:8] == b"$X<\x00\x10\x30\x01\x00" and v2[-1] == crc8(v2[3:-1])
 
 
@@ -96,4 +96,4 @@ def test_the_checksum_of_version_two_is_crc8_dvb_s2() -> None:
 )
 def test_what_no_frame_can_say_is_refused(frame: MspFrame) -> None:
     with pytest.raises(WireError, match="allowed: 0 to"):
-        encode_frame(frame)
+        encode_msp(frame)

@@ -1,4 +1,4 @@
-"""Sticks: curves inverted, switches found, and the room's signs."""
+"""RadioSticks: curves inverted, switches found, and the room's signs."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from housefly.wires.betaflight.settings import (
     read_mode_ranges,
 )
 from housefly.wires.betaflight.sticks import (
-    Sticks,
+    RadioSticks,
     deflection_for,
     flight_channels,
+    radio_sticks_of,
     raw_channels,
-    sticks_of,
     turn_rate,
 )
 from housefly.wires.betaflight.switches import Switches, boxes_at, switches_of
@@ -62,11 +62,11 @@ def test_a_lean_within_its_limit_is_asked_for_as_exactly_as_a_stick_can(
     tuning: RcTuning, limit: int, deadband: int, phi: float, theta: float, throttle: float
 ) -> None:
     fc = FcSettings(tuning=tuning, angle_limit=limit, deadband=deadband)
-    wanted = Sticks(phi, theta, 0.0, throttle)
-    got = sticks_of(flight_channels(wanted, fc), fc)
+    wanted = RadioSticks(phi, theta, 0.0, throttle)
+    got = radio_sticks_of(flight_channels(wanted, fc), fc)
     # one microsecond more or less is what a channel can say
     steps = [
-        sticks_of((1500 + sign * n, 1500, 1500, 1500), fc).phi
+        radio_sticks_of((1500 + sign * n, 1500, 1500, 1500), fc).phi
         for sign in (-1, 1)
         for n in range(0, 501, 25)
     ]
@@ -77,18 +77,18 @@ def test_a_lean_within_its_limit_is_asked_for_as_exactly_as_a_stick_can(
 
 def test_leaning_forward_right_and_turning_left_move_the_sticks_as_a_person_would() -> None:
     fc = FcSettings()
-    roll, pitch, yaw, throttle = flight_channels(Sticks(0.1, 0.1, 0.5, 0.5), fc)
+    roll, pitch, yaw, throttle = flight_channels(RadioSticks(0.1, 0.1, 0.5, 0.5), fc)
     assert roll > 1500 < pitch and yaw < 1500
     assert throttle == 1525
-    assert flight_channels(Sticks(), fc) == (1500, 1500, 1500, 1000)
-    assert sticks_of((1500, 1500, 1500, 1000), fc).throttle is None
+    assert flight_channels(RadioSticks(), fc) == (1500, 1500, 1500, 1000)
+    assert radio_sticks_of((1500, 1500, 1500, 1000), fc).throttle is None
 
 
 def test_expo_makes_a_small_lean_a_larger_deflection() -> None:
     bent = AxisRates(7, 67, 60)
     straight = FcSettings(tuning=RcTuning(RatesType.BETAFLIGHT, *[AxisRates(100, 0, 0)] * 3))
     curved = FcSettings(tuning=RcTuning(RatesType.ACTUAL, bent, bent, bent))
-    lean = Sticks(theta=radians(6.0), throttle=0.3)
+    lean = RadioSticks(theta=radians(6.0), throttle=0.3)
     assert flight_channels(lean, straight)[1] == 1550, "a tenth of 60 degrees, a tenth of the stick"
     assert flight_channels(lean, curved)[1] > 1600
 

@@ -12,7 +12,7 @@ from housefly.messages.words import Words
 from housefly.wires.betaflight import reports, settings
 from housefly.wires.betaflight.arming import OF_THE_SWITCH, ArmingFlag
 from housefly.wires.betaflight.commands import VARIANT, Msp
-from housefly.wires.betaflight.framing import Direction, MspFrame
+from housefly.wires.betaflight.framing import MspDirection, MspFrame
 from housefly.wires.betaflight.payloads import Fields
 from housefly.wires.betaflight.settings import Box, FcSettings
 
@@ -63,7 +63,7 @@ class Controller:
         Raises:
             WireError: one that cannot be read.
         """
-        if frame.direction is not Direction.ANSWER:
+        if frame.direction is not MspDirection.ANSWER:
             return False
         read = _READERS.get(frame.command)
         if read is not None:
@@ -101,6 +101,11 @@ class Controller:
     def is_armed(self) -> bool:
         """Whether its motors turn, by its newest word."""
         return self.is_on(Box.ARM)
+
+    @property
+    def hears_us(self) -> bool:
+        """Whether sticks reach it."""
+        return not self.status.arming & _SILENT
 
     @property
     def blocked(self) -> ArmingFlag:
@@ -147,7 +152,7 @@ class Controller:
             faults=faults,
             configured=configured,
             notes=notes,
-            hears_us=not self.status.arming & _SILENT,
+            hears_us=self.hears_us,
         )
 
 

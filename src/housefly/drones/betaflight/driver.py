@@ -19,7 +19,7 @@ from housefly.drones.betaflight.controller import Controller
 from housefly.drones.betaflight.echo import Echo
 from housefly.drones.betaflight.height import height_model
 from housefly.drones.betaflight.link import LinkCounters, MspLink
-from housefly.drones.betaflight.manoeuvres import FcState, Manoeuvres
+from housefly.drones.betaflight.manoeuvres import FcState, StickManoeuvres
 from housefly.drones.betaflight.questions import Questions
 from housefly.drones.repeating_driver import RepeatingDriver
 from housefly.errors import LinkError
@@ -32,7 +32,7 @@ from housefly.wires.betaflight.endpoint import msp_endpoint_of
 from housefly.wires.betaflight.framing import MspFrame
 from housefly.wires.betaflight.reports import encode_channels
 from housefly.wires.betaflight.settings import Box, FcSettings
-from housefly.wires.betaflight.sticks import Sticks, flight_channels, raw_channels
+from housefly.wires.betaflight.sticks import RadioSticks, flight_channels, raw_channels
 from housefly.wires.betaflight.switches import STICKS, Switches, switches_of
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ class Betaflight(RepeatingDriver):
         self._echo = Echo(frozenset())
         self._model = height_model(config.airframe, FcSettings().motor_idle)
         standing = config.airframe.body.standing_height
-        self._manoeuvres = Manoeuvres(self._model, limits.tilt_max, standing)
+        self._manoeuvres = StickManoeuvres(self._model, limits.tilt_max, standing)
         self._link: MspLink | None = None
         self._report: Telemetry | None = None
         self._is_ours = False
@@ -217,7 +217,9 @@ class Betaflight(RepeatingDriver):
         is_motion = controller.hear(frame, now)
         if controller.settings is not self._set:
             self._take_over(controller.settings)
-        if frame.command == Msp.RC:
+        if not controller.hears_us:
+            self._echo.forget()
+        elif frame.command == Msp.RC:
             self._echo.heard(controller.channels, now)
         if not controller.is_known or not controller.is_heard(now):
             self._ask_missing()
@@ -270,7 +272,7 @@ class Betaflight(RepeatingDriver):
         self._send(leaves.sticks, now, arms=leaves.arms)
         self._ask(now)
 
-    def _send(self, sticks: Sticks, now: float, *, arms: bool) -> None:
+    def _send(self, sticks: RadioSticks, now: float, *, arms: bool) -> None:
         switches, fc = self._switches, self._controller.settings
         assert self._link is not None and isinstance(switches, Switches)
         positions = switches.armed if arms else switches.disarmed
@@ -298,7 +300,7 @@ class Betaflight(RepeatingDriver):
             return
         carried = 1.0 - self._manoeuvres.height.state.push / GRAVITY
         throttle = self._model.throttle(BLIND_THRUST * carried)
-        self._send(Sticks(throttle=throttle), self._clock.now(), arms=True)
+        self._send(RadioSticks(throttle=throttle), self._clock.now(), arms=True)
 
 
 if TYPE_CHECKING:

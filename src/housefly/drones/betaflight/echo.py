@@ -67,6 +67,10 @@ class Echo:
             )
         )
 
+    def forget(self) -> None:
+        """Forget what was heard: it flew by nobody's sticks, or what stood in for them."""
+        self._lacking.clear()
+
     def lacking(self, now: float) -> frozenset[int] | None:
         """Return the channels that are not ours; None while that is not known now [s]."""
         if len(self._lacking) < _AFTER or now - self._heard_at > _AGE_MAX:

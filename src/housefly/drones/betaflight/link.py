@@ -13,7 +13,7 @@ from housefly.clock import Clock
 from housefly.drones.betaflight.serial_port import SerialPort
 from housefly.errors import LinkError, WireError
 from housefly.wires.betaflight.endpoint import Carrier, MspEndpoint
-from housefly.wires.betaflight.framing import Direction, FrameReader, MspFrame, encode_frame
+from housefly.wires.betaflight.framing import MspDirection, MspFrame, MspReader, encode_msp
 
 _RECONNECT_PAUSE = 0.2
 _UNANSWERED_MAX, _ANSWER_TIMEOUT = 12, 0.5
@@ -68,7 +68,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         self._endpoint, self._clock = endpoint, clock
         self._hear, self._opened = hear, opened
         self._transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort | None = None
-        self._reader, self.counters = FrameReader(), LinkCounters()
+        self._reader, self.counters = MspReader(), LinkCounters()
         self._under_way: deque[float] = deque()
         self._keeping: asyncio.Task[None] | None = None
         self._lost = asyncio.Event()
@@ -118,7 +118,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         if is_stuck or len(self._under_way) >= _UNANSWERED_MAX:
             self.counters.held_back += 1
             return False
-        data = encode_frame(MspFrame(command, payload))
+        data = encode_msp(MspFrame(command, payload))
         if isinstance(link, asyncio.DatagramTransport):
             link.sendto(data)
         else:
@@ -132,7 +132,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         self._use(cast(asyncio.Transport | asyncio.DatagramTransport, transport))
 
     def _use(self, transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort) -> None:
-        self._transport, self._reader = transport, FrameReader()
+        self._transport, self._reader = transport, MspReader()
         self._under_way.clear()
         self._lost.clear()
         self.counters.connects += 1
@@ -165,12 +165,12 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         if self._frames > _FRAMES_MAX:
             self.counters.unread += 1
             return
-        if frame.direction is Direction.REQUEST:
+        if frame.direction is MspDirection.REQUEST:
             return
         if self._under_way:
             self._under_way.popleft()
         self.counters.answered += 1
-        self.counters.refused += frame.direction is Direction.REFUSAL
+        self.counters.refused += frame.direction is MspDirection.REFUSAL
         try:
             self._hear(frame)
         except WireError:

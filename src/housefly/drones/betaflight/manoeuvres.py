@@ -17,7 +17,7 @@ from housefly.drones.betaflight.height import HeightLoop, HeightModel
 from housefly.drones.betaflight.place import PlaceLoop
 from housefly.messages import Action, DroneStatus, Setpoint, Sighting
 from housefly.messages.steering import Instruction
-from housefly.wires.betaflight.sticks import Sticks
+from housefly.wires.betaflight.sticks import RadioSticks
 
 TAKE_OFF_HEIGHT, CLIMB_RATE = 1.0, 0.5
 """Of a take-off: how high above where it stood [m], and how fast [m/s]."""
@@ -84,11 +84,11 @@ class Told:
         arms: whether the arm switch is on.
     """
 
-    sticks: Sticks
+    sticks: RadioSticks
     arms: bool
 
 
-_OFF = Told(Sticks(), arms=False)
+_OFF = Told(RadioSticks(), arms=False)
 _LANDS = frozenset({Doing.LANDING, Doing.TURNING_DOWN})
 _STATUS = {
     Doing.NOTHING: DroneStatus.FLYING,
@@ -102,7 +102,7 @@ _STATUS = {
 }
 
 
-class Manoeuvres:
+class StickManoeuvres:
     """Knows what the drone is about.
 
     Args:
@@ -210,7 +210,7 @@ class Manoeuvres:
             self._begin(Doing.ARMING, now)
             self._start_height = self._seen_height
         is_on = (now - self._since) % (_ARM_AGAIN + _ARM_PAUSE) < _ARM_AGAIN
-        return Told(Sticks(), arms=is_on)
+        return Told(RadioSticks(), arms=is_on)
 
     def _rise(self, state: FcState, now: float) -> Told:
         if self.doing is Doing.SPOOLING:
@@ -238,7 +238,7 @@ class Manoeuvres:
             self._place = self._place.holding()
             return self._rise(state, now)
         self.height = self.height.standing(thrust)
-        return Told(Sticks(throttle=self.height.throttle()), arms=True)
+        return Told(RadioSticks(throttle=self.height.throttle()), arms=True)
 
     def _hover(self, state: FcState, now: float) -> Told:
         if self.doing is not Doing.FLYING or self._place.held is None:
@@ -291,7 +291,7 @@ class Manoeuvres:
         left = 1.0 - (now - self._since) / _TURN_DOWN_TIME
         if left <= 0.0:
             return self._stop(now)
-        return Told(Sticks(throttle=left * self.height.throttle()), arms=True)
+        return Told(RadioSticks(throttle=left * self.height.throttle()), arms=True)
 
     @property
     def _must_be_down(self) -> bool:
@@ -311,12 +311,12 @@ class Manoeuvres:
         if now - self._fell_since > _BLIND_FALL_TIME:
             return self._stop(now)
         self.height = self.height.accelerating(_BLIND_FALL)
-        return Told(Sticks(throttle=self.height.throttle(state.phi, state.theta)), arms=True)
+        return Told(RadioSticks(throttle=self.height.throttle(state.phi, state.theta)), arms=True)
 
     def _level(self, asked: Setpoint, state: FcState) -> Told:
         self.height = self.height.climbing(asked.vz)
         throttle = self.height.throttle(state.phi, state.theta)
-        return Told(Sticks(asked.phi, asked.theta, asked.yaw_rate, throttle), arms=True)
+        return Told(RadioSticks(asked.phi, asked.theta, asked.yaw_rate, throttle), arms=True)
 
     def _held(self, climb: float, state: FcState) -> Told:
         """Climb in its place."""

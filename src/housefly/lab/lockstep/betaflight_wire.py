@@ -11,7 +11,7 @@ from math import inf
 
 from housefly.config.site import Site
 from housefly.drones.betaflight.height import height_model
-from housefly.drones.betaflight.manoeuvres import FcState, Manoeuvres
+from housefly.drones.betaflight.manoeuvres import FcState, StickManoeuvres
 from housefly.messages import Sighting, Telemetry
 from housefly.messages.steering import Instruction
 from housefly.twin.betaflight.firmware import BetaflightFirmware
@@ -36,7 +36,9 @@ class BetaflightWire:
     def __init__(self, site: Site, firmware: BetaflightFirmware) -> None:
         airframe, self._firmware = site.drone.airframe, firmware
         model = height_model(airframe, firmware.settings.motor_idle)
-        self._manoeuvres = Manoeuvres(model, site.limits.tilt_max, airframe.body.standing_height)
+        self._manoeuvres = StickManoeuvres(
+            model, site.limits.tilt_max, airframe.body.standing_height
+        )
         switches = switches_of(firmware.settings.ranges)
         assert isinstance(switches, Switches), "the simulated one has all switches"
         self._switches = switches

@@ -7,7 +7,7 @@ from enum import Enum
 from housefly.wires.betaflight.settings import FailsafeProcedure, FailsafeSettings
 
 RECOVERY = 0.5
-"""Sticks must have come for so long before they are believed again [s]."""
+"""RadioSticks must have come for so long before they are believed again [s]."""
 THROTTLE_LOW_FOR = 10.0
 """A throttle that was low for so long before means that it stands: it disarms [s]."""
 

@@ -22,10 +22,10 @@ from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, SensorReadi
 from housefly.wires.betaflight.arming import NOTHING, OF_THE_SWITCH, ArmingFlag
 from housefly.wires.betaflight.settings import AxisRates, Box, FcSettings
 from housefly.wires.betaflight.sticks import (
-    Sticks,
+    RadioSticks,
     flight_channels,
+    radio_sticks_of,
     raw_channels,
-    sticks_of,
     turn_rate,
 )
 from housefly.wires.betaflight.switches import Switches, boxes_at, switches_of
@@ -111,7 +111,7 @@ class BetaflightFirmware(Firmware):
         """Be armed and carried from now on: for a flight that begins in the air."""
         self._thrust = self._mass * GRAVITY
         share, idle = self._thrust / self._full, self.settings.motor_idle
-        sticks = Sticks(throttle=(share**0.5 - idle) / (1.0 - idle))
+        sticks = RadioSticks(throttle=(share**0.5 - idle) / (1.0 - idle))
         switches = switches_of(self.settings.ranges)
         assert isinstance(switches, Switches)
         flight = flight_channels(sticks, self.settings)
@@ -142,16 +142,16 @@ class BetaflightFirmware(Firmware):
             return MOTORS_OFF
         return self._flown(sticks, measured)
 
-    def _sticks(self) -> Sticks:
+    def _sticks(self) -> RadioSticks:
         """Return what it flies by: sticks, or those of its automatic landing."""
         fc = self.settings
         roll, pitch, yaw, throttle = self.receiver.channels[: len(_ORDER)]
         if self.failsafe.phase is Phase.LANDING:
             roll = pitch = yaw = fc.middle
             throttle = fc.failsafe.throttle
-        return sticks_of((roll, pitch, yaw, throttle), fc)
+        return radio_sticks_of((roll, pitch, yaw, throttle), fc)
 
-    def _arm(self, sticks: Sticks, *, is_level: bool) -> None:
+    def _arm(self, sticks: RadioSticks, *, is_level: bool) -> None:
         """Arm and disarm as the switch says, unless something forbids it."""
         is_on = Box.ARM in self.on
         if self.failsafe.phase is Phase.STOPPED or (self.is_armed and not is_on):
@@ -184,7 +184,7 @@ class BetaflightFirmware(Firmware):
         has_switch = any(one.box == Box.PREARM for one in self.settings.ranges)
         return has_switch and Box.PREARM not in self.on
 
-    def _flown(self, sticks: Sticks, measured: SensorReading) -> Wrench:
+    def _flown(self, sticks: RadioSticks, measured: SensorReading) -> Wrench:
         idle = self.settings.motor_idle
         share = (idle + (1.0 - idle) * (sticks.throttle or 0.0)) ** 2
         self._thrust += CONTROL_PERIOD / MOTOR_LAG * (share * self._full - self._thrust)
@@ -192,7 +192,7 @@ class BetaflightFirmware(Firmware):
         wrench = self._levelled(sticks, measured) if levels else self._turned(measured)
         return wrench._replace(thrust=self._thrust)
 
-    def _levelled(self, sticks: Sticks, measured: SensorReading) -> Wrench:
+    def _levelled(self, sticks: RadioSticks, measured: SensorReading) -> Wrench:
         """Return the torques of ANGLE mode."""
         references = LoopReferences(sticks.phi, sticks.theta, 0.0, sticks.yaw_rate)
         return self._loops.wrench(references, measured)

@@ -17,7 +17,7 @@ from housefly.wires.betaflight.switches import boxes_at
 FRESH_FOR = 0.3
 """A channel counts for so long, and is held for so long without a frame [s]."""
 LOST_AFTER = 0.15
-"""Sticks count as lost after this [s]."""
+"""RadioSticks count as lost after this [s]."""
 CHANNELS = 18
 _RX_MIN = 885
 _STICKS = 4

@@ -19,7 +19,7 @@ from housefly.twin.link_filters import UNFILTERED, LinkFilters
 from housefly.wires.betaflight import reports, settings
 from housefly.wires.betaflight.commands import COMMANDS_PER_SECOND, VARIANT, Msp
 from housefly.wires.betaflight.endpoint import TCP_PORT
-from housefly.wires.betaflight.framing import Direction, FrameReader, MspFrame, encode_frame
+from housefly.wires.betaflight.framing import MspDirection, MspFrame, MspReader, encode_msp
 from housefly.wires.betaflight.payloads import packed
 
 API = bytes((0, 1, 47))
@@ -104,9 +104,9 @@ class BetaflightServer:
             payload = self._payload(frame)
         except WireError:
             self.malformed += 1
-            return MspFrame(frame.command, b"", Direction.REFUSAL, frame.version)
+            return MspFrame(frame.command, b"", MspDirection.REFUSAL, frame.version)
         self.heard += 1
-        return MspFrame(frame.command, payload, Direction.ANSWER, frame.version)
+        return MspFrame(frame.command, payload, MspDirection.ANSWER, frame.version)
 
     def _payload(self, frame: MspFrame) -> bytes:
         if frame.command == Msp.SET_RAW_RC:
@@ -184,7 +184,7 @@ class _Client(asyncio.Protocol):
     """One stream."""
 
     def __init__(self, server: BetaflightServer) -> None:
-        self._server, self._reader = server, FrameReader()
+        self._server, self._reader = server, MspReader()
         self._waiting: deque[MspFrame] = deque()
         self._transport: asyncio.Transport | None = None
         self._obey = server._filters.uplink(self._take)
@@ -209,12 +209,12 @@ class _Client(asyncio.Protocol):
     def look(self) -> None:
         """Take one command, as the firmware does each time it looks at the port."""
         if self._waiting:
-            self._send(encode_frame(self._server.answer(self._waiting.popleft())))
+            self._send(encode_msp(self._server.answer(self._waiting.popleft())))
 
     def _take(self, data: bytes) -> None:
         broken = self._reader.broken
         for frame in self._reader.feed(data):
-            if frame.direction is not Direction.REQUEST:
+            if frame.direction is not MspDirection.REQUEST:
                 continue
             if len(self._waiting) < _QUEUE_MAX:
                 self._waiting.append(frame)

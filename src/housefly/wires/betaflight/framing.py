@@ -23,7 +23,7 @@ _CRC_POLYNOMIAL = 0xD5
 _V2_HEADER = struct.Struct("<BHH")
 
 
-class Direction(IntEnum):
+class MspDirection(IntEnum):
     """What a frame is."""
 
     REQUEST = ord("<")
@@ -51,7 +51,7 @@ class MspFrame:
 
     command: int
     payload: bytes = b""
-    direction: Direction = Direction.REQUEST
+    direction: MspDirection = MspDirection.REQUEST
     version: MspVersion = MspVersion.V1
 
 
@@ -64,7 +64,7 @@ def crc8(data: bytes | bytearray, crc: int = 0) -> int:
     return crc
 
 
-def encode_frame(frame: MspFrame) -> bytes:
+def encode_msp(frame: MspFrame) -> bytes:
     """Return the bytes of a frame.
 
     Raises:
@@ -86,7 +86,7 @@ def encode_frame(frame: MspFrame) -> bytes:
     return begin + body + bytes((reduce(xor, body, 0),))
 
 
-class FrameReader:
+class MspReader:
     """Cuts a stream into frames; what is none is dropped and counted, frames behind it are not.
 
     Attributes:
@@ -121,7 +121,7 @@ class FrameReader:
         if waiting[1] not in _VERSIONS or waiting[2] not in _DIRECTIONS:
             return self._drop_mark()
         read = self._read_v1 if waiting[1] == MspVersion.V1 else self._read_v2
-        return read(Direction(waiting[2]))
+        return read(MspDirection(waiting[2]))
 
     def _drop_mark(self, *, is_frame: bool = False) -> bool:
         self.broken += is_frame
@@ -129,7 +129,7 @@ class FrameReader:
         del self._waiting[:1]
         return True
 
-    def _read_v1(self, direction: Direction) -> MspFrame | bool | None:
+    def _read_v1(self, direction: MspDirection) -> MspFrame | bool | None:
         waiting = self._waiting
         if len(waiting) < 5:
             return None
@@ -149,7 +149,7 @@ class FrameReader:
         del waiting[: end + 1]
         return frame
 
-    def _read_v2(self, direction: Direction) -> MspFrame | bool | None:
+    def _read_v2(self, direction: MspDirection) -> MspFrame | bool | None:
         waiting = self._waiting
         if len(waiting) < 8:
             return None
@@ -166,4 +166,4 @@ class FrameReader:
         return frame
 
 
-_VERSIONS, _DIRECTIONS = frozenset(MspVersion), frozenset(Direction)
+_VERSIONS, _DIRECTIONS = frozenset(MspVersion), frozenset(MspDirection)

@@ -25,7 +25,7 @@ _HALVINGS = 24
 
 
 @dataclass(frozen=True, slots=True)
-class Sticks:
+class RadioSticks:
     """What a person at a radio would do.
 
     Attributes:
@@ -104,7 +104,7 @@ def deflection_for(kind: RatesType, axis: AxisRates, rate: float) -> float:
     return copysign(0.5 * (low + high), rate)
 
 
-def flight_channels(sticks: Sticks, fc: FcSettings) -> tuple[int, int, int, int]:
+def flight_channels(sticks: RadioSticks, fc: FcSettings) -> tuple[int, int, int, int]:
     """Return roll, pitch, yaw and throttle [us] of sticks."""
     roll = _tilt_position(sticks.phi, fc.tuning.roll, fc)
     pitch = _tilt_position(sticks.theta, fc.tuning.pitch, fc)
@@ -121,13 +121,13 @@ def throttle_position(throttle: float | None, fc: FcSettings) -> int:
     return round(fc.throttle_low + share * (THROTTLE_FULL - fc.throttle_low))
 
 
-def sticks_of(channels: tuple[int, int, int, int], fc: FcSettings) -> Sticks:
+def radio_sticks_of(channels: tuple[int, int, int, int], fc: FcSettings) -> RadioSticks:
     """Return what roll, pitch, yaw and throttle [us] ask for in ANGLE mode."""
     roll, pitch, yaw, throttle = channels
     turn = turn_rate(fc.tuning.kind, fc.tuning.yaw, _deflection(yaw, fc.yaw_deadband, fc.middle))
     span = THROTTLE_FULL - fc.throttle_low
     is_off = throttle < fc.throttle_low
-    return Sticks(
+    return RadioSticks(
         phi=_tilt(roll, fc.tuning.roll, fc),
         theta=_tilt(pitch, fc.tuning.pitch, fc),
         yaw_rate=-radians(turn),
