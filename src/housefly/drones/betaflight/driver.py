@@ -217,9 +217,8 @@ class Betaflight(RepeatingDriver):
         is_motion = controller.hear(frame, now)
         if controller.settings is not self._set:
             self._take_over(controller.settings)
-        if not controller.hears_us:
-            self._echo.forget()
-        elif frame.command == Msp.RC:
+        if frame.command == Msp.RC and controller.hears_us:
+            # what stands in for sticks that it does not hear says nothing of whose they are
             self._echo.heard(controller.channels, now)
         if not controller.is_known or not controller.is_heard(now):
             self._ask_missing()

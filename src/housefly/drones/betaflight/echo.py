@@ -2,22 +2,28 @@
 
 What is set is one thing, what it flies by another: a mask that leaves out a stick, a switch of a
 radio, a receiver that stands in. So standing, each channel is moved a little, too little to mean
-anything, and must come back. Pure.
+anything, and must follow: what lies still where ours lies by chance is not ours. Pure.
 """
 
 from __future__ import annotations
 
 from collections import deque
 from math import inf
+from typing import NamedTuple
 
 WIGGLE, WIGGLE_TIME = 12, 0.5
 """How far channels are moved while it stands [us], and for how long each way [s]."""
 _WINDOW, _KEPT = 0.35, 3.0
 """What was sent for so long before the question may come back [s], and how long it is kept [s]."""
 _SLACK = 4
-_AFTER = 4
-"""Answers in a row of which each says whether a channel is ours."""
-_AGE_MAX = 2.0
+_AFTER, _TAKEN_AFTER = 8, 4
+"""Answers that are looked at while it stands, and in the air."""
+_AGE_MAX = 3.0
+
+
+class _Answer(NamedTuple):
+    channels: tuple[int, ...]
+    lacking: frozenset[int]
 
 
 class Echo:
@@ -31,7 +37,7 @@ class Echo:
     def __init__(self, own: frozenset[int]) -> None:
         self._own = own
         self._sent: deque[tuple[float, tuple[int, ...]]] = deque()
-        self._lacking: deque[frozenset[int]] = deque(maxlen=_AFTER)
+        self._answers: deque[_Answer] = deque(maxlen=_AFTER)
         self._asked_at = self._heard_at = -inf
 
     def moved(self, channels: tuple[int, ...], now: float) -> tuple[int, ...]:
@@ -55,28 +61,32 @@ class Echo:
             return
         self._heard_at = now
         recent = [sent for at, sent in self._sent if at >= self._asked_at - _WINDOW]
-        self._lacking.append(
-            frozenset(
-                number
-                for number in self._own
-                if number >= len(channels)
-                or not any(
-                    number < len(sent) and abs(sent[number] - channels[number]) <= _SLACK
-                    for sent in recent
-                )
-            )
-        )
-
-    def forget(self) -> None:
-        """Forget what was heard: it flew by nobody's sticks, or what stood in for them."""
-        self._lacking.clear()
+        lacking = frozenset(one for one in self._own if not _is_among(one, channels, recent))
+        self._answers.append(_Answer(channels, lacking))
 
     def lacking(self, now: float) -> frozenset[int] | None:
-        """Return the channels that are not ours; None while that is not known now [s]."""
-        if len(self._lacking) < _AFTER or now - self._heard_at > _AGE_MAX:
+        """Return the channels that are not ours, of one that stands; None while nobody knows.
+
+        Args:
+            now: [s].
+        """
+        if len(self._answers) < _AFTER or now - self._heard_at > _AGE_MAX:
             return None
-        return frozenset().union(*self._lacking)
+        others = frozenset[int]().union(*(one.lacking for one in self._answers))
+        return others | {one for one in self._own - others if not self._follows(one)}
 
     def is_taken(self) -> bool:
         """Return whether none of the newest answers was of channels that are all ours."""
-        return len(self._lacking) == _AFTER and all(self._lacking)
+        newest = tuple(self._answers)[-_TAKEN_AFTER:]
+        return len(newest) == _TAKEN_AFTER and all(one.lacking for one in newest)
+
+    def _follows(self, channel: int) -> bool:
+        positions = [one.channels[channel] for one in self._answers]
+        return max(positions) - min(positions) >= WIGGLE - _SLACK
+
+
+def _is_among(channel: int, heard: tuple[int, ...], sent: list[tuple[int, ...]]) -> bool:
+    """Return whether a channel stands where it was sent to."""
+    return channel < len(heard) and any(
+        channel < len(one) and abs(one[channel] - heard[channel]) <= _SLACK for one in sent
+    )

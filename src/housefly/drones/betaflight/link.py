@@ -69,7 +69,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         self._hear, self._opened = hear, opened
         self._transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort | None = None
         self._reader, self.counters = MspReader(), LinkCounters()
-        self._under_way: deque[float] = deque()
+        self._under_way: deque[tuple[float, int]] = deque()
         self._keeping: asyncio.Task[None] | None = None
         self._lost = asyncio.Event()
         self._second, self._frames = 0.0, 0
@@ -108,7 +108,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
     def send(self, command: int, payload: bytes = b"") -> bool:
         """Send a command at once; return whether it left: without a wire, or stuck, it does not."""
         link, now = self._transport, self._clock.now()
-        while self._under_way and now - self._under_way[0] > _ANSWER_TIMEOUT:
+        while self._under_way and now - self._under_way[0][0] > _ANSWER_TIMEOUT:
             self._under_way.popleft()
         if link is None:
             return False
@@ -123,7 +123,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
             link.sendto(data)
         else:
             link.write(data)
-        self._under_way.append(now)
+        self._under_way.append((now, command))
         self.counters.sent += 1
         return True
 
@@ -167,14 +167,19 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
             return
         if frame.direction is MspDirection.REQUEST:
             return
-        if self._under_way:
-            self._under_way.popleft()
+        self._settle(frame.command)
         self.counters.answered += 1
         self.counters.refused += frame.direction is MspDirection.REFUSAL
         try:
             self._hear(frame)
         except WireError:
             self.counters.broken += 1
+
+    def _settle(self, command: int) -> None:
+        """Forget a command that is answered, and those before it: answers come in order."""
+        if any(sent == command for _, sent in self._under_way):
+            while self._under_way.popleft()[1] != command:
+                pass
 
     async def _keep(self) -> None:
         while True:
