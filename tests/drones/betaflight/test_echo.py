@@ -11,7 +11,7 @@ PERIOD, ASKED = 0.02, 10
 
 
 def watched(seconds: float, others: dict[int, int], own: frozenset[int]) -> Echo:
-    """Return what is known after so long [s], with some channels standing where others hold them."""
+    """Return what is known after so long [s], with some channels held by others."""
     echo = Echo(own)
     for step in range(round(seconds / PERIOD)):
         now = step * PERIOD
