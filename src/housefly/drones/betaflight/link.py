@@ -16,8 +16,10 @@ from housefly.wires.betaflight.endpoint import Carrier, MspEndpoint
 from housefly.wires.betaflight.framing import MspDirection, MspFrame, MspReader, encode_msp
 
 _RECONNECT_PAUSE = 0.2
-_UNANSWERED_MAX, _ANSWER_TIMEOUT = 12, 0.5
-"""So many commands may be under way, each for so long [s]: more would only come late."""
+_UNANSWERED_MAX, _ASKING_MAX, _ANSWER_TIMEOUT = 20, 12, 0.25
+"""So many commands may be under way, so many while something is asked besides, each for so long
+[s]: at a hundred a second more would come when a channel is too old to count.
+"""
 _BACKLOG_MAX = 4096
 _FRAMES_MAX = 400
 """More answers in a second are thrown away unread; 100 are asked for."""
@@ -82,7 +84,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
     @property
     def may_ask(self) -> bool:
         """Whether few enough commands are under way to ask something besides."""
-        return len(self._under_way) < _UNANSWERED_MAX // 2
+        return len(self._under_way) < _ASKING_MAX
 
     async def open(self) -> None:
         """Open the wire; one that is lost is opened again.
