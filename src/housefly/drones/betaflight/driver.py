@@ -82,7 +82,7 @@ class Betaflight(RepeatingDriver):
             LinkError: no way there, nobody answers, or what answers is no Betaflight.
         """
         endpoint = msp_endpoint_of(self._config.address)
-        self._link = self._link or MspLink(endpoint, self._clock, self._hear, self._ask_missing)
+        self._link = self._link or MspLink(endpoint, self._clock, self._hear, self._opened)
         try:
             await self._link.open()
         except LinkError as error:
@@ -186,6 +186,8 @@ class Betaflight(RepeatingDriver):
         """Return which channels do not come back as we sent them."""
         lacking = self._echo.lacking(self._clock.now())
         if lacking is None:
+            if self._is_ours:
+                return ()
             setting = Words("the drone does not tell its {setting} yet", setting="MSP_RC")
             return (setting,)
         fc = self._controller.settings
@@ -200,8 +202,9 @@ class Betaflight(RepeatingDriver):
 
     @property
     def _is_configured(self) -> bool:
-        if not self._controller.is_armed:
-            self._is_ours = self._echo.lacking(self._clock.now()) == frozenset()
+        lacking = self._echo.lacking(self._clock.now())
+        if lacking is not None and not self._controller.is_armed:
+            self._is_ours = not lacking
         is_known = self._controller.is_known and self._stranger() is None
         return is_known and self._is_ours and not self._lacking
 
@@ -214,7 +217,10 @@ class Betaflight(RepeatingDriver):
     def _hear(self, frame: MspFrame) -> None:
         now = self._clock.now()
         controller = self._controller
+        was_armed = controller.is_armed
         is_motion = controller.hear(frame, now)
+        if was_armed and not controller.is_armed:
+            self._echo.begin_anew()
         if controller.settings is not self._set:
             self._take_over(controller.settings)
         if frame.command == Msp.RC and controller.hears_us:
@@ -248,6 +254,11 @@ class Betaflight(RepeatingDriver):
         self._model = height_model(self._config.airframe, fc.motor_idle)
         self._manoeuvres.use(self._model)
         self._lacking = lacking_settings(fc, switches, self._model, self._tilt_max)
+
+    def _opened(self) -> None:
+        """Begin on a wire that was opened: another controller may answer, unless one is flown."""
+        self._is_ours &= self._controller.is_armed
+        self._ask_missing()
 
     def _ask_missing(self) -> None:
         if self._link is None:

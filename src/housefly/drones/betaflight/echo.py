@@ -64,6 +64,10 @@ class Echo:
         lacking = frozenset(one for one in self._own if not _is_among(one, channels, recent))
         self._answers.append(_Answer(channels, lacking))
 
+    def begin_anew(self) -> None:
+        """Look again from now on: in the air channels are not moved to and fro."""
+        self._answers.clear()
+
     def lacking(self, now: float) -> frozenset[int] | None:
         """Return the channels that are not ours, of one that stands; None while nobody knows.
 
