@@ -13,11 +13,13 @@ from typing import NamedTuple
 
 WIGGLE, WIGGLE_TIME = 12, 0.5
 """How far channels are moved while it stands [us], and for how long each way [s]."""
-_WINDOW, _KEPT = 0.35, 3.0
-"""What was sent for so long before the question may come back [s], and how long it is kept [s]."""
+_WINDOW, _KEPT = 1.5, 5.0
+"""What was sent for so long before the question may come back [s], and how long it is kept [s]: a
+machine that is busy hands on late, and what lies still does not follow anyhow.
+"""
 _SLACK = 4
-_AFTER, _TAKEN_AFTER = 8, 4
-"""Answers that are looked at while it stands, and in the air."""
+_AFTER, _TAKEN_AFTER, _OFTEN = 8, 4, 3
+"""Answers that are looked at while it stands, and in the air; and how many must differ."""
 _AGE_MAX = 3.0
 
 
@@ -76,17 +78,21 @@ class Echo:
         """
         if len(self._answers) < _AFTER or now - self._heard_at > _AGE_MAX:
             return None
-        others = frozenset[int]().union(*(one.lacking for one in self._answers))
-        return others | {one for one in self._own - others if not self._follows(one)}
+        return frozenset(
+            one for one in self._own if self._often_differs(one) or not self._follows(one)
+        )
 
     def is_taken(self) -> bool:
         """Return whether none of the newest answers was of channels that are all ours."""
         newest = tuple(self._answers)[-_TAKEN_AFTER:]
         return len(newest) == _TAKEN_AFTER and all(one.lacking for one in newest)
 
+    def _often_differs(self, channel: int) -> bool:
+        return sum(channel in one.lacking for one in self._answers) >= _OFTEN
+
     def _follows(self, channel: int) -> bool:
-        positions = [one.channels[channel] for one in self._answers]
-        return max(positions) - min(positions) >= WIGGLE - _SLACK
+        positions = [one.channels[channel] for one in self._answers if channel < len(one.channels)]
+        return bool(positions) and max(positions) - min(positions) >= WIGGLE - _SLACK
 
 
 def _is_among(channel: int, heard: tuple[int, ...], sent: list[tuple[int, ...]]) -> bool:
