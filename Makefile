@@ -7,6 +7,8 @@ TOOLS := $(VENV)/tools
 TELLOPY := $(VENV)/djitellopy
 # Bitcraze's own library flies the twin: GPL, and with versions of its own, so it lives apart.
 CFLIB := $(VENV)/cflib
+# An MSP library flies the simulated Betaflight: GPL, so it lives apart.
+YAMSPY := $(VENV)/yamspy
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
@@ -61,7 +63,7 @@ test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
 	$(call run_tests,2,'realtime and not interop and not safety',$(call marked,realtime))
 
-interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready
+interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready
 	$(REALTIME) -m interop $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
@@ -115,6 +117,11 @@ $(TELLOPY)/ready: requirements/djitellopy.txt
 $(CFLIB)/ready: requirements/cflib.txt
 	@$(PYTHON) -m venv $(CFLIB)
 	@$(CFLIB)/bin/python -m pip install -q --require-hashes -r requirements/cflib.txt
+	@touch $@
+
+$(YAMSPY)/ready: requirements/yamspy.txt
+	@$(PYTHON) -m venv $(YAMSPY)
+	@$(YAMSPY)/bin/python -m pip install -q --require-hashes -r requirements/yamspy.txt
 	@touch $@
 
 lock: $(TOOLS)/ready

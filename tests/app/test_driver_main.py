@@ -31,7 +31,7 @@ pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.m
 
 OTHERS = [
     pytest.param(kind, marks=pytest.mark.interop)
-    for kind in ("tello", "arducopter", "px4", "crazyflie", "crazyflie_brushless")
+    for kind in ("tello", "arducopter", "px4", "crazyflie", "crazyflie_brushless", "betaflight")
 ]
 LANDED = (FlightState.LANDED,)
 DOWN = {
@@ -192,7 +192,8 @@ async def test_a_room_killed_in_cruise_is_back_soon_and_the_drone_is_safe_meanwh
 
 @pytest.mark.interop
 @pytest.mark.parametrize(
-    "kind", ["ardrone", "tello", "arducopter", "px4", "crazyflie", "crazyflie_brushless"]
+    "kind",
+    ["ardrone", "tello", "arducopter", "px4", "crazyflie", "crazyflie_brushless", "betaflight"],
 )
 async def test_a_driver_killed_in_cruise_comes_back_and_lets_the_drone_only_hover_and_land(
     tmp_path: Path, write_site: Any, kind: str

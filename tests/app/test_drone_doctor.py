@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+from dataclasses import replace
 
 import pytest
+from betaflight_room import betaflight_room
 from crazyflie_room import crazyflie_room
 
 from housefly.app.drone_doctor import drone_at, look_at_drone
 from housefly.cli import main
 from housefly.errors import ConfigError
+from housefly.wires.betaflight.settings import FcSettings
 
 pytestmark = pytest.mark.wire
 
@@ -52,6 +55,17 @@ async def test_the_decks_that_tell_a_drone_where_it_is_are_found_and_told(
         checks = await asyncio.to_thread(look_at_drone, drone_at(f"crazyflie://{loopback}"))
         decks = next(check for check in checks if check.name == "decks")
         assert decks.well and decks.found == told
+
+
+async def test_a_betaflight_says_what_is_not_set_as_it_must_be_and_why_it_does_not_arm(
+    loopback: str,
+) -> None:
+    async with betaflight_room(loopback) as room:
+        room.firmware.settings = replace(room.firmware.settings, silent=FcSettings().silent)
+        checks = await asyncio.to_thread(look_at_drone, drone_at(f"betaflight://{loopback}"))
+        assert checks[0].well and "Betaflight 25.12.0" in checks[0].found
+        said = [check.found for check in checks if check.name == "it says"]
+        assert any("set rxfail 3 to h on the drone (it is auto)" in words for words in said)
 
 
 def test_a_drone_that_is_not_there_ends_the_command_with_words(

@@ -157,6 +157,14 @@ def test_a_crazyflie_completes_the_service_over_its_wire_by_full_states(
     assert_completed(out)
 
 
+@pytest.mark.interop
+@pytest.mark.timeout(600)
+def test_a_betaflight_completes_the_service_over_msp(tmp_path: Path, write_site: Any) -> None:
+    site, out = write_site(rate=100, video=False, kind="betaflight"), tmp_path / "out"
+    assert_flown(start(site, out, "entrance"), partial(start, site, out, "entrance"), out)
+    assert_completed(out)
+
+
 @pytest.mark.timeout(300)
 def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
     flight = start(write_site(), tmp_path / "out", "entrance")

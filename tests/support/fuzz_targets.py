@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fuzz_betaflight import BETAFLIGHT
 from fuzz_crazyflie import CRAZYFLIE
 from fuzz_drone_wires import DRONE_WIRES
 from fuzz_files import FILES
@@ -19,4 +20,5 @@ from fuzz_web import WEB
 TARGETS: dict[str, FuzzTarget] = {
     **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **TWIN, **WEB,
     **NEW_PAGE, **IMPORTS, **CRAZYFLIE, **TELLO, **MAVLINK,
+    **BETAFLIGHT,
 }  # fmt: skip

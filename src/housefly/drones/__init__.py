@@ -23,6 +23,7 @@ DRIVERS = {
     "tello": ("housefly.drones.tello.driver", "Tello"),
     "crazyflie": ("housefly.drones.crazyflie.driver", "Crazyflie"),
     "crazyflie_brushless": ("housefly.drones.crazyflie.driver", "Crazyflie"),
+    "betaflight": ("housefly.drones.betaflight.driver", "Betaflight"),
 }
 """Module and class of each ``drone.kind``; made of its configuration, the limits and a clock."""
 

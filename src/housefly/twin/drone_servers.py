@@ -47,6 +47,7 @@ class FilmingServer(DroneServer, Protocol):
 SERVERS = {
     "ardrone": ("housefly.twin.ardrone.server", "ArDroneServer"),
     "arducopter": ("housefly.twin.mavlink.server", "MavlinkServer"),
+    "betaflight": ("housefly.twin.betaflight.server", "BetaflightServer"),
     "crazyflie": ("housefly.twin.crazyflie.server", "CrazyflieServer"),
     "crazyflie_brushless": ("housefly.twin.crazyflie.server", "CrazyflieServer"),
     "px4": ("housefly.twin.mavlink.server", "Px4Server"),
@@ -56,6 +57,7 @@ SERVERS = {
 PORTS: dict[str, tuple[tuple[int, str], ...]] = {
     "ardrone": ((5554, "UDP"), (5556, "UDP"), (5555, "TCP"), (5559, "TCP")),
     "arducopter": ((14550, "UDP"), (5760, "TCP")),
+    "betaflight": ((5761, "TCP"),),
     "crazyflie": ((19850, "UDP"),),
     "crazyflie_brushless": ((19850, "UDP"),),
     "px4": ((14580, "UDP"), (5760, "TCP")),

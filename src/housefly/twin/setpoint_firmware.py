@@ -156,6 +156,7 @@ class SetpointFirmware(Firmware):
 
 
 OWN_FIRMWARE = {
+    "betaflight": ("housefly.twin.betaflight.firmware", "BetaflightFirmware"),
     "crazyflie": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware"),
     "crazyflie_brushless": ("housefly.twin.crazyflie.firmware", "CrazyflieFirmware"),
 }

@@ -98,7 +98,7 @@ class LockstepRoom:
         self._failsafe = Failsafe(
             world.now, site.limits.tilt_max, site.drone.airframe, watched=guarded
         )
-        self._wire = lockstep_wire(site)
+        self._wire = lockstep_wire(site, self._drone)
         self._lacks = site.drone.airframe.lacks
         self._pose_rate = PoseRate(site.drone.airframe.capabilities.external_pose_rate)
         self._sent_at, self._link = world.now, site.drone.airframe.link
@@ -146,6 +146,10 @@ class LockstepRoom:
 
         As on the wire: battery in whole percent, no vertical speed.
         """
+        report = self._newest_report()
+        return None if report is None else self._wire.understood(report)
+
+    def _newest_report(self) -> Telemetry | None:
         onboard = self._drone.onboard()
         if not self.faults.schedule.faults:
             return self._telemetry_of(onboard)
@@ -179,7 +183,7 @@ class LockstepRoom:
         """Hand over where tracking saw the drone, to one that wants to know."""
         due = self._pose_rate.due(seen)
         if due is not None:
-            self._drone.tell_pose(due.pose, due.captured_at)
+            self._wire.see(self._drone, due)
 
     def _hear(self, issued_at: float, command: Command, motion: KnownMotion | None) -> None:
         """Let the driver hear a step of the pilot; one that is late arrives with a later step."""

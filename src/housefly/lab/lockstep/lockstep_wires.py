@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from housefly.config.site import Site
-from housefly.messages import Command, Telemetry
+from housefly.lab.lockstep.betaflight_wire import BetaflightWire
+from housefly.messages import Command, Sighting, Telemetry
 from housefly.messages.steering import Instruction
 from housefly.messages.stick import Maxima
+from housefly.twin.betaflight.firmware import BetaflightFirmware
 from housefly.twin.contracts import OnboardLimits, TwinDrone
 from housefly.twin.plain_drone import Obedience, within
 from housefly.wires.ardrone import at
@@ -26,8 +28,28 @@ class LockstepWire(Protocol):
         """Let the drone obey one command of a datagram."""
         ...
 
+    def see(self, drone: TwinDrone, seen: Sighting) -> None:
+        """Hand over where tracking saw the drone, to one that wants to know, or to its driver."""
+        ...
 
-class ArDroneWire:
+    def understood(self, report: Telemetry) -> Telemetry:
+        """Return a report as the driver understands it."""
+        ...
+
+
+class OwnReports:
+    """The half of a wire whose drone takes poses itself, and says what it does."""
+
+    def see(self, drone: TwinDrone, seen: Sighting) -> None:
+        """Tell the drone."""
+        drone.tell_pose(seen.pose, seen.captured_at)
+
+    def understood(self, report: Telemetry) -> Telemetry:
+        """Return it as it is."""
+        return report
+
+
+class ArDroneWire(OwnReports):
     """The AR.Drone's own commands.
 
     Args:
@@ -60,7 +82,7 @@ class ArDroneWire:
                     drone.request_land()
 
 
-class PlainWire:
+class PlainWire(OwnReports):
     """Commands as they are: of a drone whose bytes are not simulated.
 
     Args:
@@ -79,9 +101,16 @@ class PlainWire:
         self._obedience.obey(world, command)
 
 
-def lockstep_wire(site: Site) -> LockstepWire:
-    """Return the wire of a site's drone."""
+def lockstep_wire(site: Site, drone: TwinDrone) -> LockstepWire:
+    """Return the wire of a site's drone.
+
+    Args:
+        site: model and limits.
+        drone: at the other end.
+    """
     limits = site.limits
+    if isinstance(drone.firmware, BetaflightFirmware):
+        return BetaflightWire(site, drone.firmware)
     maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
     return ArDroneWire(maxima) if site.drone.kind == "ardrone" else PlainWire(maxima)
 

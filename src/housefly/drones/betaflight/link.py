@@ -1,0 +1,213 @@
+"""The wire to a flight controller: TCP, UDP or a serial port; frames out, frames in."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import cast
+
+from housefly.clock import Clock
+from housefly.drones.betaflight.serial_port import SerialPort
+from housefly.errors import LinkError, WireError
+from housefly.wires.betaflight.endpoint import Carrier, MspEndpoint
+from housefly.wires.betaflight.framing import MspDirection, MspFrame, MspReader, encode_msp
+
+_RECONNECT_PAUSE = 0.2
+_UNANSWERED_MAX, _ASKING_MAX, _ANSWER_TIMEOUT = 20, 12, 0.25
+"""So many commands may be under way, so many while something is asked besides, each for so long
+[s]: at a hundred a second more would come when a channel is too old to count.
+"""
+_BACKLOG_MAX = 4096
+_FRAMES_MAX = 400
+"""More answers in a second are thrown away unread; 100 are asked for."""
+
+
+@dataclass(slots=True)
+class LinkCounters:
+    """What happened on the wire.
+
+    Attributes:
+        sent, answered: commands, and answers to them.
+        refused: of these, those that it would not do, or does not know.
+        held_back: commands that were not sent, because too many were unanswered.
+        broken: answers that could not be read.
+        unread: answers of a flood.
+        connects: how often the wire was opened.
+    """
+
+    sent: int = 0
+    answered: int = 0
+    refused: int = 0
+    held_back: int = 0
+    broken: int = 0
+    unread: int = 0
+    connects: int = 0
+
+
+class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
+    """Speaks with one controller; all calls belong to one asyncio loop.
+
+    Args:
+        endpoint: where it answers.
+        clock: for ages.
+        hear: takes every answer.
+        opened: called each time the wire is open.
+
+    Attributes:
+        counters: what happened.
+    """
+
+    def __init__(
+        self,
+        endpoint: MspEndpoint,
+        clock: Clock,
+        hear: Callable[[MspFrame], None],
+        opened: Callable[[], None],
+    ) -> None:
+        self._endpoint, self._clock = endpoint, clock
+        self._hear, self._opened = hear, opened
+        self._transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort | None = None
+        self._reader, self.counters = MspReader(), LinkCounters()
+        self._under_way: deque[tuple[float, int]] = deque()
+        self._keeping: asyncio.Task[None] | None = None
+        self._lost = asyncio.Event()
+        self._second, self._frames = 0.0, 0
+
+    @property
+    def is_open(self) -> bool:
+        """Whether what is sent goes anywhere."""
+        return self._transport is not None
+
+    @property
+    def may_ask(self) -> bool:
+        """Whether few enough commands are under way to ask something besides."""
+        return len(self._under_way) < _ASKING_MAX
+
+    async def open(self) -> None:
+        """Open the wire; one that is lost is opened again.
+
+        Raises:
+            LinkError: it cannot be opened now; says why. It is not tried again then.
+        """
+        if self._keeping is not None:
+            return
+        await self._connect()
+        self._keeping = asyncio.create_task(self._keep(), name="betaflight link")
+
+    async def close(self) -> None:
+        """Release the wire."""
+        if self._keeping is not None:
+            self._keeping.cancel()
+            await asyncio.gather(self._keeping, return_exceptions=True)
+            self._keeping = None
+        if self._transport is not None:
+            self._transport.abort()
+            self._transport = None
+
+    def send(self, command: int, payload: bytes = b"") -> bool:
+        """Send a command at once; return whether it left: without a wire, or stuck, it does not."""
+        link, now = self._transport, self._clock.now()
+        while self._under_way and now - self._under_way[0][0] > _ANSWER_TIMEOUT:
+            self._under_way.popleft()
+        if link is None:
+            return False
+        is_stuck = (
+            isinstance(link, asyncio.Transport) and link.get_write_buffer_size() > _BACKLOG_MAX
+        )
+        if is_stuck or len(self._under_way) >= _UNANSWERED_MAX:
+            self.counters.held_back += 1
+            return False
+        data = encode_msp(MspFrame(command, payload))
+        if isinstance(link, asyncio.DatagramTransport):
+            link.sendto(data)
+        else:
+            link.write(data)
+        self._under_way.append((now, command))
+        self.counters.sent += 1
+        return True
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Use a wire."""
+        self._use(cast(asyncio.Transport | asyncio.DatagramTransport, transport))
+
+    def _use(self, transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort) -> None:
+        self._transport, self._reader = transport, MspReader()
+        self._under_way.clear()
+        self._lost.clear()
+        self.counters.connects += 1
+        self._opened()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Forget it."""
+        self._transport = None
+        self._lost.set()
+
+    def error_received(self, exc: Exception) -> None:
+        """Ignore that nobody listens yet: we ask again."""
+
+    def datagram_received(self, data: bytes, addr: object) -> None:
+        """Take in a datagram: bytes of the same stream."""
+        self.data_received(data)
+
+    def data_received(self, data: bytes) -> None:
+        """Take in the next bytes."""
+        broken = self._reader.broken
+        for frame in self._reader.feed(data):
+            self._take(frame)
+        self.counters.broken += self._reader.broken - broken
+
+    def _take(self, frame: MspFrame) -> None:
+        now = self._clock.now()
+        if now - self._second > 1.0:
+            self._second, self._frames = now, 0
+        self._frames += 1
+        if self._frames > _FRAMES_MAX:
+            self.counters.unread += 1
+            return
+        if frame.direction is MspDirection.REQUEST:
+            return
+        self._settle(frame.command)
+        self.counters.answered += 1
+        self.counters.refused += frame.direction is MspDirection.REFUSAL
+        try:
+            self._hear(frame)
+        except WireError:
+            self.counters.broken += 1
+
+    def _settle(self, command: int) -> None:
+        """Forget a command that is answered, and those before it: answers come in order."""
+        if any(sent == command for _, sent in self._under_way):
+            while self._under_way.popleft()[1] != command:
+                pass
+
+    async def _keep(self) -> None:
+        while True:
+            await self._lost.wait()
+            await asyncio.sleep(_RECONNECT_PAUSE)
+            if self._transport is None:
+                with suppress(LinkError):
+                    await self._connect()
+
+    async def _connect(self) -> None:
+        end, loop = self._endpoint, asyncio.get_running_loop()
+        if end.carrier is Carrier.SERIAL:
+            self._use(
+                SerialPort(
+                    end.place, end.number, self.data_received, lambda: self.connection_lost(None)
+                )
+            )
+            return
+        try:
+            if end.carrier is Carrier.TCP:
+                async with asyncio.timeout(2.0):
+                    await loop.create_connection(lambda: self, end.place, end.number)
+            else:
+                await loop.create_datagram_endpoint(
+                    lambda: self, remote_addr=(end.place, end.number)
+                )
+        except (OSError, TimeoutError) as error:
+            why = getattr(error, "strerror", None) or str(error) or "no answer"
+            raise LinkError(f"cannot open {end}: {why}") from error
