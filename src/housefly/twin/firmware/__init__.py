@@ -1,0 +1,13 @@
+"""Strangers' firmware on board of a simulated drone: our room is its world, in lock step.
+
+``ardupilot_json``  what ArduPilot and its simulator say to each other, as bytes
+``rotors``          what the motors make of what they are told
+``boarded``         such firmware as the computer of a simulated drone
+``lock_step``       one step of the room for one answer of the program, over UDP
+``program``         the program as a process, ``leashed`` to ours
+``relay``           its wire, on the ports where its drivers look for it
+``arducopter``      ArduCopter's own program, set as docs/drones/mavlink.md says
+``programs``        which program flies which model, by the environment
+
+No such program is part of this project: whoever has one names it.
+"""
