@@ -18,10 +18,10 @@ HOVER = 0.648
 
 
 def pulses(state: dict[str, Any], height: float = 1.0) -> list[int]:
-    """Return what the motors are told in a state: front right, rear left, front left, rear right."""
-    north, east, down = state["position"]
+    """Return pulses for a state: front right, rear left, front left, rear right."""
+    _north, _east, down = state["position"]
     _, _, sink = state["velocity"]
-    (p, q, r), (w, x, y, z) = state["imu"]["gyro"], state["quaternion"]
+    (p, q, _r), (w, x, y, z) = state["imu"]["gyro"], state["quaternion"]
     lift = HOVER + 0.25 * max(-0.5, min(0.5, height + down)) + 0.2 * sink
     roll = -0.25 * 2.0 * (w * x + y * z) - 0.06 * p
     pitch = -0.25 * 2.0 * (w * y - z * x) - 0.06 * q

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import socket
 import threading
@@ -106,7 +107,7 @@ def test_its_clock_is_the_rooms_one_physics_step_an_answer() -> None:
             world.advance(0.005)
         world.advance(0.5)
         times = [json.loads(line)["timestamp"] for line in program.lines]
-        assert {round(b - a, 9) for a, b in zip(times, times[1:], strict=False)} == {0.0025}
+        assert {round(b - a, 9) for a, b in itertools.pairwise(times)} == {0.0025}
 
 
 def test_where_the_program_ends_the_motors_stand_and_the_room_goes_on() -> None:
