@@ -14,6 +14,7 @@ from pathlib import Path
 from housefly.errors import ConfigError, LinkError
 
 _END_TIMEOUT = 2.0
+_PREPARATION_TIMEOUT = 20.0
 _LOG_NAME = "program.log"
 _LOG_TOLD = 400
 
@@ -33,12 +34,25 @@ class Program:
         self.folder = Path(tempfile.mkdtemp(prefix="housefly-firmware-"))
         self._process: subprocess.Popen[bytes] | None = None
 
+    def prepare(self, arguments: Sequence[str]) -> None:
+        """Run it until it ends, to be set; raises LinkError when it does not end well."""
+        self.start(arguments)
+        assert self._process is not None
+        try:
+            code = self._process.wait(_PREPARATION_TIMEOUT)
+        except subprocess.TimeoutExpired as error:
+            self._process.kill()
+            self._process.wait()
+            raise LinkError(f"{self._path} was not set in time: {self.said}") from error
+        if code:
+            raise LinkError(f"{self._path} cannot be set (code {code}): {self.said}")
+
     def start(self, arguments: Sequence[str]) -> None:
         """Start it; raises LinkError when it cannot be started."""
         if not os.access(self._path, os.X_OK) or not self._path.is_file():
             raise LinkError(f"{self._path} is no program that can be started")
         leash = [sys.executable, "-m", "housefly.twin.firmware.leashed", str(os.getpid())]
-        with (self.folder / _LOG_NAME).open("wb") as log:
+        with (self.folder / _LOG_NAME).open("ab") as log:
             self._process = subprocess.Popen(
                 [*leash, str(self._path.resolve()), *arguments],
                 cwd=self.folder,

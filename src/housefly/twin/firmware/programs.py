@@ -11,7 +11,10 @@ from housefly.twin.contracts import TwinDrone
 from housefly.twin.drone_servers import DroneServer
 from housefly.twin.link_filters import LinkFilters
 
-PROGRAMS = {"arducopter": ("ARDUCOPTER", "housefly.twin.firmware.arducopter", "ArduCopterProgram")}
+PROGRAMS = {
+    "arducopter": ("ARDUCOPTER", "housefly.twin.firmware.arducopter", "ArduCopterProgram"),
+    "betaflight": ("BETAFLIGHT", "housefly.twin.firmware.betaflight", "BetaflightProgram"),
+}
 """By model: the variable that names the program, module and class of what lets it fly."""
 
 
