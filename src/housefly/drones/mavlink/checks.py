@@ -21,7 +21,7 @@ _RATE_MIN = 20.0
 _LATITUDE, _LONGITUDE = 45.0, 7.0
 """Any place will do for the map's origin [degrees]; ArduPilot takes zeros for none."""
 _NO_ORIGIN = Words("its map has no origin yet: it must be told where it is, standing")
-_ORIGIN_PERIOD, _ORIGIN_AGE_MAX = 2.0, 6.0
+_ORIGIN_PERIOD, _ORIGIN_AGE_MAX = 1.0, 3.5
 """A standing vehicle is asked for its origin again, and without an answer it has lost it [s]."""
 _POSE_AGE_MAX = 0.5
 """The origin is set while the vehicle is told where it is [s]: its height is zero there."""

@@ -28,7 +28,7 @@ PARAMETERS: dict[str, float] = {
     "EK3_SRC1_POSXY": 6, "EK3_SRC1_VELXY": 6, "EK3_SRC1_POSZ": 6, "EK3_SRC1_VELZ": 6,
     "EK3_SRC1_YAW": 6, "VISO_TYPE": 1, "GPS_TYPE": 0, "COMPASS_ENABLE": 0,
     "WPNAV_SPEED_UP": 40, "LAND_SPEED": 40, "LOG_BACKEND_TYPE": 0, "TERRAIN_ENABLE": 0,
-    "FENCE_ENABLE": 0, "BATT_MONITOR": 4, "SCHED_LOOP_RATE": 200,
+    "FENCE_ENABLE": 0, "BATT_MONITOR": 4, "SCHED_LOOP_RATE": 200, "INS_USE2": 0, "EK3_IMU_MASK": 1,
 }  # fmt: skip
 """What is set on it before it starts; all else is as its makers have it."""
 
