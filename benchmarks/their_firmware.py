@@ -33,6 +33,7 @@ class Figures:
     """What one flight showed; times in s, speeds in m/s, lengths in m."""
 
     ready: float
+    arming: float
     take_off: float
     take_off_height: float
     hover_rms: float
@@ -51,7 +52,8 @@ class Figures:
 
 NAMES = {
     "ready": "from start until it would take off [s]",
-    "take_off": "from the order until it says that it flies [s]",
+    "arming": "from the order until its motors turn [s]",
+    "take_off": "... until it says that it flies [s]",
     "take_off_height": "height then [m]",
     "hover_rms": "hover, rms from its mean over 5 s [mm]",
     "tilt_peak": f"step to {AHEAD} m/s ahead: largest tilt [degrees]",
@@ -89,6 +91,7 @@ async def one(program: Path | None, address: str) -> Figures:
     """Fly once."""
     async with flight_of(program, address) as flight:
         ready = await flight.ready()
+        arming = await flight.arm()
         take_off = await flight.take_off()
         height = flight.height
         flight.command = Command(Action.HOVER)
@@ -116,7 +119,7 @@ async def one(program: Path | None, address: str) -> Figures:
         for a, b in zip(stood.pose.position[:2], rest[0].pose.position[:2], strict=True)
     )
     return Figures(
-        ready, take_off, height, 1000.0 * _spread(hovered), peak[1], peak[0],
+        ready, arming, take_off, height, 1000.0 * _spread(hovered), peak[1], peak[0],
         lag(speeds, AHEAD), _over(speeds, AHEAD), stood.at - rest[0].at, way**0.5,
         lag(rising, UP), _over(rising, UP), *silence,
     )  # fmt: skip
