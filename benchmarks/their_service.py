@@ -57,6 +57,7 @@ def fly(options: argparse.Namespace) -> str:
             begun = time.monotonic()
             monitor = ServiceMonitor(begun, loaded.room.home, _SERVICE_TIME)
             phases: list[tuple[float, str]] = []
+            said: list[str] = []
 
             def heard(step: PilotStep) -> None:
                 nonlocal monitor
@@ -64,6 +65,7 @@ def fly(options: argparse.Namespace) -> str:
                 phase = step.outputs.phase.value
                 if not phases or phases[-1][1] != phase:
                     phases.append((round(time.monotonic() - begun, 1), phase))
+                said.extend(str(event.text) for event in step.outputs.events)
                 if monitor.outcome:
                     done.set()
 
@@ -85,10 +87,11 @@ def fly(options: argparse.Namespace) -> str:
             took = time.monotonic() - begun
         found = read_truth(truth)
         touched = "unknown" if found is None else len(found.contacts)
+        stalls = (folder / "twin.log").read_text().rpartition("dropped, ")[2].strip()
         own = "ArduCopter's program" if os.environ.get("ARDUCOPTER") else "our simulated one"
         return (
             f"{own}, seed {options.seed}, noise {1000 * options.noise:g} mm: "
-            f"{monitor.outcome or 'no end'} after {took:.0f} s, {touched} contacts; {phases}"
+            f"{monitor.outcome or 'no end'} after {took:.0f} s, {touched} contacts; {phases}; {said}; {stalls}"
         )
 
 
