@@ -91,7 +91,8 @@ def fly(options: argparse.Namespace) -> str:
         own = "ArduCopter's program" if os.environ.get("ARDUCOPTER") else "our simulated one"
         return (
             f"{own}, seed {options.seed}, noise {1000 * options.noise:g} mm: "
-            f"{monitor.outcome or 'no end'} after {took:.0f} s, {touched} contacts; {phases}; {said}; {stalls}"
+            f"{monitor.outcome or 'no end'} after {took:.0f} s, {touched} contacts;"
+            f" {phases}; {said}; {stalls}"
         )
 
 
