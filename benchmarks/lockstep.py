@@ -13,8 +13,8 @@ from housefly.config.site import Site, changed
 from housefly.messages.stick import Stick
 from housefly.room.files import load_room
 from housefly.room.model import Room
-from housefly.twin.physics import _SUBSTEPS, Physics
-from housefly.twin.simulated_body import CONTROL_PERIOD
+from housefly.twin.physics import Physics
+from housefly.twin.simulated_body import CONTROL_PERIOD, PHYSICS_STEPS
 from housefly.twin.world import SimulatedWorld
 
 SECONDS = 20.0
@@ -35,7 +35,7 @@ def per_second(fly: Callable[[], None]) -> float:
 
 def bare_physics(room: Room) -> float:
     physics = Physics(Site(), room)
-    steps = round(SECONDS / CONTROL_PERIOD) * _SUBSTEPS
+    steps = round(SECONDS / CONTROL_PERIOD) * PHYSICS_STEPS
     return per_second(lambda: mujoco.mj_step(physics.model, physics.data, steps))
 
 

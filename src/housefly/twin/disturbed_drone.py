@@ -5,7 +5,7 @@ from __future__ import annotations
 from housefly.config.site import Site
 from housefly.twin.disturbance import NEUTRAL, Disturbances
 from housefly.twin.drone_body import DroneBody
-from housefly.twin.external_forces import ExternalForces
+from housefly.twin.external_forces import ExternalForce, ExternalForces
 from housefly.twin.quadrotor.battery import CUT_OFF_VOLTAGE, Battery
 from housefly.twin.quadrotor.motors import achieved_wrench
 from housefly.twin.quadrotor.sensor_faults import FaultySensors
@@ -30,6 +30,7 @@ class DisturbedDrone:
             site.twin.seed, site.drone.drag, site.drone.airframe.body.mass
         )
         self._by = NEUTRAL
+        self._pushes: ExternalForce | None = None
 
     @property
     def by(self) -> Disturbances:
@@ -54,9 +55,16 @@ class DisturbedDrone:
         """Push the drone for the next control period by what the firmware asks of its motors."""
         by = self._by
         if by is NEUTRAL:
+            self._pushes = None
             self._body.push(wrench, state)
             return
-        self._body.push(self._achieved(wrench), state, self._forces.step(by, state))
+        self._pushes = self._forces.step(by, state)
+        self._body.push(self._achieved(wrench), state, self._pushes)
+
+    def push_again(self, wrench: Wrench, state: BodyState) -> None:
+        """Push the drone anew within the control period; what else pushes it goes on."""
+        achieved = wrench if self._by is NEUTRAL else self._achieved(wrench)
+        self._body.lift(achieved, state, self._pushes)
 
     def _achieved(self, wrench: Wrench) -> Wrench:
         """Return what the motors make of a wrench."""

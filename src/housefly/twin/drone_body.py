@@ -69,6 +69,10 @@ class DroneBody:
     def push(self, wrench: Wrench, state: BodyState, external: ExternalForce | None = None) -> None:
         """Set thrust and torques, and what else pushes, for the next control period."""
         self.before = state
+        self.lift(wrench, state, external)
+
+    def lift(self, wrench: Wrench, state: BodyState, external: ExternalForce | None = None) -> None:
+        """Set the same within a control period."""
         lift = wrench.thrust * _near_floor(state.position[2] - self.mechanics.standing_height)
         self._force[:] = (*rotate(state.orientation, (0.0, 0.0, lift)), *wrench[1:])
         if external is not None:

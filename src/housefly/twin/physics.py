@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -19,10 +20,8 @@ from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.people.bodies import PERSON_PREFIX
 from housefly.twin.people.script import PersonScript
 from housefly.twin.scene_mjcf import scene_mjcf
-from housefly.twin.simulated_body import CONTROL_PERIOD
+from housefly.twin.simulated_body import PHYSICS_PERIOD, PHYSICS_STEPS
 
-_SUBSTEPS = 2
-"""Physics steps per control period: 2.5 ms, enough for a soft hull to hit a wall at full speed."""
 _VISITOR_BODY = "visitor"
 
 
@@ -41,7 +40,7 @@ class Physics:
         movables: tuple[Movable, ...] = (),
     ) -> None:
         self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, people, movables))
-        self.model.opt.timestep = CONTROL_PERIOD / _SUBSTEPS
+        self.model.opt.timestep = PHYSICS_PERIOD
         self.data: Any = mujoco.MjData(self.model)
         self.floors = frozenset({int(self.model.geom("floor").id)})
         self.drones = tuple(
@@ -63,9 +62,15 @@ class Physics:
         self._people = _people_mocap_ids(self.model)
         mujoco.mj_forward(self.model, self.data)
 
-    def advance(self) -> None:
-        """Hold what pushes the drones for one control period."""
-        mujoco.mj_step(self.model, self.data, _SUBSTEPS)
+    def advance(self, between: Callable[[], None] | None = None) -> None:
+        """Hold what pushes the drones for one control period; call something between its steps."""
+        if between is None:
+            mujoco.mj_step(self.model, self.data, PHYSICS_STEPS)
+            return
+        mujoco.mj_step(self.model, self.data)
+        for _ in range(1, PHYSICS_STEPS):
+            between()
+            mujoco.mj_step(self.model, self.data)
 
     def set_visitor(self, present: bool) -> None:
         """Move the visitor, if the room has one, to the door or out of the building."""

@@ -140,10 +140,10 @@ class SetpointFirmware(Firmware):
             yaw_rate: wanted [rad/s].
             measured: the sensors' newest reading.
         """
-        lean = tan(measured.theta)
+        lean, drag = tan(measured.theta), self._drone.drag
         has = GRAVITY * lean, -GRAVITY * tan(measured.phi) * (1.0 + lean * lean) ** 0.5
         ahead, left = (
-            wanted - (pull - self._drone.drag) * speed - pull / self._drone.attitude_lag * now
+            wanted - (pull - drag) * (speed + (now - drag * speed) / self._drone.attitude_lag)
             for wanted, speed, now in zip(push, (measured.forward, measured.left), has, strict=True)
         )
         tilt, rate = self.limits.tilt, self.limits.yaw_rate

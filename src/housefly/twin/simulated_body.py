@@ -8,6 +8,10 @@ from housefly.geometry import Quaternion, Vec3
 
 CONTROL_PERIOD = 0.005
 """The firmware's control period [s] (200 Hz)."""
+PHYSICS_STEPS = 2
+"""Physics steps per control period: 2.5 ms, enough for a soft hull to hit a wall at full speed."""
+PHYSICS_PERIOD = CONTROL_PERIOD / PHYSICS_STEPS
+"""What moves is integrated so often [s]."""
 
 
 class BodyState(NamedTuple):

@@ -20,6 +20,7 @@ from housefly.twin.disturbed_drone import DisturbedDrone
 from housefly.twin.drone_body import DroneBody
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.encounters import Encounters
+from housefly.twin.firmware.boarded import Board, BoardedFirmware
 from housefly.twin.hands import Carry, CarryOrder
 from housefly.twin.quadrotor.battery import Battery, BatteryGauge
 from housefly.twin.quadrotor.firmware import WATCHDOG_AFTER, Firmware
@@ -126,6 +127,15 @@ class SimulatedDrone:
     def play_leds(self, animation: int, frequency_hz: float, seconds: float) -> None:
         """Play an animation on the lights for some time [s]; 0 is for ever."""
         self._leds.play(animation, frequency_hz, seconds, self.now)
+
+    def board(self, program: Board) -> None:
+        """Let a stranger's firmware fly it from now on, and see the true state of its body."""
+        self._firmware = BoardedFirmware(self._stand.config, program, self._rigid.state)
+
+    @property
+    def is_boarded(self) -> bool:
+        """Whether a stranger's firmware flies it."""
+        return isinstance(self._firmware, BoardedFirmware)
 
     @property
     def disturbances(self) -> Disturbances:
@@ -240,6 +250,12 @@ class SimulatedDrone:
     def push(self) -> None:
         """Push the body for the control period, as the firmware decided."""
         self._disturbed.push(self._wrench, self._body)
+
+    def push_again(self) -> None:
+        """Push the body anew within the control period, where a stranger's firmware flies it."""
+        if isinstance(self._firmware, BoardedFirmware):
+            self._wrench = self._firmware.step_again()
+            self._disturbed.push_again(self._wrench, self._rigid.state())
 
     def arrive(self, at: float) -> None:
         """Take in where the body is at the end of the control period [s]."""

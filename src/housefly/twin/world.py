@@ -310,6 +310,10 @@ class SimulatedWorld:
         """Whether the drone is on its way in somebody's hands."""
         return self.first.is_carried
 
+    def _push_again(self) -> None:
+        for drone in self.drones.values():
+            drone.push_again()
+
     def _tick(self) -> None:
         """Run one control period: commands, sensors, firmware, physics, battery, tracking."""
         began, drones = self._ticks * CONTROL_PERIOD, self.drones.values()
@@ -318,7 +322,8 @@ class SimulatedWorld:
         self._stage.play(self._ticks, began)
         for drone in drones:
             drone.push()
-        self._physics.advance()
+        is_fine = any(drone.is_boarded for drone in drones)
+        self._physics.advance(self._push_again if is_fine else None)
         self._ticks += 1
         at = self._ticks * CONTROL_PERIOD
         for drone in drones:

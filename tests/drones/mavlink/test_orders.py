@@ -239,3 +239,24 @@ def test_what_it_said_long_ago_of_flying_says_nothing_now() -> None:
         Heartbeat(COPTER.number, COPTER.steered.number, True, SystemState.ACTIVE), told.now + 3.5
     )
     assert told.vehicle.status(told.now + 3.5) is DroneStatus.UNKNOWN
+
+
+def test_an_origin_that_arducopter_forgot_as_its_estimator_began_is_set_again() -> None:
+    vehicle = Vehicle(COPTER)
+    checks = Checks(vehicle, "10.0.0.5")
+
+    def asked(now: float, *, answers: bool) -> set[str]:
+        vehicle.hear(Heartbeat(COPTER.number, 4, vehicle.armed, SystemState.STANDBY), now)
+        checks.pose_sent_at = now
+        sent = {message.get_type() for message in checks.due((1, 1), now)}
+        if answers:
+            vehicle.hear(OriginReport(), now)
+        return sent
+
+    assert "SET_GPS_GLOBAL_ORIGIN" in asked(10.0, answers=True)
+    told = [asked(10.5 + 0.5 * step, answers=step < 8) for step in range(20)]
+    assert all("SET_GPS_GLOBAL_ORIGIN" not in sent for sent in told[:8])
+    assert "SET_GPS_GLOBAL_ORIGIN" in told[-1] and not vehicle.has_origin
+    vehicle.hear(OriginReport(), 30.0)
+    vehicle.armed = True
+    assert "SET_GPS_GLOBAL_ORIGIN" not in asked(40.0, answers=False) and vehicle.has_origin

@@ -104,8 +104,21 @@ def test_arducopter_lands_five_seconds_after_the_last_heartbeat() -> None:
     took = room.run(8.0, lambda: room.vehicle.landed is Landed.LANDING)
     assert 4.0 <= took <= 5.2
     assert "GCS Failsafe" in room.said
+    paused = room.run(6.0, lambda: room.flight is FlightState.LANDING)
+    assert 3.8 <= paused <= 4.2, "LAND_WITH_DELAY_MS"
     room.run(10.0, lambda: not room.vehicle.armed)
     assert room.flight is FlightState.LANDED
+
+
+def test_whoever_takes_arducopter_in_its_pause_before_a_landing_has_it() -> None:
+    room = flying("arducopter")
+    room.asked, room.has_heartbeats = None, False
+    room.run(8.0, lambda: room.vehicle.landed is Landed.LANDING)
+    room.has_heartbeats, room.asked = True, VelocitySetpoint()
+    room.run(1.5)
+    assert room.set_mode(room.vehicle.autopilot.steered) == 0
+    room.run(5.0)
+    assert room.flight.airborne and room.vehicle.landed is Landed.IN_AIR
 
 
 def test_px4_lands_a_second_after_the_last_setpoint() -> None:

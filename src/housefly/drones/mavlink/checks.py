@@ -21,6 +21,8 @@ _RATE_MIN = 20.0
 _LATITUDE, _LONGITUDE = 45.0, 7.0
 """Any place will do for the map's origin [degrees]; ArduPilot takes zeros for none."""
 _NO_ORIGIN = Words("its map has no origin yet: it must be told where it is, standing")
+_ORIGIN_PERIOD, _ORIGIN_AGE_MAX = 1.0, 3.5
+"""A standing vehicle is asked for its origin again, and without an answer it has lost it [s]."""
 _POSE_AGE_MAX = 0.5
 """The origin is set while the vehicle is told where it is [s]: its height is zero there."""
 
@@ -50,10 +52,14 @@ class Checks:
             for need in vehicle.autopilot.needs
             if need.name not in vehicle.parameters
         ]
-        if not vehicle.has_origin:
+        age = now - vehicle.origin_at
+        if vehicle.autopilot.forgets_origin and not vehicle.armed:
+            vehicle.has_origin &= age < _ORIGIN_AGE_MAX
+        if not vehicle.has_origin or (not vehicle.armed and age > _ORIGIN_PERIOD):
             asked.append(requests.message_request(target, MessageId.GPS_GLOBAL_ORIGIN))
-            if not vehicle.armed and now - self.pose_sent_at < _POSE_AGE_MAX:
-                asked.append(requests.origin_order(target[0], _LATITUDE, _LONGITUDE, now))
+        knows_place = now - self.pose_sent_at < _POSE_AGE_MAX
+        if not vehicle.has_origin and not vehicle.armed and knows_place:
+            asked.append(requests.origin_order(target[0], _LATITUDE, _LONGITUDE, now))
         return asked
 
     @property

@@ -51,6 +51,7 @@ class Vehicle:
         landed: by its own word.
         parameters: those that were asked for, by name.
         has_origin: its map has an origin.
+        origin_at: when it said so last [s].
         refusals: what it refused.
         restarts: how often its clock went back: what was set may be lost.
         is_cut: its motors were cut by order; so until a reset, or until somebody arms it.
@@ -62,6 +63,7 @@ class Vehicle:
         self.landed = Landed.UNKNOWN
         self.parameters: dict[str, float] = {}
         self.has_origin = False
+        self.origin_at = float("-inf")
         self.refusals = Refusals()
         self.restarts, self.is_cut = 0, False
         self._heartbeat_at = self._landed_at = float("-inf")
@@ -96,7 +98,7 @@ class Vehicle:
                 by_bits = self.autopilot.counts_by_bits
                 self.parameters[report.name] = report.by_bits if by_bits else report.value
             case OriginReport():
-                self.has_origin = True
+                self.has_origin, self.origin_at = True, now
         return False
 
     def _move(self, report: AttitudeReport, now: float) -> None:

@@ -30,6 +30,8 @@ EKF2_NOAID_TOUT by its description."""
 _STREAM_AGE_MAX = 0.5
 """PX4 wants two setpoints a second before OFFBOARD [s]."""
 _GCS_TIMEOUT = 5.0
+_PAUSE = {"arducopter": 4.0, "px4": 0.0}
+"""It stays so long where it is before a landing of its own [s]: LAND_WITH_DELAY_MS; measured."""
 _HEADING_SHARE = 0.05
 _CLIMB = VelocitySetpoint(vz=0.4)
 _CRITICAL, _WARNING, _INFO = 2, 4, 6
@@ -71,6 +73,7 @@ class MavlinkVehicle:
         self._ground_at: float | None = None
         self._was_airborne = self._is_stopped = False
         self._height: float | None = None
+        self._lands_at: float | None = None
         self._saying: list[Any] = []
         self.reported: Callable[[OnboardState], OnboardState] = lambda onboard: onboard
         drone.set_limits(OnboardLimits(silence=3600.0))
@@ -99,6 +102,8 @@ class MavlinkVehicle:
             case FlightState.LANDING:
                 return Landed.LANDING
             case FlightState.FLYING | FlightState.HOVERING:
+                if self._lands_at is not None:
+                    return Landed.LANDING
                 return Landed.TAKING_OFF if self._height is not None else Landed.IN_AIR
         return Landed.ON_GROUND
 
@@ -113,12 +118,13 @@ class MavlinkVehicle:
         flight = self._drone.onboard().flight
         if self._was_airborne and not flight.airborne:
             self.armed = self.is_failing = False
-            self._height = None
+            self._height = self._lands_at = None
         self._was_airborne = flight.airborne
         self._rest(flight)
         if flight in _IN_AIR:
             self._rise()
             self._bear_silence()
+            self._sink()
         said, self._saying = self._saying, []
         return said
 
@@ -159,12 +165,23 @@ class MavlinkVehicle:
         if now - self._pose_at > _POSELESS[self._model]:
             self._fail("EKF Failsafe: changed to LAND Mode")
 
+    def _sink(self) -> None:
+        """Begin a landing of its own once it has waited for it."""
+        if self._lands_at is not None and self._drone.now >= self._lands_at:
+            self._lands_at = None
+            self._drone.request_land()
+
     def _fail(self, text: str) -> None:
         if self.mode == self.autopilot.landing.number:
             return
         self.is_failing = True
         self._say(_CRITICAL, text)
         lands = self._model != "px4" or self.parameters["COM_OBL_RC_ACT"] == 4
+        if lands and _PAUSE[self._model]:
+            self.mode, self._height = self.autopilot.landing.number, None
+            self._drone.steer(VelocitySetpoint())
+            self._lands_at = self._drone.now + _PAUSE[self._model]
+            return
         self._change_mode(self.autopilot.landing.number if lands else self.autopilot.ready.number)
 
     def _heartbeat(self, message: Any) -> list[Any]:
@@ -220,7 +237,7 @@ class MavlinkVehicle:
                 _WARNING, f"Mode change to {autopilot.mode_name(number)} failed: requires position"
             )
             return Result.FAILED
-        self.mode = number
+        self.mode, self._lands_at = number, None
         if not self._drone.onboard().flight.airborne or is_steered:
             return Result.ACCEPTED
         self._height = None

@@ -53,6 +53,19 @@ def achieved_wrench(
     front_left, front_right, rear_right, rear_left = (
         gain * (force + share) for gain, force, share in zip(gains, lifts, signed, strict=True)
     )
+    return _pushed((front_left, front_right, rear_right, rear_left), arm)
+
+
+def rotor_wrench(shares: MotorGains, mechanics: Mechanics) -> Wrench:
+    """Return what four rotors push that have such shares of their full thrust, 0 to 1."""
+    full = mechanics.thrust_max / 4
+    front_left, front_right, rear_right, rear_left = (full * share for share in shares)
+    return _pushed((front_left, front_right, rear_right, rear_left), mechanics.rotor_arm)
+
+
+def _pushed(forces: MotorGains, arm: float) -> Wrench:
+    """Return what four thrusts [N] push together."""
+    front_left, front_right, rear_right, rear_left = forces
     return Wrench(
         thrust=front_left + front_right + rear_right + rear_left,
         roll=arm * (front_left - front_right - rear_right + rear_left),

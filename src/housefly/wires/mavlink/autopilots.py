@@ -69,6 +69,7 @@ class Autopilot:
         passing: modes that it goes through by itself between take-off and ours.
         stream_first: setpoints must come for a while before the mode is accepted.
         take_off_height: told with the command [m]; None where a parameter says it.
+        forgets_origin: whether an origin that it took before its estimator began is lost then.
         counts_by_bits: whether whole numbers among its parameters are sent as bits of a float.
         needs: parameters without which it does not take off with us.
         modes: names for people, by number.
@@ -85,6 +86,7 @@ class Autopilot:
     passing: frozenset[int]
     stream_first: bool
     take_off_height: float | None
+    forgets_origin: bool
     counts_by_bits: bool
     needs: tuple[ParameterNeed, ...]
     modes: dict[int, str]
@@ -117,6 +119,7 @@ AUTOPILOTS: dict[str, Autopilot] = {
         passing=frozenset(),
         stream_first=False,
         take_off_height=TAKE_OFF_HEIGHT,
+        forgets_origin=True,
         counts_by_bits=False,
         needs=(
             ParameterNeed("FS_GCS_ENABLE", 5, 5, _FLIES_ON),
@@ -141,6 +144,7 @@ AUTOPILOTS: dict[str, Autopilot] = {
         passing=frozenset({_PX4_TAKE_OFF.number, _HOLD.number}),
         stream_first=True,
         take_off_height=None,
+        forgets_origin=False,
         counts_by_bits=True,
         needs=(
             ParameterNeed("COM_OBL_RC_ACT", 4, 4, _FLIES_ON),
