@@ -332,10 +332,16 @@ def site_from_tree(tree: dict[str, Any], source: str = "") -> Site:
 def changed(site: Site, **values: Any) -> Site:
     """Return the site with dotted keys (written with two underscores) replaced and checked again.
 
+    Constants that nobody gave a drone are those of its airframe, of another one too.
+
     >>> changed(Site(), twin__seed=7).twin.seed
     7
+    >>> changed(Site(), drone__kind="tello").drone.attitude_lag
+    4.0
     """
     tree = site.model_dump()
+    tree["drone"] = site.drone.model_dump(exclude_unset=True)
+    tree["drones"] = tuple(drone.model_dump(exclude_unset=True) for drone in site.drones)
     for key, value in values.items():
         *parents, leaf = key.split("__")
         branch: Any = tree
