@@ -109,8 +109,9 @@ def lockstep_wire(site: Site, drone: TwinDrone) -> LockstepWire:
         drone: at the other end.
     """
     limits = site.limits
-    if isinstance(drone.firmware, BetaflightFirmware):
-        return BetaflightWire(site, drone.firmware)
+    firmware = getattr(drone, "firmware", None)
+    if isinstance(firmware, BetaflightFirmware):
+        return BetaflightWire(site, firmware)
     maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
     return ArDroneWire(maxima) if site.drone.kind == "ardrone" else PlainWire(maxima)
 
