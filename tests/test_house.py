@@ -56,7 +56,6 @@ STILL_NAME_IT = {
         "lab/lockstep/lockstep_wires.py",
     ),
     "the paper flew one": ("lab/reproduction/equations.py", "lab/reproduction/fleet.py"),
-    "constants that are no airframe's yet": ("room/draft/missing.py",),
     "the twin simulates one": (
         "twin/drone_servers.py",
         "twin/faults/catalogue.py",

@@ -12,6 +12,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import AfterValidator, ConfigDict, Field
 
 from housefly.config.airframe import Airframe, airframe_named, airframe_names, is_model
+from housefly.config.drone import DroneConfig
 from housefly.config.edits import NAME
 from housefly.config.rectangle import FLOOR_SIDE_MAX, check_floor
 from housefly.config.tracking import DRONE_BODY, TrackingKind
@@ -128,6 +129,10 @@ class FramePoint:
     ]
 
 
+USUAL_MODEL: str = DroneConfig.model_fields["kind"].default
+"""What flies where nobody chose."""
+
+
 def _known(model: str) -> str:
     if not is_model(model):
         raise ValueError(f"is {model!r}; allowed: {', '.join(airframe_names())}")
@@ -148,7 +153,7 @@ class DraftDrone:
 
     address: Text = ""
     profile: Annotated[str, Field(max_length=400)] = ""
-    model: Annotated[str, AfterValidator(_known)] = "ardrone"
+    model: Annotated[str, AfterValidator(_known)] = USUAL_MODEL
 
     @property
     def airframe(self) -> Airframe:
