@@ -216,6 +216,7 @@ def lossy(share: float) -> LinkFilters:
     return LinkFilters(uplink=losing, downlink=losing)
 
 
+@pytest.mark.interop
 async def test_a_fifth_of_all_commands_and_answers_may_be_lost(loopback: str) -> None:
     async with betaflight_room(loopback, lossy(0.2)) as room:
         await room.fly()

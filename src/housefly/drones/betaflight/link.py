@@ -16,10 +16,13 @@ from housefly.wires.betaflight.endpoint import Carrier, MspEndpoint
 from housefly.wires.betaflight.framing import MspDirection, MspFrame, MspReader, encode_msp
 
 _RECONNECT_PAUSE = 0.2
-_UNANSWERED_MAX, _ASKING_MAX, _ANSWER_TIMEOUT = 20, 12, 0.25
-"""So many commands may be under way, so many while something is asked besides, each for so long
-[s]: at a hundred a second more would come when a channel is too old to count.
+_UNANSWERED_MAX, _ASKING_MAX = 6, 4
+"""So many commands may be under way, so many while something is asked besides. Sticks that wait
+behind others come late: twenty of them let a simulated drone swing into a wall where a busy
+controller took 40 a second.
 """
+_ANSWER_TIMEOUT: dict[Carrier, float] = {Carrier.TCP: 0.5, Carrier.UDP: 0.25, Carrier.SERIAL: 0.25}
+"""An answer is lost after so long [s]; over TCP only a bridge to a serial port loses any."""
 _BACKLOG_MAX = 4096
 _FRAMES_MAX = 400
 """More answers in a second are thrown away unread; 100 are asked for."""
@@ -110,7 +113,8 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
     def send(self, command: int, payload: bytes = b"") -> bool:
         """Send a command at once; return whether it left: without a wire, or stuck, it does not."""
         link, now = self._transport, self._clock.now()
-        while self._under_way and now - self._under_way[0][0] > _ANSWER_TIMEOUT:
+        timeout = _ANSWER_TIMEOUT[self._endpoint.carrier]
+        while self._under_way and now - self._under_way[0][0] > timeout:
             self._under_way.popleft()
         if link is None:
             return False
