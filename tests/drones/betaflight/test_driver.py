@@ -29,7 +29,7 @@ from housefly.wires.betaflight.settings import (
     SilentChannel,
 )
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 FORWARD = flying(Setpoint(theta=0.1))
 

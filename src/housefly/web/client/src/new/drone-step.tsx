@@ -20,7 +20,7 @@ export function DroneStep() {
         value={drone.model}
         options={models.map(({ model, name }) => [model, name] as const)}
         set={(model) => {
-          const address = models.find((one) => one.model === model)?.address ?? "";
+          const { address } = models.find((one) => one.model === model)!;
           set({ model, address, profile: "" });
         }}
       />

@@ -1,6 +1,6 @@
 // Items and steps in words.
 import { decimal } from "../messages/numbers";
-import type { DraftDrone, SiteDraft } from "../wire/draft-messages";
+import type { SiteDraft } from "../wire/draft-messages";
 import { view } from "./draft";
 import type { Item } from "./items";
 import type { Key } from "./messages/en";
@@ -46,13 +46,10 @@ export const STEPS: { step: Step; title: Key; words: (all: SiteDraft) => string 
   {
     step: "drone",
     title: "Drone",
-    words: (all) => (all.hardware ? droneWords(all.drone) : t("simulated")),
+    words: (all) => (all.hardware ? (all.drone?.model ?? "") : t("simulated")),
   },
   { step: "save", title: "Write the site", words: () => "" },
 ];
-
-const droneWords = (drone: DraftDrone | null): string =>
-  drone ? `${drone.model} ${drone.address}` : "";
 
 const titled = (place: { title: string; name: string }): string => place.title || place.name;
 
