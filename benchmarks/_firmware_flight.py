@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from housefly.clock import RealClock
-from housefly.config.airframe import airframe_named
 from housefly.drones import driver_of
 from housefly.messages import Action, Command, DroneStatus, Sighting
 from housefly.sites.loaded_site import load_site
@@ -21,22 +20,6 @@ from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
 
 PERIOD = 0.02
-
-
-def constants_of(kind: str) -> dict[str, Any]:
-    """Return the changes that make a site's drone another model, with that model's constants.
-
-    A site that is changed keeps the constants that it has, those of the model before.
-    """
-    airframe = airframe_named(kind)
-    response = ("attitude_lag", "attitude_gain", "drag", "command_delay", "climb_lag", "yaw_lag")
-    hull = ("hull_length", "hull_width", "hull_height")
-    return {
-        "drone__kind": kind,
-        "drone__sink_gain": airframe.response.sink_gain,
-        **{f"drone__{name}": getattr(airframe.response, name) for name in response},
-        **{f"drone__{name}": getattr(airframe.body, name) for name in hull},
-    }
 
 
 @dataclass
@@ -119,7 +102,7 @@ class FirmwareFlight:
 async def flight_of(program: Path | None, address: str) -> AsyncIterator[FirmwareFlight]:
     """Yield a flight by ArduCopter's program, or without one by our simulated vehicle."""
     changes = {"drone__address": address, "twin__visitor_present": False}
-    loaded = load_site("bsen", **constants_of("arducopter"), **changes)
+    loaded = load_site("bsen", drone__kind="arducopter", **changes)
     world = SimulatedWorld(loaded.site, loaded.room)
     if program is None:
         from housefly.twin.mavlink.server import MavlinkServer

@@ -17,7 +17,6 @@ import threading
 import time
 from pathlib import Path
 
-from _firmware_flight import constants_of
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
@@ -37,7 +36,7 @@ _ORDERS, _REFUSED_WITHIN = 8, 5.0
 def fly(options: argparse.Namespace) -> str:
     """Fly one service; return how it ended, in a line."""
     loaded = load_site(
-        "bsen", **constants_of("arducopter"), drone__address="127.62.0.1",
+        "bsen", drone__kind="arducopter", drone__address="127.62.0.1",
         tracking__address="127.62.0.1", drone__has_video=False, twin__video=False,
         twin__seed=options.seed, twin__mocap_noise=options.noise,
         hub__enabled=False, tasks__enabled=False,

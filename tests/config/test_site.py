@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.config.airframe import airframe_named
 from housefly.config.section import Section
 from housefly.config.site import Site, changed, site_from_file, site_from_tree
 from housefly.errors import ConfigError
@@ -142,6 +143,18 @@ def test_changing_a_key_keeps_all_others(seed: int) -> None:
     site = changed(Site(), twin__seed=seed)
     assert site.twin.seed == seed
     assert changed(site, twin__seed=Site().twin.seed) == Site()
+
+
+def test_a_site_whose_model_is_changed_has_the_constants_of_the_new_one() -> None:
+    tello = airframe_named("tello")
+    given = Site(drone={"attitude_lag": 6.5})
+    twice = changed(changed(given, twin__seed=3), drone__kind="tello").drone
+    assert (twice.hull_length, twice.drag) == (tello.body.hull_length, tello.response.drag)
+    assert twice.attitude_lag == 6.5, "what somebody gave stays"
+    own = [{"name": "anna", "model": "crazyflie"}, {"name": "bert", "model": "crazyflie"}]
+    several = changed(Site(drones=own), drone__kind="tello", twin__seed=3)
+    crazyflie = airframe_named("crazyflie")
+    assert {one.hull_length for one in several.all_drones} == {crazyflie.body.hull_length}
 
 
 def test_a_site_survives_the_way_through_json(tmp_path: Path) -> None:

@@ -2,89 +2,26 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
-from dataclasses import dataclass, field
+from collections.abc import AsyncIterator
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 
-from housefly.clock import RealClock
+from driven_room import DrivenRoom, driven_rooms
+
 from housefly.config.site import Site
 from housefly.drones.crazyflie.driver import Crazyflie
-from housefly.messages import Action, Command, DroneStatus, Sighting
-from housefly.room.files import load_room
-from housefly.twin.contracts import GroundTruth
 from housefly.twin.crazyflie.firmware import CrazyflieFirmware
 from housefly.twin.crazyflie.server import CrazyflieServer
 from housefly.twin.link_filters import UNFILTERED, LinkFilters
-from housefly.twin.real_time import RealTimeRunner
-from housefly.twin.simulated_drone import SimulatedDrone
-from housefly.twin.world import SimulatedWorld
-
-PERIOD = 0.01
 
 
-@dataclass
-class CrazyflieRoom:
-    """A world behind a server, and what really happened in it.
-
-    Attributes:
-        world: the whole room; by itself it speaks of its first drone.
-        drone: the one that is flown here.
-        tracked: whether tracking sees the drone.
-        trail: the truth, a hundred times a second.
-    """
-
-    world: SimulatedWorld
-    drone: SimulatedDrone
-    server: CrazyflieServer
-    driver: Crazyflie
-    tracked: bool = True
-    trail: list[GroundTruth] = field(default_factory=list)
+class CrazyflieRoom(DrivenRoom[CrazyflieServer, Crazyflie]):
+    """The room of one Crazyflie."""
 
     @property
     def firmware(self) -> CrazyflieFirmware:
         firmware = self.drone.firmware
         assert isinstance(firmware, CrazyflieFirmware)
         return firmware
-
-    @property
-    def status(self) -> DroneStatus:
-        report = self.driver.telemetry
-        return DroneStatus.UNKNOWN if report is None else report.status
-
-    @property
-    def height(self) -> float:
-        return self.drone.truth().pose.position[2]
-
-    async def until(
-        self, holds: Callable[[], bool], command: Command | Action, patience: float = 15.0
-    ) -> None:
-        command = Command(command) if isinstance(command, Action) else command
-        async with asyncio.timeout(patience):
-            while not holds():
-                self.driver.send(command)
-                await asyncio.sleep(PERIOD)
-
-    async def hold(self, command: Command | Action, seconds: float) -> None:
-        start = self.world.now
-        await self.until(lambda: self.world.now - start > seconds, command)
-
-    async def fly(self) -> None:
-        await self.driver.connect()
-        report = self.driver
-        await self.until(lambda: report.telemetry is not None and not report.problem, Action.IDLE)
-        await self.until(lambda: self.status is DroneStatus.FLYING, Action.TAKE_OFF)
-
-    async def watch(self) -> None:
-        """Track it and note the truth, as long as the room is open."""
-        clock = RealClock()
-        while True:
-            truth = self.drone.truth()
-            self.trail.append(truth)
-            if self.tracked and self.driver.telemetry is not None:
-                now = clock.now()
-                self.driver.send_pose(Sighting("drone", truth.pose, now - 0.01, now))
-            await asyncio.sleep(PERIOD)
 
 
 @asynccontextmanager
@@ -94,34 +31,14 @@ async def crazyflie_room(
     filters: LinkFilters = UNFILTERED,
     steered_by: str | None = None,
 ) -> AsyncIterator[CrazyflieRoom]:
-    """Open a room with one drone, at an address; runs the world in real time meanwhile."""
+    """Open a room with one drone, at an address."""
     site = Site(drone={"kind": kind, "address": address, "steered_by": steered_by})
     async with crazyflie_rooms(site, filters) as (room,):
         yield room
 
 
-@asynccontextmanager
-async def crazyflie_rooms(
+def crazyflie_rooms(
     site: Site, filters: LinkFilters = UNFILTERED
-) -> AsyncIterator[tuple[CrazyflieRoom, ...]]:
-    """Open one room with all drones of a site, each at its address and with its driver."""
-    world = SimulatedWorld(site, load_room(site.room.model))
-    rooms = []
-    for name, drone in world.drones.items():
-        config = site.for_drone(name).drone if site.drones else site.drone
-        server = CrazyflieServer(drone, config.address, filters=filters)
-        await server.start()
-        rooms.append(
-            CrazyflieRoom(world, drone, server, Crazyflie(config, site.limits, RealClock()))
-        )
-    works = (RealTimeRunner(world, RealClock()).run(), *(room.watch() for room in rooms))
-    tasks = [asyncio.create_task(work) for work in works]
-    try:
-        yield tuple(rooms)
-    finally:
-        for task in tasks:
-            task.cancel()
-        await asyncio.gather(*tasks, return_exceptions=True)
-        for room in rooms:
-            await room.driver.close()
-            await room.server.stop()
+) -> AbstractAsyncContextManager[tuple[CrazyflieRoom, ...]]:
+    """Return one room with all drones of a site, each at its address and with its driver."""
+    return driven_rooms(site, CrazyflieRoom, CrazyflieServer, Crazyflie, filters)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
+from pathlib import Path
 from typing import Protocol, runtime_checkable
 
 from housefly.config.airframe import installed_models
@@ -54,6 +56,13 @@ SERVERS = {
     "tello": ("housefly.twin.tello.server", "TelloServer"),
 }
 """Module and class of what serves each of our own models."""
+PROGRAMS = {
+    "arducopter": ("ARDUCOPTER", "housefly.twin.firmware.arducopter", "ArduCopterProgram"),
+    "betaflight": ("BETAFLIGHT", "housefly.twin.firmware.betaflight", "BetaflightProgram"),
+}
+"""By model: the variable of the environment that names a stranger's firmware, module and class of
+what lets it fly.
+"""
 PORTS: dict[str, tuple[tuple[int, str], ...]] = {
     "ardrone": ((5554, "UDP"), (5556, "UDP"), (5555, "TCP"), (5559, "TCP")),
     "arducopter": ((14550, "UDP"), (5760, "TCP")),
@@ -67,7 +76,13 @@ PORTS: dict[str, tuple[tuple[int, str], ...]] = {
 
 
 def server_of(
-    kind: str, drone: TwinDrone, address: str, *, beyond_loopback: bool, filters: LinkFilters
+    kind: str,
+    drone: TwinDrone,
+    address: str,
+    *,
+    beyond_loopback: bool,
+    filters: LinkFilters,
+    environment: Mapping[str, str] | None = None,
 ) -> DroneServer:
     """Return what serves a drone of a model, not yet started.
 
@@ -75,13 +90,21 @@ def server_of(
         kind: its model.
         drone: what flies.
         address: IP address to answer at.
-        beyond_loopback: allow an address that other machines can reach.
+        beyond_loopback: allow an address, and of a program interfaces, that other machines can
+            reach.
         filters: what stands between client and drone; only our own servers have them.
+        environment: may name a stranger's program that flies it; None names none.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``; a model whose
             wire nothing simulates.
     """
+    variable, module, name = PROGRAMS.get(kind, ("", "", ""))
+    if program := (environment or {}).get(variable, ""):
+        flown: DroneServer = getattr(import_module(module), name)(
+            drone, address, program=Path(program), beyond_loopback=beyond_loopback, filters=filters
+        )
+        return flown
     if kind in SERVERS:
         module, name = SERVERS[kind]
         own: DroneServer = getattr(import_module(module), name)(

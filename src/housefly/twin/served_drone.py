@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 from collections.abc import Coroutine
 from typing import Any
 
@@ -14,7 +15,6 @@ from housefly.twin.drone_servers import FilmingServer, server_of
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
-from housefly.twin.firmware.programs import program_server
 from housefly.twin.link_counters import Counters
 from housefly.twin.people.script import PersonScript
 from housefly.twin.world import SimulatedWorld
@@ -52,9 +52,10 @@ class ServedDrone:
         self._rate_hz = stand.site.twin.video_rate_hz
         kind, address = stand.config.kind, stand.config.address
         filters = faulty_links(faults, self._now)
-        self._server = program_server(
-            kind, self._drone, address, beyond_loopback=beyond_loopback, filters=filters
-        ) or server_of(kind, self._drone, address, beyond_loopback=beyond_loopback, filters=filters)
+        self._server = server_of(
+            kind, self._drone, address,
+            beyond_loopback=beyond_loopback, filters=filters, environment=os.environ,
+        )  # fmt: skip
         self._filmed = self._server if isinstance(self._server, FilmingServer) else None
         has_video = stand.site.twin.video and stand.config.enabled and self._filmed is not None
         self._camera = CameraProcess(stand.site, room, people) if has_video else None

@@ -16,11 +16,13 @@ import pytest
 from housefly.clock import RealClock
 from housefly.errors import ConfigError, LinkError
 from housefly.sites.loaded_site import load_site
+from housefly.twin.drone_servers import server_of
 from housefly.twin.firmware.arducopter import PARAMETERS, ArduCopterProgram
 from housefly.twin.firmware.program import Program, check_alone
-from housefly.twin.firmware.programs import program_server
 from housefly.twin.link_filters import UNFILTERED
+from housefly.twin.mavlink.server import MavlinkServer
 from housefly.twin.real_time import RealTimeRunner
+from housefly.twin.tello.server import TelloServer
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.mavlink.autopilots import AUTOPILOTS
 
@@ -88,13 +90,14 @@ def test_only_a_model_whose_program_is_named_is_flown_by_one(stand_in: Path) -> 
     world = SimulatedWorld(loaded.site, loaded.room)
 
     def server(kind: str, environment: dict[str, str], address: str = "127.0.0.1") -> object:
-        return program_server(
+        return server_of(
             kind, world, address,
             beyond_loopback=False, filters=UNFILTERED, environment=environment,
         )  # fmt: skip
 
     named = {"ARDUCOPTER": str(stand_in)}
-    assert server("arducopter", {}) is None and server("tello", named) is None
+    assert isinstance(server("arducopter", {}), MavlinkServer)
+    assert isinstance(server("tello", named), TelloServer)
     with pytest.raises(ConfigError, match="other machines only"):
         server("arducopter", named, "192.0.2.1")
 

@@ -15,12 +15,11 @@ from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.betaflight.checks import lacking_channels, lacking_settings, refusal
-from housefly.drones.betaflight.controller import Controller
+from housefly.drones.betaflight.controller import Controller, Questions
 from housefly.drones.betaflight.echo import Echo
 from housefly.drones.betaflight.height import height_model
 from housefly.drones.betaflight.link import LinkCounters, MspLink
 from housefly.drones.betaflight.manoeuvres import FcState, StickManoeuvres
-from housefly.drones.betaflight.questions import Questions
 from housefly.drones.repeating_driver import RepeatingDriver
 from housefly.errors import LinkError
 from housefly.geometry import GRAVITY

@@ -15,7 +15,7 @@ from housefly.pilot.safety.drone_rules import ON_FLOOR_HEIGHT, descent_time, hei
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import control_error
 from housefly.pilot.safety.rule import RuleContext
-from housefly.pilot.safety.tracking_rules import LATENCY_HOLD, is_disproved, seems_low
+from housefly.pilot.safety.tracking_rules import LATENCY_HOLD, is_disproved, is_mirrored, seems_low
 
 STEERED_LANDING_TIME_MAX = 8.0
 """A landing that the pilot steers has to be near the floor after this [s]."""
@@ -53,8 +53,7 @@ def knows_place(c: RuleContext) -> bool:
 
 def tracking_is_believed(c: RuleContext) -> bool:
     """Return whether tracking shows neither a mirror image nor a height that cannot be."""
-    is_mirrored = c.inputs.consistency.mirrored or c.seen.leans_mirrored
-    return not (seems_low(c) or is_mirrored)
+    return not (seems_low(c) or is_mirrored(c))
 
 
 def hover_is_believed(c: RuleContext) -> bool:

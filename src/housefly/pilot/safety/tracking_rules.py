@@ -45,6 +45,11 @@ def seems_low(c: RuleContext) -> bool:
     return c.inputs.consistency.height_error < -HEIGHT_DISAGREES
 
 
+def is_mirrored(c: RuleContext) -> bool:
+    """Return whether tracking shows the mirror image of how the drone moves, or of how it leans."""
+    return c.inputs.consistency.mirrored or c.seen.leans_mirrored
+
+
 def is_disproved(known: TrackingConsistency) -> bool:
     """Return whether the drone's own motion shows that tracking or its frame is wrong."""
     return (
@@ -217,7 +222,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         mode=SafetyMode.LAND,
         scope=RuleScope.AIRBORNE,
         condition="tracked motion is the mirror image of the drone's own, or of how it leans",
-        is_broken=lambda c: c.inputs.consistency.mirrored or c.seen.leans_mirrored,
+        is_broken=is_mirrored,
         words=lambda _: landing(Words("tracking is the mirror image of how the drone moves")),
         clears=Clearing.GROUND,
     ),

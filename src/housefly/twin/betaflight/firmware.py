@@ -7,6 +7,7 @@ and landings: armed it counts as flying here.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import acos, cos, radians
 
 from housefly.config.drone import DroneConfig
@@ -14,18 +15,27 @@ from housefly.geometry import GRAVITY
 from housefly.messages.stick import Stick
 from housefly.twin.betaflight.failsafe import FcFailsafe, Phase
 from housefly.twin.betaflight.receiver import Receiver
-from housefly.twin.betaflight.usual_settings import usual_settings
 from housefly.twin.contracts import FlightState
 from housefly.twin.quadrotor.firmware import Firmware
 from housefly.twin.quadrotor.inner_loops import LoopReferences
 from housefly.twin.simulated_body import CONTROL_PERIOD, MOTORS_OFF, SensorReading, Wrench
 from housefly.wires.betaflight.arming import NOTHING, OF_THE_SWITCH, ArmingFlag
-from housefly.wires.betaflight.settings import AxisRates, Box, FcSettings
+from housefly.wires.betaflight.settings import (
+    FEATURE_RX_MSP,
+    AxisRates,
+    Box,
+    FailsafeProcedure,
+    FailsafeSettings,
+    FcSettings,
+    ModeRange,
+    SilentChannel,
+)
 from housefly.wires.betaflight.sticks import (
     RadioSticks,
     flight_channels,
     radio_sticks_of,
     raw_channels,
+    throttle_position,
     turn_rate,
 )
 from housefly.wires.betaflight.switches import Switches, boxes_at, switches_of
@@ -38,6 +48,42 @@ MOTOR_LAG = 0.033
 """Time constant of its motors [s] (uzh-rpg/agilicious, kingfisher)."""
 _RATE_POLE, _ACCELERATION_MAX = 40.0, 300.0
 _ORDER = (0, 1, 2, 3)
+BOXES = (
+    *(Box.ARM, Box.ANGLE, Box.HORIZON, Box.ALT_HOLD, Box.HEADFREE, Box.FAILSAFE, Box.CRASH_FLIP),
+    *(Box.PREARM, Box.PARALYZE, Box.MSP_OVERRIDE),
+)
+"""Modes that it knows, in the order of its state."""
+SINKING_THRUST = 0.97
+"""Thrust over weight of an automatic landing: it ends at about 1 m/s."""
+LANDING_TIME = 6.0
+_HIGH = 1700, 2100
+
+
+def usual_settings(hover: float) -> FcSettings:
+    """Return how it is set when it is switched on: as docs/drones/betaflight.md asks.
+
+    Args:
+        hover: share of full thrust that carries it.
+    """
+    usual = FcSettings(
+        boxes=BOXES,
+        ranges=(
+            ModeRange(Box.ARM, 0, *_HIGH),
+            ModeRange(Box.ANGLE, 1, *_HIGH),
+            ModeRange(Box.MSP_OVERRIDE, 2, *_HIGH),
+        ),
+        features=FEATURE_RX_MSP,
+    )
+    idle = usual.motor_idle
+    throttle = ((SINKING_THRUST * hover) ** 0.5 - idle) / (1.0 - idle)
+    silent = list(usual.silent)
+    silent[3] = (SilentChannel.HOLD, usual.middle)
+    failsafe = FailsafeSettings(
+        landing_time=LANDING_TIME,
+        throttle=throttle_position(throttle, usual),
+        procedure=FailsafeProcedure.AUTO_LAND,
+    )
+    return replace(usual, silent=tuple(silent), failsafe=failsafe)
 
 
 class BetaflightFirmware(Firmware):

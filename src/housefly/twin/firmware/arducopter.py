@@ -8,15 +8,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.errors import ConfigError
-from housefly.twin.address import check_address
 from housefly.twin.contracts import TwinDrone
 from housefly.twin.firmware.lock_step import LockStep
-from housefly.twin.firmware.program import Program, check_alone
+from housefly.twin.firmware.program import Program, drone_to_board
 from housefly.twin.firmware.relay import Relay
 from housefly.twin.link_filters import UNFILTERED, LinkFilters
-from housefly.twin.simulated_drone import SimulatedDrone
-from housefly.twin.world import SimulatedWorld
 from housefly.wires.mavlink.autopilots import AUTOPILOTS
 
 _ROW = AUTOPILOTS["arducopter"]
@@ -60,11 +56,7 @@ class ArduCopterProgram:
         beyond_loopback: bool = False,
         filters: LinkFilters = UNFILTERED,
     ) -> None:
-        check_address("drone.address", address, beyond_loopback)
-        check_alone(_ROW.name, beyond_loopback)
-        boarded = drone.first if isinstance(drone, SimulatedWorld) else drone
-        if not isinstance(boarded, SimulatedDrone):
-            raise ConfigError("drone.kind", f"is no simulated drone that {_ROW.name} could fly")
+        boarded = drone_to_board(_ROW.name, drone, address, beyond_loopback)
         self._drone = boarded
         self._program = Program(program)
         self._relay = Relay(address, _ROW.udp_port, filters)

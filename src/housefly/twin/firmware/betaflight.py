@@ -8,14 +8,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.errors import ConfigError
-from housefly.twin.address import check_address
 from housefly.twin.contracts import TwinDrone
 from housefly.twin.firmware.beside import Beside
-from housefly.twin.firmware.program import Program, check_alone
+from housefly.twin.firmware.program import Program, drone_to_board
 from housefly.twin.link_filters import UNFILTERED, LinkFilters
-from housefly.twin.simulated_drone import SimulatedDrone
-from housefly.twin.world import SimulatedWorld
 
 _NAME = "Betaflight"
 SETTINGS = (
@@ -58,11 +54,7 @@ class BetaflightProgram:
         filters: LinkFilters = UNFILTERED,
         settings: tuple[str, ...] = SETTINGS,
     ) -> None:
-        check_address("drone.address", address, beyond_loopback)
-        check_alone(_NAME, beyond_loopback)
-        boarded = drone.first if isinstance(drone, SimulatedWorld) else drone
-        if not isinstance(boarded, SimulatedDrone):
-            raise ConfigError("drone.kind", f"is no simulated drone that {_NAME} could fly")
+        boarded = drone_to_board(_NAME, drone, address, beyond_loopback)
         self._drone, self._settings = boarded, settings
         self._program = Program(program)
         self.steps = Beside()

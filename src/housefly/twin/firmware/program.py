@@ -12,6 +12,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from housefly.errors import ConfigError, LinkError
+from housefly.twin.address import check_address
+from housefly.twin.contracts import TwinDrone
+from housefly.twin.simulated_drone import SimulatedDrone
+from housefly.twin.world import SimulatedWorld
 
 _END_TIMEOUT = 2.0
 _PREPARATION_TIMEOUT = 20.0
@@ -84,6 +88,28 @@ class Program:
                 self._process.kill()
                 self._process.wait()
         shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def drone_to_board(
+    name: str, drone: TwinDrone, address: str, beyond_loopback: bool
+) -> SimulatedDrone:
+    """Return the simulated drone that a program is to fly.
+
+    Args:
+        name: of the firmware, for people.
+        drone: or the world of one.
+        address: IP address that the program is to be reached at.
+        beyond_loopback: whether the user asked to serve other machines.
+
+    Raises:
+        ConfigError: no such drone; an address, or an interface, that other machines can reach.
+    """
+    check_address("drone.address", address, beyond_loopback)
+    check_alone(name, beyond_loopback)
+    boarded = drone.first if isinstance(drone, SimulatedWorld) else drone
+    if not isinstance(boarded, SimulatedDrone):
+        raise ConfigError("drone.kind", f"is no simulated drone that {name} could fly")
+    return boarded
 
 
 def check_alone(name: str, beyond_loopback: bool) -> None:

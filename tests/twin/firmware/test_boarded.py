@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from housefly.config.airframe import airframe_named
 from housefly.geometry import GRAVITY
 from housefly.twin.drone_mechanics import mechanics_of
-from housefly.twin.firmware.rotors import Rotors, lift
+from housefly.twin.firmware.boarded import Rotors, lift
 from housefly.twin.simulated_body import MOTORS_OFF, Wrench
 
 BEBOP = mechanics_of(airframe_named("arducopter"))
