@@ -6,7 +6,6 @@ import asyncio
 import contextlib
 import os
 import socket
-import time
 from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +13,7 @@ from pathlib import Path
 import pytest
 from full_disk import full_output
 from kinematic_world import KinematicWorld
+from virtual_time import loop_time
 
 from housefly.bus.private_socket import is_own_user
 from housefly.clock import RealClock
@@ -31,7 +31,7 @@ from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, Vid
 from housefly.messages.stick import Stick
 from housefly.twin.ardrone.server import ArDroneServer
 
-pytestmark = pytest.mark.wire
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time]
 
 FORWARD = Setpoint(theta=0.1)
 
@@ -61,9 +61,9 @@ class Bench:
         seconds: float = 10.0,
     ) -> None:
         """Send a command a hundred times a second until something holds."""
-        end = time.monotonic() + seconds
+        end = loop_time() + seconds
         while not holds():
-            assert time.monotonic() < end, f"{self.pilot.telemetry} {self.pilot.problem}"
+            assert loop_time() < end, f"{self.pilot.telemetry} {self.pilot.problem}"
             if action is not None:
                 self.pilot.send(Command(action, setpoint))
             await asyncio.sleep(0.01)
@@ -80,10 +80,10 @@ async def bench(loopback: str, tmp_path: Path) -> AsyncIterator[Bench]:
     world = KinematicWorld()
 
     async def move() -> None:
-        last = time.monotonic()
+        last = loop_time()
         while True:
             await asyncio.sleep(0.005)
-            now = time.monotonic()
+            now = loop_time()
             world.advance(now - last)
             last = now
 
@@ -162,10 +162,10 @@ async def test_pictures_come_through_and_a_pilot_that_does_not_read_delays_no_co
     link.pause_reading()
     for _ in range(300):
         bench.server._on_video(frame)
-    before = time.monotonic()
+    before = loop_time()
     await bench.until(lambda: bench.world.asked.hover, Action.HOVER, seconds=3.0)
-    assert time.monotonic() - before < 1.0
-    resumed_at = time.monotonic()
+    assert loop_time() - before < 1.0
+    resumed_at = loop_time()
     link.resume_reading()
     await bench.until(
         lambda: (
@@ -182,15 +182,15 @@ async def test_a_pilot_whose_connection_ends_leaves_a_drone_that_hovers_at_once_
     await bench.fly()
     monkeypatch.setattr(failsafe, "HOVER_AFTER", 60.0)  # nobody waits for silence
     await bench.pilot.close()
-    end = time.monotonic() + 1.5
+    end = loop_time() + 1.5
     while not bench.world.asked.hover:
-        assert time.monotonic() < end
+        assert loop_time() < end
         await asyncio.sleep(0.01)
     report = bench.driver.telemetry
     assert report is not None and report.status is DroneStatus.FLYING
-    end = time.monotonic() + 8.0
+    end = loop_time() + 8.0
     while (report := bench.driver.telemetry) and report.status is not DroneStatus.LANDED:
-        assert time.monotonic() < end
+        assert loop_time() < end
         await asyncio.sleep(0.02)
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import random
-import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import dataclass
 
 import pytest
 from kinematic_world import KinematicWorld
+from virtual_time import loop_time
 
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
@@ -154,9 +154,9 @@ class Flight:
 
         A machine that stands still for a while takes nothing from what was sent.
         """
-        end = time.monotonic() + seconds
+        end = loop_time() + seconds
         sent = 0
-        while sent < seconds / SEND_PERIOD or time.monotonic() < end:
+        while sent < seconds / SEND_PERIOD or loop_time() < end:
             self.drone.send(Command(action, setpoint))
             sent += 1
             await asyncio.sleep(SEND_PERIOD)
@@ -170,9 +170,9 @@ class Flight:
         seconds: float = 20.0,
     ) -> None:
         """Send a command until something holds; fail after this time."""
-        end = time.monotonic() + seconds
+        end = loop_time() + seconds
         while not holds():
-            assert time.monotonic() < end, f"not reached within {seconds} s: {self.drone.telemetry}"
+            assert loop_time() < end, f"not reached within {seconds} s: {self.drone.telemetry}"
             self.drone.send(Command(action, setpoint))
             await asyncio.sleep(SEND_PERIOD)
 
@@ -187,10 +187,10 @@ async def world() -> AsyncIterator[KinematicWorld]:
     moving = KinematicWorld()
 
     async def move() -> None:
-        last = time.monotonic()
+        last = loop_time()
         while True:
             await asyncio.sleep(0.005)
-            now = time.monotonic()
+            now = loop_time()
             moving.advance(now - last)
             last = now
 

@@ -8,11 +8,11 @@ import asyncio
 import contextlib
 import io
 import socket
-import time
 from pathlib import Path
 
 import pytest
 from full_disk import full_output
+from virtual_time import loop_time
 
 from housefly.clock import RealClock
 from housefly.config.airframe import airframe_named
@@ -36,7 +36,7 @@ from housefly.wires.ardrone.pave import (
     encode_frame,
 )
 
-pytestmark = [pytest.mark.wire, pytest.mark.usefixtures("fresh_log")]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.usefixtures("fresh_log")]
 
 ARDRONE = airframe_named("ardrone")
 FORWARD = Setpoint(theta=0.1)
@@ -85,9 +85,9 @@ async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=1.0)
     heard = len(flight.radio.commands)
-    before = time.monotonic()
+    before = loop_time()
     await flight.hold(Action.FLY, FORWARD, seconds=1.0)
-    expected = (time.monotonic() - before) / ARDRONE.link.interval
+    expected = (loop_time() - before) / ARDRONE.link.interval
     assert 0.4 * expected < len(flight.radio.commands) - heard < 1.2 * expected
     flight.drone.send(Command(Action.FLY, FORWARD))
     flight.drone.send(Command(Action.HOVER))
@@ -270,9 +270,9 @@ async def test_recorded_pictures_arrive_from_the_first_key_frame_on_and_again_af
     await flight.drone.connect()
 
     async def play_until(count: int) -> None:
-        end = time.monotonic() + 6.0
+        end = loop_time() + 6.0
         while len(pictures) < count:
-            assert time.monotonic() < end, f"{len(pictures)} pictures"
+            assert loop_time() < end, f"{len(pictures)} pictures"
             for frame in frames:
                 flight.server.publish(_Picture(frame))
             await asyncio.sleep(0.1)

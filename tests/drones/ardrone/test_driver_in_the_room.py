@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import AsyncIterator, Callable
 
 import pytest
 
 pytest.importorskip("mujoco")
+
+from virtual_time import loop_time
 
 from housefly.config.site import Site
 from housefly.drones.ardrone.driver import ArDrone
@@ -17,7 +18,7 @@ from housefly.room.model import Place, Room
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.world import SimulatedWorld
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
 HALL = Room(
     "hall",
@@ -38,10 +39,10 @@ async def world() -> AsyncIterator[SimulatedWorld]:
     simulated = SimulatedWorld(Site(), HALL)
 
     async def move() -> None:
-        last = time.monotonic()
+        last = loop_time()
         while True:
             await asyncio.sleep(0.005)
-            now = time.monotonic()
+            now = loop_time()
             simulated.advance(min(0.1, now - last))
             last = now
 
@@ -62,9 +63,9 @@ async def test_take_off_move_hover_cut_reset_and_land(world, loopback: str) -> N
         setpoint: Setpoint = LEVEL,
         patience: float = 10.0,
     ) -> None:
-        end = time.monotonic() + patience
+        end = loop_time() + patience
         while not holds():
-            assert time.monotonic() < end, f"{action}: {drone.telemetry}"
+            assert loop_time() < end, f"{action}: {drone.telemetry}"
             drone.send(Command(action, setpoint))
             await asyncio.sleep(0.01)
 

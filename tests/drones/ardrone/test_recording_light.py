@@ -62,6 +62,7 @@ def test_a_drone_that_is_never_recorded_hears_nothing_of_lights() -> None:
 
 
 @pytest.mark.wire
+@pytest.mark.virtual_time
 async def test_the_drone_blinks_while_it_is_said_and_commands_keep_their_cadence(flight) -> None:
     await flight.drone.connect()
     await flight.until(lambda: flight.drone.telemetry.status is DroneStatus.FLYING, Action.TAKE_OFF)
@@ -89,6 +90,7 @@ async def test_the_drone_blinks_while_it_is_said_and_commands_keep_their_cadence
 
 
 @pytest.mark.wire
+@pytest.mark.virtual_time
 async def test_without_another_word_and_over_a_bad_radio_no_light_stays_on(flight) -> None:
     flight.radio.loss = 0.3
     await flight.drone.connect()

@@ -29,7 +29,7 @@ from housefly.wires.betaflight.settings import (
     SilentChannel,
 )
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
 FORWARD = flying(Setpoint(theta=0.1))
 
@@ -216,9 +216,8 @@ def lossy(share: float) -> LinkFilters:
     return LinkFilters(uplink=losing, downlink=losing)
 
 
-@pytest.mark.interop
-async def test_a_fifth_of_all_commands_and_answers_may_be_lost(loopback: str) -> None:
-    async with betaflight_room(loopback, lossy(0.2)) as room:
+async def test_a_tenth_of_all_commands_and_answers_may_be_lost(loopback: str) -> None:
+    async with betaflight_room(loopback, lossy(0.1)) as room:
         await room.fly()
         await room.hold(Action.HOVER, 1.0)
         assert room.height == pytest.approx(1.05, abs=0.15)

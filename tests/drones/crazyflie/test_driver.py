@@ -40,7 +40,7 @@ from housefly.wires.crazyflie.setpoints import (
     decode_setpoint,
 )
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
 FORWARD = flying(Setpoint(theta=0.1))
 

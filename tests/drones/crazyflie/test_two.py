@@ -12,7 +12,7 @@ from crazyflie_room import CrazyflieRoom, crazyflie_rooms
 from housefly.config.site import Site
 from housefly.messages import Action, Command, DroneStatus
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
 
 async def test_each_hears_its_own_driver_and_believes_its_own_place(loopback: str) -> None:

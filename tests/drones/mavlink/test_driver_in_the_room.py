@@ -22,7 +22,7 @@ from housefly.twin.mavlink.server import MavlinkServer
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 AHEAD = flying(VelocitySetpoint(forward=0.4))
 
 

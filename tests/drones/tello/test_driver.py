@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import AsyncIterator, Callable
 from math import hypot
 
@@ -13,6 +12,7 @@ import pytest_asyncio
 pytest.importorskip("mujoco")
 
 from tello_ports import tello_ports
+from virtual_time import loop_time
 
 from housefly.clock import RealClock
 from housefly.config.limits import LimitsConfig
@@ -31,7 +31,7 @@ from housefly.twin.world import SimulatedWorld
 from housefly.wires.tello.lines import STATE_PORT
 from housefly.wires.tello.state import TelloState, encode_state
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
 HALL = Room(
     "hall",
@@ -58,9 +58,9 @@ class Flight:
         self, holds: Callable[[], bool], command: Command | None = None, patience: float = 15.0
     ) -> None:
         """Say a command a hundred times a second until something holds."""
-        end = time.monotonic() + patience
+        end = loop_time() + patience
         while not holds():
-            assert time.monotonic() < end, f"{command}: {self.drone.telemetry}"
+            assert loop_time() < end, f"{command}: {self.drone.telemetry}"
             if command is not None:
                 self.drone.send(command)
             await asyncio.sleep(0.01)
@@ -91,10 +91,10 @@ async def flight(loopback: str) -> AsyncIterator[Flight]:
     world = SimulatedWorld(changed(Site(), drone__kind="tello"), HALL)
 
     async def move() -> None:
-        last = time.monotonic()
+        last = loop_time()
         while True:
             await asyncio.sleep(0.005)
-            now = time.monotonic()
+            now = loop_time()
             world.advance(min(0.1, now - last))
             last = now
 

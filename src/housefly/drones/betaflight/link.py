@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import cast
+from typing import NamedTuple, cast
 
 from housefly.clock import Clock
 from housefly.drones.betaflight.serial_port import SerialPort
@@ -16,13 +16,15 @@ from housefly.wires.betaflight.endpoint import Carrier, MspEndpoint
 from housefly.wires.betaflight.framing import MspDirection, MspFrame, MspReader, encode_msp
 
 _RECONNECT_PAUSE = 0.2
-_UNANSWERED_MAX, _ASKING_MAX = 6, 4
-"""So many commands may be under way, so many while something is asked besides. Sticks that wait
-behind others come late: twenty of them let a simulated drone swing into a wall where a busy
-controller took 40 a second.
+_UNANSWERED_MAX, _QUESTIONS_MAX = 4, 2
+"""So many orders and so many questions may be under way. Sticks that wait behind others come late:
+twenty of them let a simulated drone swing into a wall where a busy controller took 40 a second.
+Neither kind waits for the other: where answers are lost, both would.
 """
 _ANSWER_TIMEOUT: dict[Carrier, float] = {Carrier.TCP: 0.5, Carrier.UDP: 0.25, Carrier.SERIAL: 0.25}
 """An answer is lost after so long [s]; over TCP only a bridge to a serial port loses any."""
+_OVERTAKEN_AFTER = 0.2
+"""One is lost after this [s] already, where answers come: lost sticks keep no others waiting."""
 _BACKLOG_MAX = 4096
 _FRAMES_MAX = 400
 """More answers in a second are thrown away unread; 100 are asked for."""
@@ -50,6 +52,13 @@ class LinkCounters:
     connects: int = 0
 
 
+class _UnderWay(NamedTuple):
+    sent_at: float
+    command: int
+    is_order: bool
+    """Whether it carries something; a question does not."""
+
+
 class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
     """Speaks with one controller; all calls belong to one asyncio loop.
 
@@ -74,7 +83,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         self._hear, self._opened = hear, opened
         self._transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort | None = None
         self._reader, self.counters = MspReader(), LinkCounters()
-        self._under_way: deque[tuple[float, int]] = deque()
+        self._under_way: deque[_UnderWay] = deque()
         self._keeping: asyncio.Task[None] | None = None
         self._lost = asyncio.Event()
         self._second, self._frames = 0.0, 0
@@ -86,8 +95,11 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
 
     @property
     def may_ask(self) -> bool:
-        """Whether few enough commands are under way to ask something besides."""
-        return len(self._under_way) < _ASKING_MAX
+        """Whether few enough questions are under way to ask another."""
+        return self._count(False) < _QUESTIONS_MAX
+
+    def _count(self, is_order: bool) -> int:
+        return sum(one.is_order is is_order for one in self._under_way)
 
     async def open(self) -> None:
         """Open the wire; one that is lost is opened again.
@@ -112,16 +124,16 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
 
     def send(self, command: int, payload: bytes = b"") -> bool:
         """Send a command at once; return whether it left: without a wire, or stuck, it does not."""
-        link, now = self._transport, self._clock.now()
-        timeout = _ANSWER_TIMEOUT[self._endpoint.carrier]
-        while self._under_way and now - self._under_way[0][0] > timeout:
-            self._under_way.popleft()
+        link = self._transport
+        self._forget(_ANSWER_TIMEOUT[self._endpoint.carrier])
         if link is None:
             return False
         is_stuck = (
             isinstance(link, asyncio.Transport) and link.get_write_buffer_size() > _BACKLOG_MAX
         )
-        if is_stuck or len(self._under_way) >= _UNANSWERED_MAX:
+        is_order = bool(payload)
+        most = _UNANSWERED_MAX if is_order else _QUESTIONS_MAX
+        if is_stuck or self._count(is_order) >= most:
             self.counters.held_back += 1
             return False
         data = encode_msp(MspFrame(command, payload))
@@ -129,7 +141,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
             link.sendto(data)
         else:
             link.write(data)
-        self._under_way.append((now, command))
+        self._under_way.append(_UnderWay(self._clock.now(), command, is_order))
         self.counters.sent += 1
         return True
 
@@ -183,9 +195,16 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
 
     def _settle(self, command: int) -> None:
         """Forget a command that is answered, and those before it: answers come in order."""
-        if any(sent == command for _, sent in self._under_way):
-            while self._under_way.popleft()[1] != command:
+        if any(one.command == command for one in self._under_way):
+            while self._under_way.popleft().command != command:
                 pass
+        self._forget(_OVERTAKEN_AFTER)
+
+    def _forget(self, age: float) -> None:
+        """Wait no longer for what is older [s]."""
+        now = self._clock.now()
+        while self._under_way and now - self._under_way[0].sent_at > age:
+            self._under_way.popleft()
 
     async def _keep(self) -> None:
         while True:

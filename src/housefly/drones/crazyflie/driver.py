@@ -268,9 +268,14 @@ class Crazyflie(RepeatingDriver):
         self._lands_blindly = False
 
     def _land_blindly(self) -> None:
-        """Have its own commander land it, once: an order behind the end would start the motors."""
-        if self._state.is_flying and not self._lands_blindly:
-            self._link.send(encode_high_level(BLIND_LANDING), notify_setpoints_stop())
+        """Have its own commander land it, once: an order behind the end would start the motors.
+
+        That setpoints stop is said again: where only that was lost, its watchdog cuts the motors.
+        """
+        if not self._state.is_flying:
+            return
+        order = () if self._lands_blindly else (encode_high_level(BLIND_LANDING),)
+        self._link.send(*order, notify_setpoints_stop())
 
     async def _keep(self) -> None:
         """Ask for reports anew when they stay away."""

@@ -97,7 +97,7 @@ class Manoeuvres:
         self._held: Place | None = None
         self._height, self._height_at = 0.0, -inf
         self._vz = 0.0
-        self._asked_at = -inf
+        self._asked_at = self._stopped_at = -inf
         self._lands_itself = self._sinks = False
 
     def status(self, state: OwnState) -> DroneStatus:
@@ -221,8 +221,10 @@ class Manoeuvres:
             # a setpoint that came late has stopped its commander in the air
             is_active = SupervisorInfo.HIGH_LEVEL_ACTIVE in state.info
             self._lands_itself = is_active or state.place[2] < _LOW
-        if self._lands_itself or not state.is_flying:
+        if not state.is_flying:
             return ()
+        if self._lands_itself:
+            return self._stop_setpoints(now)
         if seen is None or self._sinks:
             return self._sink(now)
         if now - self._asked_at < _ASK_AGAIN:
@@ -230,6 +232,13 @@ class Manoeuvres:
         self._asked_at = now
         duration = max(seen.pose.position[2] / LANDING_RATE, LANDING_TIME_MIN)
         return encode_high_level(Land(0.0, duration)), notify_setpoints_stop()
+
+    def _stop_setpoints(self, now: float) -> tuple[Packet, ...]:
+        """Say again that setpoints stop: where only that was lost, its watchdog cuts the motors."""
+        if now - self._stopped_at < _ASK_AGAIN:
+            return ()
+        self._stopped_at = now
+        return (notify_setpoints_stop(),)
 
     def _sink(self, now: float) -> tuple[Packet, ...]:
         """Sink level until the floor must be there, then stop."""
