@@ -17,7 +17,7 @@ PYTEST := $(BIN)/python -m pytest -q --dist worksteal --durations=10 --durations
 	--hypothesis-profile=same-examples
 # Only what has such tests is imported for the few that are marked.
 marked = $(shell grep -rl --include='test_*.py' 'mark\.$(1)' tests)
-REALTIME := $(PYTEST) -n 2
+REALTIME := $(PYTEST) -n 1
 # What failed beside others is run once more, alone: a machine that stood still passes, a defect
 # fails again. Both results are printed; who maintains this looks at both.
 run_tests = $(PYTEST) --cache-clear -n $(1) -m $(2) $(3) || { [ $$? -eq 1 ] && \
@@ -61,7 +61,7 @@ demo: setup
 # What waits for clocks shares two cores with what computes; whole processes have them alone.
 test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
-	$(call run_tests,2,'realtime and not interop and not safety',$(call marked,realtime))
+	$(call run_tests,1,'realtime and not interop and not safety',$(call marked,realtime))
 
 interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready
 	$(REALTIME) -m interop $(call marked,interop)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import itertools
 import os
@@ -9,6 +10,7 @@ from collections.abc import AsyncIterator, Generator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import psutil
 import pytest
 import pytest_asyncio
 from hypothesis import settings
@@ -40,6 +42,28 @@ def pytest_collection() -> Generator[None, object, object]:
     finally:
         gc.freeze()
         gc.enable()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
+    """End what a failed test started: a whole house that flies on makes every later test late."""
+    if item.get_closest_marker("realtime") is None:
+        return (yield)
+    before = set(psutil.Process().children())
+    try:
+        return (yield)
+    except BaseException:
+        for child in set(psutil.Process().children()) - before:
+            _end_with_children(child)
+        raise
+
+
+def _end_with_children(process: psutil.Process) -> None:
+    with contextlib.suppress(psutil.Error):
+        family = [process, *process.children(recursive=True)]
+        for one in family:
+            one.kill()
+        psutil.wait_procs(family, timeout=5.0)
 
 
 @pytest.fixture

@@ -45,21 +45,35 @@ def children_of(process: subprocess.Popen[bytes]) -> list[psutil.Process]:
     return psutil.Process(process.pid).children(recursive=True)
 
 
-def test_ctrl_c_ends_every_process_and_its_recording_is_scored_on_the_truth(
+def test_one_memory_has_one_run_a_killed_part_comes_back_and_ctrl_c_ends_all_and_is_scored(
     tmp_path: Path, write_site: Any
 ) -> None:
-    recording = tmp_path / "recording"
-    process = start(write_site(), tmp_path / "log", "--record", str(recording))
-    children = children_of(process)
-    assert len(children) >= 3
-    said = (tmp_path / "log").read_text()
+    site, log, recording = write_site(), tmp_path / "log", tmp_path / "recording"
+    process = start(site, log, "--record", str(recording))
+    said = log.read_text()
     assert 0 <= said.find(UNSEEN_PEOPLE) < said.find("ready after")
     assert listeners_of(process.pid, port_said_in(said)) == 1, "held for every next console"
+    assert_memory_is_refused_to_a_second_run(site_from_file(site).hub.store, write_site())
+    children = children_of(process)
+    next(child for child in children if "housefly.twin.process" in child.cmdline()).kill()
+    wait_for(lambda: "twin died and was started again" in log.read_text())
+    children = children_of(process)
+    assert len(children) >= 3
     process.send_signal(signal.SIGINT)
-    assert process.wait(40) == 0
-    assert psutil.wait_procs(children, timeout=5)[1] == []
+    assert process.wait(60) == 0
+    assert psutil.wait_procs(children, timeout=15)[1] == []
     summary = json.loads((recording / "summary.json").read_text())
     assert summary["contacts"] == [], "None: nobody wrote what was true"
+
+
+def assert_memory_is_refused_to_a_second_run(memory: Path, second: Path) -> None:
+    second.write_text(re.sub(r"store = .*", f'store = "{memory}"', second.read_text()))
+    command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(second)]
+    refused = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert refused.returncode == 2
+    assert "another run uses this room's memory" in refused.stderr
+    assert "hub.store" in refused.stderr
+    assert Path(memory).stat().st_mode & 0o777 == 0o600
 
 
 @pytest.mark.interop
@@ -69,24 +83,6 @@ def test_no_process_outlives_a_launcher_that_was_killed(tmp_path: Path, write_si
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
     assert psutil.wait_procs(children, timeout=30)[1] == []
-
-
-def test_a_killed_part_is_started_again_and_said(tmp_path: Path, write_site: Any) -> None:
-    process = start(write_site(), tmp_path / "log")
-    try:
-        twin = next(
-            child
-            for child in children_of(process)
-            if "housefly.twin.process" in " ".join(child.cmdline())
-        )
-        twin.kill()
-        deadline = time.monotonic() + 20.0
-        while "twin died and was started again" not in (tmp_path / "log").read_text():
-            assert time.monotonic() < deadline
-            time.sleep(0.1)
-    finally:
-        process.send_signal(signal.SIGINT)
-        assert process.wait(40) == 0
 
 
 def wait_for(condition: Callable[[], object], timeout: float = 60.0) -> None:
@@ -219,23 +215,3 @@ def test_only_the_console_inherits_its_socket(tmp_path: Path, runtime: Runtime) 
         os.kill(launcher.pid("web"), signal.SIGKILL)
         wait_for(lambda: launcher.restarts("web"))
         assert listeners_of(launcher.pid("web"), port.number) == 1
-
-
-def test_a_second_run_on_the_same_memory_is_refused_in_words(
-    tmp_path: Path, write_site: Any
-) -> None:
-    first, second = write_site(), write_site()
-    memory = site_from_file(first).hub.store
-    second.write_text(re.sub(r"store = .*", f'store = "{memory}"', second.read_text()))
-    process = start(first, tmp_path / "log")
-    try:
-        wait_for(lambda: Path(f"{memory}.lock").exists())
-        command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(second)]
-        refused = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-        assert refused.returncode == 2
-        assert "another run uses this room's memory" in refused.stderr
-        assert "hub.store" in refused.stderr
-        assert Path(memory).stat().st_mode & 0o777 == 0o600
-    finally:
-        process.send_signal(signal.SIGINT)
-        assert process.wait(60) == 0

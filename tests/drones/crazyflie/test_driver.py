@@ -38,6 +38,7 @@ from housefly.wires.crazyflie.setpoints import (
     GenericSetpoint,
     Place,
     decode_setpoint,
+    is_notify_stop,
 )
 
 pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
@@ -306,6 +307,28 @@ async def test_over_a_link_that_loses_a_fifth_it_is_set_flies_and_lands(loopback
         since = len(room.trail)
         await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
         assert room.height < 0.03 and fastest_sinking(room, since) < 1.3
+        assert room.firmware.supervisor.state is not SupervisorState.LOCKED
+
+
+async def test_a_landing_goes_on_where_only_the_end_of_setpoints_is_lost(loopback: str) -> None:
+    lost = 0
+
+    def deaf(deliver: Deliver) -> Deliver:
+        def heard(datagram: bytes) -> None:
+            nonlocal lost
+            packet = decode_crtp(datagram)
+            if lost < 3 and packet.port == Port.GENERIC_SETPOINT and is_notify_stop(packet):
+                lost += 1
+            else:
+                deliver(datagram)
+
+        return heard
+
+    async with crazyflie_room(loopback, filters=LinkFilters(uplink=deaf)) as room:
+        await room.fly()
+        since = len(room.trail)
+        await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+        assert lost == 3 and room.height < 0.03 and fastest_sinking(room, since) < 1.3
         assert room.firmware.supervisor.state is not SupervisorState.LOCKED
 
 

@@ -268,14 +268,13 @@ class Crazyflie(RepeatingDriver):
         self._lands_blindly = False
 
     def _land_blindly(self) -> None:
-        """Have its own commander land it, once: an order behind the end would start the motors.
+        """Have its own commander land it: until it answers, then that setpoints stop.
 
-        That setpoints stop is said again: where only that was lost, its watchdog cuts the motors.
+        An order to land behind the end would start the motors.
         """
-        if not self._state.is_flying:
-            return
-        order = () if self._lands_blindly else (encode_high_level(BLIND_LANDING),)
-        self._link.send(*order, notify_setpoints_stop())
+        if self._state.is_flying:
+            order = encode_high_level(BLIND_LANDING)
+            self._link.send(notify_setpoints_stop() if self._lands_blindly else order)
 
     async def _keep(self) -> None:
         """Ask for reports anew when they stay away."""

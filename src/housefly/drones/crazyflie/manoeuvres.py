@@ -2,7 +2,7 @@
 
 It takes off by places that rise, so that its own watchdog ends what we no longer say: it levels out
 after half a second and cuts its motors after two. It lands by its high-level commander, which goes
-on to the floor when we are gone; that order goes before the one that setpoints stop, because the
+on to the floor when we are gone; that setpoints stop is said once it has answered, because the
 commander wants the motors off while it has nothing to fly. A stream is never ended by silence.
 Where tracking is silent it can do neither: it sinks level for as long as its height needs, by the
 pilot's setpoints or ours, and stops.
@@ -54,7 +54,7 @@ ARRIVED = 0.95
 """A take-off is over above this share of its height."""
 HEIGHT_GAIN = 2.0
 """How fast it climbs to a height that is asked for [1/s]; ``settings`` sees to it."""
-LANDING_RATE, SINK_RATE = 0.4, 0.3
+LANDING_RATE, SINK_RATE = 0.3, 0.3
 """Of a landing by its own commander on average, and of one without tracking [m/s]."""
 LANDING_TIME_MIN = 1.0
 """Shortest landing [s]."""
@@ -68,6 +68,8 @@ _ASK_AGAIN = 0.1
 """Orders that must arrive are repeated after this [s]."""
 _GIVEN_UP_AFTER, _LOW = 0.5, 0.15
 """A landing that its commander has given up after this [s], above this [m], is ordered again."""
+_STILL_FLYING = 2.5
+"""Motors that have stopped are still called flying for up to this [s] (supervisor.c: 2 s)."""
 _TURN_LEAD = 0.25
 """A place is faced so far ahead of a turn [s]."""
 
@@ -99,6 +101,7 @@ class Manoeuvres:
         self._vz = 0.0
         self._asked_at = self._stopped_at = -inf
         self._lands_itself = self._sinks = False
+        self._landing_time = LANDING_TIME_MIN
 
     def status(self, state: OwnState) -> DroneStatus:
         """Return what the drone is doing, by its own word and by what it was told."""
@@ -217,24 +220,39 @@ class Manoeuvres:
 
     def _land(self, state: OwnState, seen: Sighting | None, now: float) -> tuple[Packet, ...]:
         self._begin(_Doing.LANDING, now)
-        if self._lands_itself and now - self._asked_at > _GIVEN_UP_AFTER:
-            # a setpoint that came late has stopped its commander in the air
-            is_active = SupervisorInfo.HIGH_LEVEL_ACTIVE in state.info
-            self._lands_itself = is_active or state.place[2] < _LOW
         if not state.is_flying:
             return ()
-        if self._lands_itself:
+        if self._lands_itself and not self._must_land_it(state, seen, now):
             return self._stop_setpoints(now)
-        if seen is None or self._sinks:
+        self._lands_itself = False
+        if seen is None:
             return self._sink(now)
+        self._sinks = False
         if now - self._asked_at < _ASK_AGAIN:
             return ()
         self._asked_at = now
-        duration = max(seen.pose.position[2] / LANDING_RATE, LANDING_TIME_MIN)
-        return encode_high_level(Land(0.0, duration)), notify_setpoints_stop()
+        self._landing_time = max(seen.pose.position[2] / LANDING_RATE, LANDING_TIME_MIN)
+        return (encode_high_level(Land(0.0, self._landing_time)),)
+
+    def _must_land_it(self, state: OwnState, seen: Sighting | None, now: float) -> bool:
+        """Return whether its commander cannot be left to land it: blind, or it has given up.
+
+        A setpoint that came late stops it in the air. Down by its own reckoning it has stopped the
+        motors, and is called flying for two seconds more.
+        """
+        if state.place[2] < _LOW or self._height < _LOW:
+            return False
+        if seen is None:
+            return True
+        waited, is_active = now - self._asked_at, SupervisorInfo.HIGH_LEVEL_ACTIVE in state.info
+        is_over = self._landing_time < waited < self._landing_time + _STILL_FLYING
+        return waited > _GIVEN_UP_AFTER and not is_active and not is_over
 
     def _stop_setpoints(self, now: float) -> tuple[Packet, ...]:
-        """Say again that setpoints stop: where only that was lost, its watchdog cuts the motors."""
+        """Say that setpoints stop, again and again: where that is lost, its watchdog cuts the motors.
+
+        It must not come before the landing is answered: a commander with nothing to fly cuts them.
+        """
         if now - self._stopped_at < _ASK_AGAIN:
             return ()
         self._stopped_at = now
