@@ -64,7 +64,7 @@ test: setup-dev
 	$(call run_tests,1,'realtime and not interop and not safety',$(call marked,realtime))
 
 interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready
-	$(REALTIME) -m interop $(call marked,interop)
+	$(PYTEST) -n 2 -m interop $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
 branches: setup-dev

@@ -126,6 +126,7 @@ def test_a_thousand_drones_are_flown_and_read() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_hidden_constants_are_identified() -> None:
     output = run("09_identify_your_drone.py")
     assert_in_order(
@@ -140,6 +141,7 @@ def test_hidden_constants_are_identified() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_gains_are_chosen_for_a_slow_tracking_system() -> None:
     output = run("10_choose_gains.py")
     assert_in_order(output, "100 Hz", "30 Hz", "10 Hz", "in mode paper: gain margin", "below 2")

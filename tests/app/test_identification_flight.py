@@ -69,6 +69,7 @@ def test_a_drone_that_hovers_in_the_box_but_not_in_its_middle_goes_there_first()
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 @pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.safety)])
 def test_what_a_profile_says_of_a_simulated_drone_is_found_in_its_flight(
     seed: int, tmp_path: Path

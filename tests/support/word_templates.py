@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -54,8 +55,13 @@ class Made(NamedTuple):
         return self.file.startswith((*_OF_NEW_SITE, *_OF_BOTH))
 
 
-def made_words(folder: Path = house.PACKAGE) -> Iterator[Made]:
-    """Yield every ``Words(...)`` of the source but those of ``messages/words.py``."""
+@cache
+def made_words(folder: Path = house.PACKAGE) -> tuple[Made, ...]:
+    """Return every ``Words(...)`` of the source but those of ``messages/words.py``."""
+    return tuple(_made_in(folder))
+
+
+def _made_in(folder: Path) -> Iterator[Made]:
     for path in sorted(folder.rglob("*.py")):
         if path.name == "words.py" and path.parent.name == "messages":
             continue

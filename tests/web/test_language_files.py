@@ -7,6 +7,7 @@ import json
 import re
 from collections.abc import Iterator
 from enum import Enum
+from functools import cache
 from pathlib import Path
 from typing import TypeGuard
 
@@ -139,6 +140,7 @@ def _is_said(part: str) -> TypeGuard[Words]:
     return isinstance(part, Words) and part.template != ""
 
 
+@cache
 def said_elsewhere() -> set[str]:
     """Return the texts of the source that are no templates: of Python, of documents, of pages."""
     found: set[str] = set()

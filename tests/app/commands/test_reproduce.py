@@ -88,6 +88,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_every_figure_is_there_and_none_is_blank(made: Path) -> None:
     for stem in FIGURES:
         picture = np.asarray(Image.open(made / f"{stem}.png").convert("L"), dtype=float)
@@ -96,6 +97,7 @@ def test_every_figure_is_there_and_none_is_blank(made: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_the_page_shows_figures_claims_and_tables(made: Path) -> None:
     text = (made / "reproduction.html").read_text()
     for number in ("7", "10", "11", "12", "13", "15", "16", "17"):
@@ -107,6 +109,7 @@ def test_the_page_shows_figures_claims_and_tables(made: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_without_wires_no_picture_is_said_to_be_received(made: Path) -> None:
     text = (made / "reproduction.html").read_text()
     assert "On a stepped clock there is neither page nor camera" in text
@@ -116,6 +119,7 @@ def test_without_wires_no_picture_is_said_to_be_received(made: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_the_flights_of_a_run_that_was_stopped_are_kept_and_the_next_one_flies_none(
     made: Path,
 ) -> None:
@@ -129,6 +133,7 @@ def test_the_flights_of_a_run_that_was_stopped_are_kept_and_the_next_one_flies_n
 
 
 @pytest.mark.slow
+@pytest.mark.interop
 def test_the_demanded_acceleration_is_the_controllers_and_the_position_is_true(
     made: Path,
 ) -> None:

@@ -23,7 +23,7 @@ COMMAND_DELAY = airframe_named("ardrone").response.command_delay
 
 TOLERANCE = 0.05
 """What is promised is flown within this share."""
-SETTINGS = ((100.0, 0.02), (10.0, 0.1))
+SETTINGS = ((100.0, 0.02), pytest.param(10.0, 0.1, marks=pytest.mark.interop))
 
 
 def tracked(rate: float, latency: float) -> LoadedSite:
