@@ -162,6 +162,7 @@ def test_a_sensor_of_ones_own_is_heard() -> None:
 
 @pytest.mark.wire
 @pytest.mark.realtime
+@pytest.mark.interop
 @pytest.mark.slow
 def test_a_drone_of_ones_own_flies_the_service_over_its_own_wire() -> None:
     assert_in_order(

@@ -16,7 +16,13 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect, sync_playwright
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.browser, pytest.mark.slow]
+pytestmark = [
+    pytest.mark.wire,
+    pytest.mark.realtime,
+    pytest.mark.interop,
+    pytest.mark.browser,
+    pytest.mark.slow,
+]
 
 FLAGS = [
     "--no-sandbox",

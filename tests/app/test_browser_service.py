@@ -17,7 +17,13 @@ import psutil
 import pytest
 from playwright.sync_api import Locator, Page, expect, sync_playwright
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.browser, pytest.mark.slow]
+pytestmark = [
+    pytest.mark.wire,
+    pytest.mark.realtime,
+    pytest.mark.interop,
+    pytest.mark.browser,
+    pytest.mark.slow,
+]
 
 FLAGS = [
     "--no-sandbox",

@@ -231,6 +231,7 @@ def test_a_launcher_killed_during_take_off_leaves_no_drone_in_the_air(
         assert_landed_and_gone(room, run)
 
 
+@pytest.mark.interop
 def test_the_simulated_room_of_a_killed_run_stays_until_the_drone_is_down(
     tmp_path: Path, write_site: Any
 ) -> None:

@@ -22,7 +22,13 @@ from housefly.config.site import changed
 from housefly.errors import LinkError
 from housefly.sites.loaded_site import read_site
 
-pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(240)]
+pytestmark = [
+    pytest.mark.wire,
+    pytest.mark.realtime,
+    pytest.mark.interop,
+    pytest.mark.slow,
+    pytest.mark.timeout(240),
+]
 
 LASER = {"name": "eye", "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
 

@@ -153,7 +153,9 @@ def does_well(sensor: SensorAnswer) -> bool:
     ("sensors", "title"),
     [
         ({"lasers": [LASER]}, "Laser scanner eye"),
-        ({"depth_cameras": [DEPTH_CAMERA]}, "Depth camera eye"),
+        pytest.param(
+            {"depth_cameras": [DEPTH_CAMERA]}, "Depth camera eye", marks=pytest.mark.interop
+        ),
     ],
     ids=["scanner", "depth camera"],
 )

@@ -82,7 +82,8 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
         assert enough.wait(30.0)
         for subscription in subscriptions:
             subscription.close()
-    missing = [sighting for sighting in stepped if sighting not in told]
+    begun, ended = told[0].captured_at, told[-1].captured_at
+    missing = [one for one in stepped if begun <= one.captured_at <= ended and one not in told]
     assert len(missing) <= 5, "steps know of frames that were never told"
     assert max(waited) > 0.002, "the pilot steps on its own clock"
 

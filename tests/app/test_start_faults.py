@@ -150,6 +150,7 @@ def test_a_run_without_room_for_its_own_files_ends_with_the_cause(
 
 @pytest.mark.wire
 @pytest.mark.realtime
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.timeout(180)
 def test_a_run_whose_memory_cannot_start_gives_it_up_with_the_cause_on_the_screen(

@@ -25,7 +25,7 @@ from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 
-_START_TIMEOUT = 60.0
+_START_TIMEOUT = 120.0
 """Longest time until pilot, twin and drone answer [s]."""
 _STEADY_SOON, _STEADY_TIMEOUT = 3.0, 30.0
 """The wait for steady tracking is told after the first, and ends after the second [s]: then the

@@ -85,6 +85,7 @@ async def room_and_drone(site: Path, hands: Path) -> AsyncIterator[None]:
 
 @pytest.mark.wire
 @pytest.mark.realtime
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.timeout(400)
 async def test_a_person_finds_that_the_body_is_defined_turned_and_it_is_kept(

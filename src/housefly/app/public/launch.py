@@ -21,7 +21,7 @@ from housefly.hub.store.lock import reserved_store
 from housefly.sites.loaded_site import LoadedSite, with_newest_edits
 from housefly.twin.installed import require_simulator
 
-_START_TIMEOUT = 60.0
+_START_TIMEOUT = 120.0
 """Longest time until pilot, tracking and drone answer [s]."""
 
 

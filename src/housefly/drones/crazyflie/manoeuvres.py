@@ -249,7 +249,7 @@ class Manoeuvres:
         return waited > _GIVEN_UP_AFTER and not is_active and not is_over
 
     def _stop_setpoints(self, now: float) -> tuple[Packet, ...]:
-        """Say that setpoints stop, again and again: where that is lost, its watchdog cuts the motors.
+        """Say that setpoints stop, again and again: where it is lost, its watchdog cuts the motors.
 
         It must not come before the landing is answered: a commander with nothing to fly cuts them.
         """
