@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from driven_room import DrivenRoom, driven_rooms
+from empty_hall import empty_hall
 from tello_ports import tello_ports
 
 from housefly.config.site import Site
@@ -100,7 +101,7 @@ async def test_it_is_down_softly_and_stays_there(loopback: str, kind: str, seed:
     site = Site(drone={"kind": kind, "address": loopback})
     link = lossy(random.Random(seed), share)
     with tello_ports() if kind == "tello" else nullcontext():
-        async with driven_rooms(site, DrivenRoom, served, driver_of, link) as (room,):
+        async with driven_rooms(site, DrivenRoom, served, driver_of, link, empty_hall()) as (room,):
             stands = room.height
             await room.driver.connect()
             await room.until(

@@ -15,6 +15,7 @@ from housefly.config.site import Site
 from housefly.drones.contract import DroneDriver
 from housefly.messages import Action, Command, DroneStatus, Sighting
 from housefly.room.files import load_room
+from housefly.room.model import Room
 from housefly.twin.contracts import GroundTruth
 from housefly.twin.drone_servers import DroneServer
 from housefly.twin.link_filters import UNFILTERED, LinkFilters
@@ -111,12 +112,13 @@ async def driven_rooms(
     server_of: MakesServer,
     driver_of: MakesDriver,
     filters: LinkFilters = UNFILTERED,
+    model: Room | None = None,
 ) -> AsyncIterator[tuple[RoomT, ...]]:
     """Open one room with all drones of a site, each at its address and with its driver.
 
     The world runs in real time meanwhile.
     """
-    world = SimulatedWorld(site, load_room(site.room.model))
+    world = SimulatedWorld(site, model or load_room(site.room.model))
     rooms = []
     for name, drone in world.drones.items():
         config = site.for_drone(name).drone if site.drones else site.drone
