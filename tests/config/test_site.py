@@ -151,7 +151,10 @@ def test_a_site_whose_model_is_changed_has_the_constants_of_the_new_one() -> Non
     twice = changed(changed(given, twin__seed=3), drone__kind="tello").drone
     assert (twice.hull_length, twice.drag) == (tello.body.hull_length, tello.response.drag)
     assert twice.attitude_lag == 6.5, "what somebody gave stays"
-    own = [{"name": "anna", "model": "crazyflie"}, {"name": "bert", "model": "crazyflie"}]
+    own = [
+        {"name": "anna", "model": "crazyflie", "address": "127.0.0.2"},
+        {"name": "bert", "model": "crazyflie", "address": "127.0.0.3", "pad": [2.0, 2.0, 0.0]},
+    ]
     several = changed(Site(drones=own), drone__kind="tello", twin__seed=3)
     crazyflie = airframe_named("crazyflie")
     assert {one.hull_length for one in several.all_drones} == {crazyflie.body.hull_length}
