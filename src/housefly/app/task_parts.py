@@ -36,7 +36,7 @@ from housefly.tasks.scheduler.values import SchedulerLimits
 from housefly.tasks.service.task_service import ServiceParts, TaskService
 
 _HOLD_MARGIN = 5.0
-_ASKING_PATIENCE = 5.0
+_ASKING_PATIENCE = 8.0
 """How long a person waits for the memory [s]."""
 
 
