@@ -64,7 +64,8 @@ test: setup-dev
 	$(call run_tests,1,'realtime and not interop and not safety',$(call marked,realtime))
 
 interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready
-	$(PYTEST) -n 2 -m interop $(call marked,interop)
+	$(PYTEST) -n 2 -m 'interop and not realtime' $(call marked,interop)
+	$(REALTIME) -m 'interop and realtime' $(call marked,interop)
 
 # Compiled functions run as plain Python here: their branches count, too.
 branches: setup-dev

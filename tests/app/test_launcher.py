@@ -56,12 +56,12 @@ def test_one_memory_has_one_run_a_killed_part_comes_back_and_ctrl_c_ends_all_and
     assert_memory_is_refused_to_a_second_run(site_from_file(site).hub.store, write_site())
     children = children_of(process)
     next(child for child in children if "housefly.twin.process" in child.cmdline()).kill()
-    wait_for(lambda: "twin died and was started again" in log.read_text())
+    wait_for(lambda: "twin died and was started again" in log.read_text(), timeout=20.0)
     children = children_of(process)
     assert len(children) >= 3
     process.send_signal(signal.SIGINT)
-    assert process.wait(60) == 0
-    assert psutil.wait_procs(children, timeout=15)[1] == []
+    assert process.wait(40) == 0
+    assert psutil.wait_procs(children, timeout=5)[1] == []
     summary = json.loads((recording / "summary.json").read_text())
     assert summary["contacts"] == [], "None: nobody wrote what was true"
 
