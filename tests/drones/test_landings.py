@@ -8,7 +8,7 @@ from contextlib import nullcontext
 from typing import Any
 
 import pytest
-from driven_room import DrivenRoom, driven_rooms
+from driven_room import DrivenRoom, driven_rooms, lossy
 from empty_hall import empty_hall
 from tello_ports import tello_ports
 
@@ -25,7 +25,7 @@ from housefly.messages import (
 from housefly.messages.steering import flying
 from housefly.twin.contracts import TwinDrone
 from housefly.twin.drone_servers import server_of
-from housefly.twin.link_filters import UNFILTERED, Deliver, LinkFilters
+from housefly.twin.link_filters import LinkFilters
 
 pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
@@ -50,20 +50,6 @@ def cases() -> Iterator[Any]:
     for kind in STEERED_BY:
         for seed in range(MORE):
             yield pytest.param(kind, seed, marks=pytest.mark.interop if seed >= FEW else ())
-
-
-def lossy(chance: random.Random, share: float) -> LinkFilters:
-    """Lose a share both ways, and hand a twentieth over twice."""
-
-    def of(deliver: Deliver) -> Deliver:
-        def pass_on(data: bytes) -> None:
-            drawn = chance.random()
-            for _ in range(0 if drawn < share else 2 if drawn > 0.95 else 1):
-                deliver(data)
-
-        return pass_on
-
-    return LinkFilters(uplink=of, downlink=of) if share else UNFILTERED
 
 
 def order(chance: random.Random, how: str, room: DrivenRoom[Any, Any]) -> Command:
@@ -99,7 +85,7 @@ async def test_it_is_down_softly_and_stays_there(loopback: str, kind: str, seed:
         return server_of(kind, drone, address, beyond_loopback=False, filters=filters)
 
     site = Site(drone={"kind": kind, "address": loopback})
-    link = lossy(random.Random(seed), share)
+    link = lossy(random.Random(seed), share, twice=0.05 if share else 0.0)
     with tello_ports() if kind == "tello" else nullcontext():
         async with driven_rooms(site, DrivenRoom, served, driver_of, link, empty_hall()) as (room,):
             stands = room.height

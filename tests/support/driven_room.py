@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import random
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
@@ -18,7 +19,7 @@ from housefly.room.files import load_room
 from housefly.room.model import Room
 from housefly.twin.contracts import GroundTruth
 from housefly.twin.drone_servers import DroneServer
-from housefly.twin.link_filters import UNFILTERED, LinkFilters
+from housefly.twin.link_filters import UNFILTERED, Deliver, LinkFilters
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.simulated_drone import SimulatedDrone
 from housefly.twin.world import SimulatedWorld
@@ -88,6 +89,20 @@ class DrivenRoom(Generic[ServerT, DriverT]):
                 now = clock.now()
                 self.driver.send_pose(Sighting("drone", truth.pose, now - 0.01, now))
             await asyncio.sleep(PERIOD)
+
+
+def lossy(chance: random.Random, share: float, twice: float = 0.0) -> LinkFilters:
+    """Return a link that loses a share both ways, and hands another share over twice."""
+
+    def of(deliver: Deliver) -> Deliver:
+        def pass_on(data: bytes) -> None:
+            drawn = chance.random()
+            for _ in range(0 if drawn < share else 2 if drawn > 1.0 - twice else 1):
+                deliver(data)
+
+        return pass_on
+
+    return LinkFilters(uplink=of, downlink=of)
 
 
 class MakesServer(Protocol):

@@ -9,6 +9,7 @@ from math import cos, hypot, sin
 
 import pytest
 from betaflight_room import BetaflightRoom, betaflight_room
+from driven_room import lossy
 from serial_bridge import serial_bridge
 
 from housefly.clock import RealClock
@@ -20,7 +21,6 @@ from housefly.errors import ConfigError, LinkError
 from housefly.messages import Action, DroneStatus, KnownMotion, Setpoint
 from housefly.messages.steering import flying
 from housefly.twin.betaflight.failsafe import Phase
-from housefly.twin.link_filters import Deliver, LinkFilters
 from housefly.wires.betaflight.endpoint import TCP_PORT
 from housefly.wires.betaflight.settings import (
     FailsafeProcedure,
@@ -202,22 +202,8 @@ async def test_with_a_radio_the_mask_is_checked_by_what_it_flies_by(
     assert room.status in (DroneStatus.FLYING, DroneStatus.LANDED)
 
 
-def lossy(share: float) -> LinkFilters:
-    """Lose a share of what passes, both ways: whole pieces of the stream."""
-    luck = random.Random(3)
-
-    def losing(deliver: Deliver) -> Deliver:
-        def deliver_or_not(data: bytes) -> None:
-            if luck.random() >= share:
-                deliver(data)
-
-        return deliver_or_not
-
-    return LinkFilters(uplink=losing, downlink=losing)
-
-
 async def test_a_tenth_of_all_commands_and_answers_may_be_lost(loopback: str) -> None:
-    async with betaflight_room(loopback, lossy(0.1)) as room:
+    async with betaflight_room(loopback, lossy(random.Random(3), 0.1)) as room:
         await room.fly()
         await room.hold(Action.HOVER, 1.0)
         assert room.height == pytest.approx(1.05, abs=0.15)

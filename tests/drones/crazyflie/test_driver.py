@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import random
-from collections.abc import Callable
 from math import cos, degrees, dist, hypot, pi, sin
 
 import pytest
 from crazyflie_room import CrazyflieRoom, crazyflie_room
+from driven_room import lossy
 
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
@@ -281,23 +281,8 @@ async def test_a_brushless_one_is_armed_when_it_is_to_take_off_and_disarms_by_it
         await room.until(lambda: not room.firmware.supervisor.is_armed, Action.IDLE)
 
 
-def lossy(chance: random.Random) -> Callable[[Deliver], Deliver]:
-    """Return a link that loses a fifth, and hands a tenth over twice."""
-
-    def of(deliver: Deliver) -> Deliver:
-        def pass_on(datagram: bytes) -> None:
-            drawn = chance.random()
-            for _ in range(0 if drawn < 0.2 else 2 if drawn > 0.9 else 1):
-                deliver(datagram)
-
-        return pass_on
-
-    return of
-
-
 async def test_over_a_link_that_loses_a_fifth_it_is_set_flies_and_lands(loopback: str) -> None:
-    chance = random.Random(5)
-    filters = LinkFilters(uplink=lossy(chance), downlink=lossy(chance))
+    filters = lossy(random.Random(5), 0.2, twice=0.1)
     async with crazyflie_room(loopback, filters=filters) as room:
         await room.fly()
         assert room.server.values["stabilizer.estimator"] == 2.0
