@@ -8,6 +8,8 @@ but for SIGUSR2, by which the launcher starts one of them anew.
 
 from __future__ import annotations
 
+import atexit
+import gc
 import os
 import runpy
 import select
@@ -48,6 +50,7 @@ def main() -> None:
     threading.Thread(
         target=_watch, args=(watched, parent, lands), name="launcher watch", daemon=True
     ).start()
+    atexit.register(gc.freeze)  # or Python's own end searches all modules for garbage
     sys.argv = [module, *sys.argv[6:]]
     runpy.run_module(module, run_name="__main__", alter_sys=True)
 
