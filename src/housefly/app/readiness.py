@@ -5,14 +5,29 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from math import isfinite
 
 from housefly.app.console_answer import console_answers
 from housefly.app.machine_load import machine_load
 from housefly.bus.bus import Bus, Subscription
-from housefly.bus.topics import FRAME_TOPIC, SIGHT_TOPIC, DroneTopics
+from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, SIGHT_TOPIC, TASKS_QUERY, DroneTopics
 from housefly.config.site import Site
+from housefly.errors import LinkError
+from housefly.hub.api.json import question_to_json
+from housefly.hub.api.questions import PeopleQuestion
 from housefly.messages import LinkStatus, PilotStep, SightNews
+from housefly.tasks.api.json import task_question_to_json
+from housefly.tasks.api.questions import BoardQuestion
+
+_MEMORY, _TASKS = "memory", "tasks"
+_ASKED = {
+    _MEMORY: (HUB_QUERY, question_to_json(PeopleQuestion())),
+    _TASKS: (TASKS_QUERY, task_question_to_json(BoardQuestion())),
+}
+"""What is asked of those who are ready when they answer."""
+_ASKING_PATIENCE = 1.0
+"""Longest wait for one answer [s]."""
 
 
 class Readiness:
@@ -21,7 +36,8 @@ class Readiness:
     Args:
         site: what is started.
         bus: its bus.
-        web: whether it has a console.
+        web: whether it has a console; then the memory and the tasks, which people ask there, are
+            waited for, too.
         video: whether it has a picture.
         on_console: is called once the console answers.
     """
@@ -35,7 +51,7 @@ class Readiness:
         video: bool,
         on_console: Callable[[], None] = lambda: None,
     ) -> None:
-        self._site, self._on_console = site, on_console
+        self._site, self._bus, self._on_console = site, bus, on_console
         self._lock = threading.Lock()
         self._seen: set[str] = set()
         names = site.drone_names
@@ -48,6 +64,8 @@ class Readiness:
             *(f"drone{of}" for of in each),
             *(["sensors for people"] if site.sees_people else []),
             *(f"picture{self._of[name]}" for name in self._with_picture(video)),
+            *([_MEMORY] if web and site.hub.enabled else []),
+            *([_TASKS] if web and site.tasks.enabled else []),
             *(["console"] if web else []),
         ]
         self._notes: dict[str, tuple[str, ...]] = {}
@@ -115,6 +133,21 @@ class Readiness:
         ):
             self._see("console")
             self._on_console()
+        missing = self._unseen()
+        # Asked last: they answer slowly while everything else still starts.
+        if missing and all(name in _ASKED for name in missing):
+            for name in missing:
+                self._ask(name)
+            return self._unseen()
+        return missing
+
+    def _ask(self, name: str) -> None:
+        query, question = _ASKED[name]
+        with suppress(LinkError):
+            self._bus.ask(query, question, _ASKING_PATIENCE)
+            self._see(name)
+
+    def _unseen(self) -> list[str]:
         with self._lock:
             return [name for name in self._wanted if name not in self._seen]
 
