@@ -32,7 +32,7 @@ QUESTIONS = (
 )
 """What is asked before a flight, in order; all of it has to be told."""
 
-PERIODS = {Msp.ATTITUDE: 0.04, Msp.STATUS_EX: 0.1, Msp.RC: 0.2, Msp.BATTERY_STATE: 1.0}
+PERIODS = {Msp.ATTITUDE: 0.04, Msp.STATUS_EX: 0.06, Msp.RC: 0.2, Msp.BATTERY_STATE: 1.0}
 """How often each is asked [s]."""
 AGAIN_AFTER = 0.2
 """A question that was not answered is asked again [s]."""

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from math import inf
 from typing import NamedTuple, cast
 
 from housefly.clock import Clock
@@ -23,8 +24,20 @@ Neither kind waits for the other: where answers are lost, both would.
 """
 _ANSWER_TIMEOUT: dict[Carrier, float] = {Carrier.TCP: 0.5, Carrier.UDP: 0.25, Carrier.SERIAL: 0.25}
 """An answer is lost after so long [s]; over TCP only a bridge to a serial port loses any."""
-_OVERTAKEN_AFTER = 0.2
-"""One is lost after this [s] already, where answers come: lost sticks keep no others waiting."""
+_OVERTAKEN_AFTER = (0.03, 0.2)
+"""Shortest and longest time [s] after which one is lost already, where answers come: lost sticks
+keep no others waiting. It is twice what an answer takes.
+"""
+_AMBIGUITY = 0.5
+"""An answer says how long it took where the same was not sent for so long before [s]: commands have
+no numbers (Karn and Partridge 1987).
+"""
+_QUIET, _PAUSE_MAX = 0.06, 1.0
+"""Nothing waits in a controller that has answered nothing for the first [s]; nothing is sent for
+the second at most [s]: meanwhile it flies by the sticks that wait there.
+"""
+_SLOW_FOR, _SLOWEST = 2.0, 0.8
+"""One that was slow may be slow again for so long [s]; none is waited for longer [s]."""
 _BACKLOG_MAX = 4096
 _FRAMES_MAX = 400
 """More answers in a second are thrown away unread; 100 are asked for."""
@@ -57,6 +70,49 @@ class _UnderWay(NamedTuple):
     command: int
     is_order: bool
     """Whether it carries something; a question does not."""
+    is_alone: bool
+    """Whether no answer to an earlier one can be taken for its own."""
+
+
+class _AnswerTime:
+    """What answers tell of how long commands wait in the controller, which takes one by one.
+
+    Commands have no numbers: an answer may belong to any of the same kind. What is believed lost
+    and waits there all the same would be forgotten, and followed by more. So when that shows,
+    nothing is sent until nothing is left to answer.
+    """
+
+    def __init__(self) -> None:
+        self._sent_at: dict[int, float] = {}
+        self._heard_at = self._slow_until = -inf
+        self._pauses_from = self._pauses_until = -inf
+        self._lost_after = _OVERTAKEN_AFTER[1]
+
+    def lost_after(self, now: float, timeout: float) -> float:
+        """Return after which time one is lost now; the timeout where no answers come [s]."""
+        return self._lost_after if now - self._heard_at <= timeout else timeout
+
+    def pauses(self, now: float) -> bool:
+        """Return whether the controller must answer what waits there before more is sent."""
+        return now < self._pauses_until
+
+    def is_alone(self, command: int, now: float) -> bool:
+        """Note that a command is sent now [s]; return whether it is alone on the wire."""
+        before = self._sent_at.get(command, -inf)
+        self._sent_at[command] = now
+        return now - before > _AMBIGUITY
+
+    def answered(self, one: _UnderWay | None, now: float) -> None:
+        """Take in an answer that came now [s], and to what; None: to what was believed lost."""
+        self._heard_at = now
+        shortest, longest = _OVERTAKEN_AFTER
+        if one is None and not self.pauses(now):
+            self._pauses_from, self._slow_until = now, now + _SLOW_FOR
+            self._lost_after = min(max(longest, 2.0 * self._lost_after), _SLOWEST)
+        elif one is not None and one.is_alone and now > self._slow_until:
+            self._lost_after = min(max(2.0 * (now - one.sent_at), shortest), longest)
+        if one is None or self.pauses(now):
+            self._pauses_until = min(now + _QUIET, self._pauses_from + _PAUSE_MAX)
 
 
 class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
@@ -84,6 +140,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         self._transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort | None = None
         self._reader, self.counters = MspReader(), LinkCounters()
         self._under_way: deque[_UnderWay] = deque()
+        self._answer_time = _AnswerTime()
         self._keeping: asyncio.Task[None] | None = None
         self._lost = asyncio.Event()
         self._second, self._frames = 0.0, 0
@@ -124,8 +181,8 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
 
     def send(self, command: int, payload: bytes = b"") -> bool:
         """Send a command at once; return whether it left: without a wire, or stuck, it does not."""
-        link = self._transport
-        self._forget(_ANSWER_TIMEOUT[self._endpoint.carrier])
+        link, now = self._transport, self._clock.now()
+        self._forget_lost()
         if link is None:
             return False
         is_stuck = (
@@ -133,15 +190,17 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
         )
         is_order = bool(payload)
         most = _UNANSWERED_MAX if is_order else _QUESTIONS_MAX
-        if is_stuck or self._count(is_order) >= most:
+        is_full = self._answer_time.pauses(now) or self._count(is_order) >= most
+        if is_stuck or is_full:
             self.counters.held_back += 1
             return False
         data = encode_msp(MspFrame(command, payload))
-        if isinstance(link, asyncio.DatagramTransport):
-            link.sendto(data)
+        if self._endpoint.carrier is Carrier.UDP:  # asyncio's own is no DatagramTransport in 3.11
+            cast(asyncio.DatagramTransport, link).sendto(data)
         else:
-            link.write(data)
-        self._under_way.append(_UnderWay(self._clock.now(), command, is_order))
+            cast(asyncio.Transport, link).write(data)
+        is_alone = self._answer_time.is_alone(command, now)
+        self._under_way.append(_UnderWay(now, command, is_order, is_alone))
         self.counters.sent += 1
         return True
 
@@ -152,6 +211,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
     def _use(self, transport: asyncio.Transport | asyncio.DatagramTransport | SerialPort) -> None:
         self._transport, self._reader = transport, MspReader()
         self._under_way.clear()
+        self._answer_time = _AnswerTime()
         self._lost.clear()
         self.counters.connects += 1
         self._opened()
@@ -195,15 +255,19 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
 
     def _settle(self, command: int) -> None:
         """Forget a command that is answered, and those before it: answers come in order."""
+        answered = None
         if any(one.command == command for one in self._under_way):
-            while self._under_way.popleft().command != command:
+            while (answered := self._under_way.popleft()).command != command:
                 pass
-        self._forget(_OVERTAKEN_AFTER)
+        self._answer_time.answered(answered, self._clock.now())
+        if self._answer_time.pauses(self._clock.now()):
+            self._under_way.clear()
+        self._forget_lost()
 
-    def _forget(self, age: float) -> None:
-        """Wait no longer for what is older [s]."""
-        now = self._clock.now()
-        while self._under_way and now - self._under_way[0].sent_at > age:
+    def _forget_lost(self) -> None:
+        now, timeout = self._clock.now(), _ANSWER_TIMEOUT[self._endpoint.carrier]
+        lost_after = self._answer_time.lost_after(now, timeout)
+        while self._under_way and now - self._under_way[0].sent_at > lost_after:
             self._under_way.popleft()
 
     async def _keep(self) -> None:
