@@ -37,5 +37,7 @@ flight = housefly.fly("entrance", site, lockstep=False, on_step=on_step)
 summary = flight.summary
 error = f"{summary.rms_error_m:.3f} m" if summary.rms_error_m is not None else "not measured"
 print(f"{flight.outcome}: true rms error {error}, {summary.contacts} touched")
-print(f"replayed: {flight.replay().difference or 'the same to the last bit'}")
+replayed = flight.replay()
+print(f"replayed: {replayed.difference or 'the same to the last bit'}")
+print(f"steps that a busy machine did not record: {replayed.missing}")
 flight.close()

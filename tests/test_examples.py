@@ -74,6 +74,7 @@ def test_the_service_is_flown_in_lock_step() -> None:
     )
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_lost_tracking_means_hover_then_landing() -> None:
     output = run("03_lost_tracking.py")
@@ -91,6 +92,7 @@ def test_the_drone_is_driven_over_the_wire(loopback: str) -> None:
     )
 
 
+@pytest.mark.interop
 @pytest.mark.wire
 @pytest.mark.slow
 def test_a_listener_hears_steps_and_gets_a_plan(loopback: str) -> None:
@@ -98,6 +100,7 @@ def test_a_listener_hears_steps_and_gets_a_plan(loopback: str) -> None:
     assert_in_order(output, "drones/drone/step", '"path": {"waypoints"', "idle, at (10.5")
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_a_recording_is_read_by_the_mcap_library() -> None:
     output = run("06_read_a_recording.py")
@@ -106,6 +109,7 @@ def test_a_recording_is_read_by_the_mcap_library() -> None:
     )
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_a_room_of_ones_own_is_flown_in() -> None:
     output = run("07_your_own_room.py")

@@ -210,6 +210,7 @@ def test_a_plan_begins_where_it_is_told_to_and_ends_at_a_point() -> None:
     assert answer.start == site.room.place("entrance").viewpoint
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_the_folder_of_a_flight_is_the_given_one_or_goes_with_the_flight(
     tmp_path: Path, request: pytest.FixtureRequest

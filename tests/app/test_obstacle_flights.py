@@ -124,6 +124,7 @@ def test_a_chair_put_before_the_drone_is_seen_avoided_and_the_service_completed(
     assert seen - story.put_at < 0.2
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_a_chair_that_only_a_depth_camera_sees_is_avoided_too(fly: Fly) -> None:
     story = fly(Story(2.0, ends_at="entrance"), give_up_after=60.0, depth_cameras=[DEPTH_CAMERA])

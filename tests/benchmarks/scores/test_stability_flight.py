@@ -55,6 +55,7 @@ def test_a_flight_fails_at_the_delay_margin_and_five_percent(rate: float, latenc
     assert not hover_swing(loaded, extra).dies_away
 
 
+@pytest.mark.interop
 def test_a_model_without_datagrams_would_promise_what_no_flight_holds() -> None:
     loaded, judgement = judged(*SETTINGS[0])
     naive = delay_margin(replace(judgement.loop, delay=COMMAND_DELAY))
