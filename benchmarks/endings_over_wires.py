@@ -47,7 +47,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"
 from room_here import Moment, RoomHere
 from tello_ports import tello_ports
 
-KINDS = ("crazyflie", "crazyflie_brushless", "arducopter", "px4", "tello")
+KINDS = ("crazyflie", "crazyflie_brushless", "arducopter", "px4", "tello", "betaflight")
 READY_TIME, DOWN_TIME, STAYS = 90.0, 60.0, 2.0
 """Longest wait for all processes, and for the air or the floor; how long it stays there [s]."""
 HOVERS = 0.5
@@ -135,6 +135,7 @@ LANDS: dict[str, Callable[[], Callable[[bytes], bool]]] = {
     "arducopter": lambda: autopilot_lands("arducopter"),
     "px4": lambda: autopilot_lands("px4"),
     "tello": lambda: tello_lands,
+    "betaflight": lambda: lambda data: False,  # it has sticks, and no order to land
 }
 
 
