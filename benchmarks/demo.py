@@ -1,9 +1,13 @@
 """Start-up time, processor share, memory and punctuality of the whole demo during one service, with
 a real browser watching.
+
+    python benchmarks/demo.py
+    python benchmarks/demo.py --drone crazyflie
 """
 
 from __future__ import annotations
 
+import argparse
 import re
 import shutil
 import time
@@ -13,6 +17,7 @@ from playwright.sync_api import Page, sync_playwright
 
 from _chromium import CHROMIUM_FLAGS
 from _run import Running, bench_site, percentile, running, table
+from housefly.config.airframe import airframe_names
 from housefly.messages import OrderKind, Phase
 
 CPU_GOAL, START_GOAL_S = 1.2, 8.0
@@ -56,7 +61,11 @@ def seconds(process: psutil.Process) -> float:
 
 def main() -> None:
     """Fly one service with a browser on the console and print what it cost."""
-    with running(bench_site("127.9.1.1")) as state, sync_playwright() as play:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--drone", default="ardrone", choices=airframe_names(), metavar="MODEL")
+    model = parser.parse_args().drone
+    site = bench_site("127.9.1.1", drone__kind=model)
+    with running(site) as state, sync_playwright() as play:
         browser = play.chromium.launch(
             executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
         )
@@ -71,7 +80,7 @@ def main() -> None:
         )
         state.links.clear()
         state.order(OrderKind.SERVICE, "entrance")
-        ages = picture_ages(page)
+        ages = picture_ages(page) if site.has_picture else []
         state.wait_for(Phase.LOOKING, 90.0)
         state.wait_for(Phase.IDLE, 120.0)
         elapsed = time.monotonic() - start
@@ -111,15 +120,14 @@ def main() -> None:
         )
     )
     print(f"\nTicks missed: {links[-1].missed_ticks - links[0].missed_ticks}.")
-    print(
-        "Pictures per second at the pilot:"
-        f" {percentile([link.video_rate_hz for link in links], 0.5):.0f}."
-    )
-    newest, oldest = percentile(ages, 0.5), percentile(ages, 0.99)
-    print(
-        f"Age of the picture on the console since the pilot had it: p50 {newest:.0f} ms, p99"
-        f" {oldest:.0f} ms (a period is 33 ms)."
-    )
+    rate = percentile([link.video_rate_hz for link in links], 0.5)
+    print(f"Pictures per second at the pilot: {rate:.0f}.")
+    if ages:
+        newest, oldest = percentile(ages, 0.5), percentile(ages, 0.99)
+        print(
+            f"Age of the picture on the console since the pilot had it: p50 {newest:.0f} ms, p99"
+            f" {oldest:.0f} ms (a period is 33 ms)."
+        )
     share = state.ready_after / START_GOAL_S
     print(
         f"Warm start to ready: {state.ready_after:.1f} s (goal: under {START_GOAL_S:.0f} s;"
