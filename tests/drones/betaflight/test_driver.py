@@ -31,6 +31,7 @@ from housefly.wires.betaflight.settings import (
 
 pytestmark = [pytest.mark.wire, pytest.mark.virtual_time, pytest.mark.slow]
 
+UDP_PORT = 5762
 FORWARD = flying(Setpoint(theta=0.1))
 
 
@@ -200,6 +201,44 @@ async def test_with_a_radio_the_mask_is_checked_by_what_it_flies_by(
     await room.until(lambda: not firmware.is_armed, Action.HOVER, 2.0)
     # a person at the radio has taken it, and their arm switch is off
     assert room.status in (DroneStatus.FLYING, DroneStatus.LANDED)
+
+
+class SerialBridge(asyncio.DatagramProtocol):
+    """A bridge from Wi-Fi to a serial port: datagrams to whoever wrote last, at ``UDP_PORT``."""
+
+    def __init__(self, host: str) -> None:
+        self.host, self.client, self.writer = host, (host, 0), None
+
+    async def open(self) -> None:
+        loop = asyncio.get_running_loop()
+        reader, self.writer = await asyncio.open_connection(self.host, TCP_PORT)
+        link, _ = await loop.create_datagram_endpoint(
+            lambda: self, local_addr=(self.host, UDP_PORT)
+        )
+
+        async def carry() -> None:
+            while data := await reader.read(256):
+                link.sendto(data, self.client)
+            link.close()
+
+        self.carrying = asyncio.create_task(carry())
+
+    def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
+        self.client = addr
+        self.writer.write(data)
+
+
+async def test_over_udp_it_flies_by_a_bridge_to_its_serial_port(
+    room: BetaflightRoom, loopback: str
+) -> None:
+    await SerialBridge(loopback).open()
+    config = DroneConfig(kind="betaflight", address=f"udp:{loopback}:{UDP_PORT}")
+    room.driver = Betaflight(config, LimitsConfig(), RealClock())
+    await room.fly()
+    await room.hold(Action.HOVER, 1.0)
+    assert room.height == pytest.approx(1.05, abs=0.15)
+    await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+    assert room.height < 0.06 and room.world.contact_log == ()
 
 
 async def test_a_fifth_of_all_commands_and_answers_may_be_lost(loopback: str) -> None:
