@@ -4,6 +4,7 @@ ten errands from place to place, and the visitor service with one seed after the
     python benchmarks/drones.py                          every model, about 10 minutes each
     python benchmarks/drones.py --models tello --seeds 3
     python benchmarks/drones.py --models crazyflie --no-service
+    python benchmarks/drones.py --wires --seeds 3        the services over real wires, in real time
 """
 
 from __future__ import annotations
@@ -11,6 +12,8 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Callable
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -18,6 +21,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from _run import table
+from housefly import fly, load_site
 from housefly.config.airframe import airframe_names
 from housefly.lab.lockstep.service import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
@@ -36,7 +40,7 @@ from quality_gate.rows import GATE_ROWS
 from quality_gate.scenario import Scenario, Way
 
 HOVER_TIME = 20.0
-PLACE = "table"
+PLACE, LOOK_S = "table", 3.0
 _X, _RX = COLUMNS.index("x"), COLUMNS.index("rx")
 _ROWS = {row.name: row for row in GATE_ROWS}
 _EIGHT = _ROWS["eight-100"]
@@ -79,7 +83,7 @@ def served(model: str, seed: int) -> tuple[Summary, int]:
     steps: list[PilotStep] = []
     with TemporaryDirectory() as folder:
         course = Path(folder) / "truth.jsonl"
-        order = Order(OrderKind.SERVICE, PLACE, look_s=3.0)
+        order = Order(OrderKind.SERVICE, PLACE, look_s=LOOK_S)
         outcome = fly_lockstep(loaded, order, steps.append, truth_file=course)
         truth = read_truth(course)
     flight = collect(steps, loaded.site.tracking.body)
@@ -87,6 +91,15 @@ def served(model: str, seed: int) -> tuple[Summary, int]:
     return summarize_flight(flight, outcome, site, room, grid, truth=truth), len(
         truth.contacts if truth else ()
     )
+
+
+def served_over_wires(model: str, seed: int) -> tuple[Summary, int]:
+    """Fly the visitor service with all processes of a run, in real time."""
+    address = f"127.58.{airframe_names().index(model)}.{1 + seed % 250}"
+    at = {"drone__address": address, "tracking__address": address}
+    loaded = load_site("bsen", drone__kind=model, twin__seed=seed, twin__video=False, **at)
+    with closing(fly(PLACE, loaded, lockstep=False, look_s=LOOK_S)) as flight:
+        return flight.summary, len(flight.summary.contacts or ())
 
 
 def _quality_row(model: str) -> list[object]:
@@ -108,11 +121,14 @@ def _cell(row: FlownRow) -> str:
     return f"{measures.arrived:.0f} of {measures.legs:.0f}: {off}"
 
 
-def _service_row(model: str, seeds: int) -> list[object]:
+Service = Callable[[str, int], tuple[Summary, int]]
+
+
+def _service_row(model: str, seeds: int, service: Service) -> list[object]:
     done, touched, errors, landed = 0, 0, list[float](), list[float]()
     ended = set[str]()
     for seed in range(1, seeds + 1):
-        summary, contacts = served(model, seed)
+        summary, contacts = service(model, seed)
         _tell(f"{model}, seed {seed}: {summary.outcome}, {contacts} contacts")
         done += summary.outcome == "completed"
         touched += contacts
@@ -138,9 +154,11 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=20, help="of the service (default: 20)")
     parser.add_argument("--no-service", action="store_true", help="hover, eight and errands only")
     parser.add_argument("--no-quality", action="store_true", help="the service only")
+    parser.add_argument("--wires", action="store_true", help="the service only, over real wires")
     wanted = parser.parse_args()
+    service = served_over_wires if wanted.wires else served
     print("### How well each drone flies, on the truth\n")
-    if not wanted.no_quality:
+    if not (wanted.no_quality or wanted.wires):
         headings = [
             "model", "hover of 20 s off its place rms / max [mm]",
             "figure eight at 0.5 m/s, off its reference [mm]",
@@ -157,7 +175,8 @@ def main() -> None:
             "model", "services completed", "contacts", "rms off the path [mm]",
             "landed off the pad, most [mm]", "outcomes",
         ]  # fmt: skip
-        print(table(headings, [_service_row(model, wanted.seeds) for model in wanted.models]))
+        rows = [_service_row(model, wanted.seeds, service) for model in wanted.models]
+        print(table(headings, rows))
 
 
 if __name__ == "__main__":
