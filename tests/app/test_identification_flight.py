@@ -14,10 +14,11 @@ import pytest
 from gate_bench import blind
 from quick_flights import QUICK
 
+from housefly.app.commands.identify import refuse_without_tilt
 from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
 from housefly.cli import main
 from housefly.config.profile import Interval, load_profile, write_profile
-from housefly.config.site import site_from_file
+from housefly.config.site import Site, changed, site_from_file
 from housefly.errors import ConfigError
 from housefly.lab.identification.box import Box, find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
@@ -221,6 +222,13 @@ def test_bad_options_are_named(
 ) -> None:
     assert main(["identify", "--lockstep", "--out", str(tmp_path / "x"), *arguments]) == 2
     assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("kind", ["px4", "arducopter", "tello"])
+def test_a_drone_that_is_not_steered_by_tilt_is_refused_before_it_flies(kind: str) -> None:
+    with pytest.raises(ConfigError, match=f"is {kind}, which is steered by velocity"):
+        refuse_without_tilt(changed(Site(), drone__kind=kind).drone)
+    refuse_without_tilt(changed(Site(), drone__kind="betaflight").drone)
 
 
 @pytest.mark.parametrize(

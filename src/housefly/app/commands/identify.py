@@ -14,6 +14,7 @@ from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
+    from housefly.config.drone import DroneConfig
     from housefly.lab.identification.samples import Flown
     from housefly.messages import PilotStep
     from housefly.sites.loaded_site import LoadedSite
@@ -106,6 +107,22 @@ def _run(options: Namespace) -> int:
     return _conclude(loaded, steps, flown, out)
 
 
+def refuse_without_tilt(drone: DroneConfig) -> None:
+    """Raise ConfigError for a drone that is not steered by tilt: its own loops hide its constants.
+
+    A flight would take its two minutes and show steps in nothing.
+    """
+    from housefly.messages.steering import SetpointForm
+
+    form = drone.airframe.capabilities.form
+    if form is not SetpointForm.TILT_AND_CLIMB:
+        raise ConfigError(
+            "drone.kind",
+            f"is {drone.kind}, which is steered by {form.value}: steps in tilt, climb and turn are"
+            " flown and fitted; allowed: a drone that is steered by tilt and climb",
+        )
+
+
 def _fly(
     loaded: LoadedSite, options: Namespace, out: Path
 ) -> tuple[list[PilotStep], tuple[Flown, ...], str]:
@@ -127,6 +144,7 @@ def _fly(
     from housefly.twin.installed import require_simulator
 
     site = loaded.site
+    refuse_without_tilt(site.drone)
     plan = blocks(options.repeats, site.limits.tilt_max)
     needed = box_reach(plan, site.drone)
     reach = needed if options.box is None else 0.5 * options.box
