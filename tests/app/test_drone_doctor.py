@@ -75,6 +75,18 @@ def test_a_drone_that_is_not_there_ends_the_command_with_words(
     assert "nobody answers at" in " ".join(capsys.readouterr().out.split())
 
 
+@pytest.mark.parametrize(
+    ("uri", "found", "remedy"),
+    [
+        ("betaflight://tcp:{host}:5999", "Connection refused", "join its network"),
+        ("betaflight://serial:/dev/nothing", "No such file", "plug it in"),
+    ],
+)
+def test_what_mends_a_link_is_of_its_kind(loopback: str, uri: str, found: str, remedy: str) -> None:
+    (check,) = look_at_drone(drone_at(uri.format(host=loopback)))
+    assert not check.well and found in check.found and remedy in check.remedy
+
+
 @pytest.mark.parametrize("uri", ["192.168.1.1", "crazyflie://", "crazyfly://10.0.0.1"])
 def test_what_is_no_drone_is_refused_with_what_is_allowed(uri: str) -> None:
     with pytest.raises(ConfigError, match=r"--drone"):

@@ -17,6 +17,12 @@ from housefly.messages import DroneStatus
 
 _REPORTS_TIME = 1.5
 """How long its reports are listened to [s]."""
+_JOIN_NETWORK = "switch it on, and join its network; then its address"
+_REMEDIES = {
+    "serial": "plug it in; `ls /dev/ttyACM* /dev/ttyUSB*` shows its name; close what else uses it",
+    "radio": "plug the radio in, and switch the drone on; then its address",
+}
+"""What mends a link of each kind of address."""
 _RATE_MIN = 5.0
 """Fewer reports a second say that the link is poor."""
 
@@ -51,7 +57,7 @@ async def _look(config: DroneConfig) -> tuple[MachineCheck, ...]:
         await asyncio.sleep(_REPORTS_TIME)
         return _found(config, driver)
     except (HouseflyError, OSError) as error:
-        remedy = "switch it on, and join its network; then its address"
+        remedy = _REMEDIES.get(config.address.partition(":")[0], _JOIN_NETWORK)
         return (MachineCheck(f"link to {config.address}", False, str(error), remedy),)
     finally:
         await driver.close()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
@@ -296,5 +297,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
                     lambda: self, remote_addr=(end.place, end.number)
                 )
         except (OSError, TimeoutError) as error:
-            why = getattr(error, "strerror", None) or str(error) or "no answer"
+            number = error.errno or 0  # asyncio puts words of its own into strerror
+            known = os.strerror(number) if number > 0 else error.strerror
+            why = known or str(error) or "no answer"
             raise LinkError(f"cannot open {end}: {why}") from error
