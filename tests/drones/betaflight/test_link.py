@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import struct
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 
 import pytest
 
@@ -36,7 +38,14 @@ class SlowController(asyncio.DatagramProtocol):
         self.transport = transport
 
     def datagram_received(self, data: bytes, addr: object) -> None:
+        self.client = addr
         self._waiting.put_nowait((data, addr))
+
+    async def answer_others(self) -> None:
+        while True:
+            answer = MspFrame(Msp.STATUS_EX, b"", MspDirection.ANSWER)
+            self.transport.sendto(encode_msp(answer), self.client)  # type: ignore[attr-defined]
+            await asyncio.sleep(0.005)
 
     async def work(self) -> None:
         while True:
@@ -49,33 +58,59 @@ class SlowController(asyncio.DatagramProtocol):
                 self.transport.sendto(encode_msp(answer), addr)  # type: ignore[attr-defined]
 
 
+class Sticks:
+    """Sends sticks and asks as the driver does."""
+
+    def __init__(self, link: MspLink) -> None:
+        self.link, self.clock, self.asked = link, RealClock(), dict.fromkeys(PERIODS, 0.0)
+
+    async def send(self, seconds: float) -> None:
+        for _ in range(round(100 * seconds)):
+            now = self.clock.now()
+            self.link.send(Msp.SET_RAW_RC, struct.pack("<d", now))
+            for question, at in self.asked.items():
+                if now - at >= PERIODS[question] and self.link.may_ask:
+                    self.asked[question] = now
+                    self.link.send(question)
+            await asyncio.sleep(0.01)
+
+
+@asynccontextmanager
+async def driven(host: str) -> AsyncIterator[tuple[SlowController, Sticks]]:
+    loop = asyncio.get_running_loop()
+    transport, controller = await loop.create_datagram_endpoint(
+        SlowController, local_addr=(host, PORT)
+    )
+    work = asyncio.create_task(controller.work())
+    endpoint = msp_endpoint_of(f"udp:{host}:{PORT}")
+    link = MspLink(endpoint, RealClock(), lambda _: None, lambda: None)
+    await link.open()
+    yield controller, Sticks(link)
+    work.cancel()
+    await link.close()
+    transport.close()
+
+
 @pytest.mark.parametrize("answers_hz", [30, 40])
 async def test_sticks_come_in_time_to_a_controller_that_becomes_busy(
     loopback: str, answers_hz: int
 ) -> None:
-    loop, clock = asyncio.get_running_loop(), RealClock()
-    transport, controller = await loop.create_datagram_endpoint(
-        SlowController, local_addr=(loopback, PORT)
-    )
-    work = asyncio.create_task(controller.work())
-    link = MspLink(msp_endpoint_of(f"udp:{loopback}:{PORT}"), clock, lambda _: None, lambda: None)
-    await link.open()
-    asked = dict.fromkeys(PERIODS, 0.0)
     oldest, taken = [], []
-    for controller.pause in (QUICK, 1.0 / answers_hz, QUICK):
-        for _ in range(300):
-            now = clock.now()
-            link.send(Msp.SET_RAW_RC, struct.pack("<d", now))
-            for question, at in asked.items():
-                if now - at >= PERIODS[question] and link.may_ask:
-                    asked[question] = now
-                    link.send(question)
-            await asyncio.sleep(0.01)
-        oldest.append(max(controller.ages))
-        taken.append(len(controller.ages))
-        controller.ages.clear()
-    work.cancel()
-    await link.close()
-    transport.close()
+    async with driven(loopback) as (controller, sticks):
+        for controller.pause in (QUICK, 1.0 / answers_hz, QUICK):
+            await sticks.send(3.0)
+            oldest.append(max(controller.ages))
+            taken.append(len(controller.ages))
+            controller.ages.clear()
     assert oldest[0] < 0.02 and oldest[1] < 0.5 and oldest[2] < 0.25, oldest
     assert taken[0] > 290 and taken[1] > 1.8 * answers_hz and taken[2] > 280, taken
+
+
+async def test_answers_to_somebody_else_keep_no_sticks_for_long(loopback: str) -> None:
+    async with driven(loopback) as (controller, sticks):
+        await sticks.send(1.0)
+        controller.ages.clear()
+        others = asyncio.create_task(controller.answer_others())
+        await sticks.send(8.0)
+        others.cancel()
+    assert len(controller.ages) > 600

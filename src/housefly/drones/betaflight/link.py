@@ -33,10 +33,12 @@ _AMBIGUITY = 0.5
 """An answer says how long it took where the same was not sent for so long before [s]: commands have
 no numbers (Karn and Partridge 1987).
 """
-_QUIET, _PAUSE_MAX = 0.06, 1.0
+_QUIET, _PAUSE_MAX = 0.06, 0.5
 """Nothing waits in a controller that has answered nothing for the first [s]; nothing is sent for
 the second at most [s]: meanwhile it flies by the sticks that wait there.
 """
+_PAUSE_AGAIN = 10.0
+"""After a pause in which answers did not end, they are somebody else's for so long [s]."""
 _SLOW_FOR, _SLOWEST = 2.0, 0.8
 """One that was slow may be slow again for so long [s]; none is waited for longer [s]."""
 _BACKLOG_MAX = 4096
@@ -107,13 +109,20 @@ class _AnswerTime:
         """Take in an answer that came now [s], and to what; None: to what was believed lost."""
         self._heard_at = now
         shortest, longest = _OVERTAKEN_AFTER
-        if one is None and not self.pauses(now):
-            self._pauses_from, self._slow_until = now, now + _SLOW_FOR
-            self._lost_after = min(max(longest, 2.0 * self._lost_after), _SLOWEST)
-        elif one is not None and one.is_alone and now > self._slow_until:
+        if one is None:
+            self._was_late(now)
+        elif one.is_alone and now > self._slow_until:
             self._lost_after = min(max(2.0 * (now - one.sent_at), shortest), longest)
-        if one is None or self.pauses(now):
+        if self.pauses(now):
             self._pauses_until = min(now + _QUIET, self._pauses_from + _PAUSE_MAX)
+
+    def _was_late(self, now: float) -> None:
+        was_in_vain = self._pauses_until >= self._pauses_from + _PAUSE_MAX
+        if self.pauses(now) or (was_in_vain and now - self._pauses_from < _PAUSE_AGAIN):
+            return
+        self._pauses_from, self._pauses_until = now, now + _QUIET
+        self._slow_until = now + _SLOW_FOR
+        self._lost_after = min(max(_OVERTAKEN_AFTER[1], 2.0 * self._lost_after), _SLOWEST)
 
 
 class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
