@@ -36,7 +36,7 @@ class CrowdedPad:
     pad: tuple[float, float]
 
 
-@pytest.fixture(scope="module", params=[1, 3])
+@pytest.fixture(scope="module", params=[1, pytest.param(3, marks=pytest.mark.interop)])
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> CrowdedPad:
     """A service without scanners, to whose pad a child comes meanwhile."""
     file: Path = tmp_path_factory.mktemp("child") / "truth.jsonl"

@@ -36,6 +36,7 @@ def site_with(lines: str, folder: Path) -> LoadedSite:
     return load_site(str(file))
 
 
+@pytest.mark.interop
 def test_the_advice_for_five_frames_a_second_flies_with_the_lines_it_comes_with(
     tmp_path: Path,
 ) -> None:

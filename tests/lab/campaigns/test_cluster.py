@@ -53,6 +53,7 @@ def test_a_worker_killed_in_the_middle_changes_no_bit(
         assert len(fleet._client.nthreads()) == 1
 
 
+@pytest.mark.interop
 def test_a_cluster_whose_every_worker_dies_goes_on_when_one_comes(
     plan: Plan, cluster: Any, tmp_path: Path
 ) -> None:
@@ -71,6 +72,7 @@ def test_a_cluster_whose_every_worker_dies_goes_on_when_one_comes(
         )
 
 
+@pytest.mark.interop
 def test_a_scheduler_that_goes_away_is_told_and_the_rest_is_flown_here(
     plan: Plan, cluster: Any, tmp_path: Path
 ) -> None:

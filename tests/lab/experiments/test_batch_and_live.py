@@ -32,8 +32,25 @@ STREAMS = {
 }
 
 
-@pytest.mark.parametrize("stream", list(STREAMS))
-@pytest.mark.parametrize("way", ["space", "grid", "paper"])
+@pytest.mark.parametrize(
+    ("way", "stream"),
+    [
+        ("space", "100 Hz"),
+        ("space", "30 Hz, noisy, in wind"),
+        ("grid", "10 Hz, late and lossy"),
+        ("paper", "10 Hz, late and lossy"),
+        *(
+            pytest.param(*rest, marks=pytest.mark.interop)
+            for rest in (
+                ("space", "10 Hz, late and lossy"),
+                ("grid", "100 Hz"),
+                ("grid", "30 Hz, noisy, in wind"),
+                ("paper", "100 Hz"),
+                ("paper", "30 Hz, noisy, in wind"),
+            )
+        ),
+    ],
+)
 def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, way: str, stream: str) -> None:
     # The whole way and the arrival once; how the others are tracked shows on half of the way.
     is_whole = stream == "100 Hz" or way == "paper"

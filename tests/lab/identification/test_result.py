@@ -31,6 +31,7 @@ def hidden(seed: int) -> tuple[Constants, float]:
     return constants, float(random.uniform(0.03, 0.14))
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_each_interval_holds_the_truth_in_most_runs(fly_pattern: Fly) -> None:
     """``benchmarks/identification.py`` counts a hundred, in MuJoCo: 91 to 98 of them."""

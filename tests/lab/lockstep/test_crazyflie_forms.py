@@ -16,7 +16,13 @@ from housefly.wires.crazyflie.setpoints import FullState, GenericSetpoint, Place
 pytestmark = pytest.mark.slow
 
 
-@pytest.mark.parametrize(("form", "given"), [("position", Place), ("trajectory", FullState)])
+@pytest.mark.parametrize(
+    ("form", "given"),
+    [
+        ("position", Place),
+        pytest.param("trajectory", FullState, marks=pytest.mark.interop),
+    ],
+)
 def test_by_places_and_by_full_states_it_completes_the_service_near_its_path_and_touches_nothing(
     form: str, given: type[GenericSetpoint], monkeypatch: pytest.MonkeyPatch
 ) -> None:

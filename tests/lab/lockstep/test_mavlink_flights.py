@@ -19,7 +19,7 @@ from housefly.twin.world import SimulatedWorld
 
 
 @pytest.mark.usefixtures("no_report")
-@pytest.mark.parametrize("kind", ["arducopter", "px4"])
+@pytest.mark.parametrize("kind", ["arducopter", pytest.param("px4", marks=pytest.mark.interop)])
 def test_it_completes_the_service_near_its_path_and_is_replayed_bit_for_bit(
     kind: str, tmp_path: Path
 ) -> None:

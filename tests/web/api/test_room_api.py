@@ -197,6 +197,7 @@ def test_a_bad_parameter_is_named(room: Room, query: str) -> None:
     assert json.load(refused.value)["error"].startswith(query.partition("=")[0])
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: Room) -> None:
     schema = schemathesis.openapi.from_url(f"{room.address}/api/v1/openapi.json")
