@@ -214,7 +214,8 @@ async def test_frames_of_a_stranger_are_not_believed(loopback: str, bench: Any) 
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
                 stranger.bind((host, 0))
                 for serial in range(1000, 1020):
-                    frame = NatNetFrame(serial, (forged,), exposed=TICKS, sent=TICKS + serial)
+                    at = serial * TICKS
+                    frame = NatNetFrame(serial, (forged,), exposed=at, sent=at + 10_000)
                     stranger.sendto(encode_natnet(frame, (3, 1)), motive.client)
         await asyncio.sleep(0.1)
         (here,) = {seen.pose.position for frame in frames for seen in frame}
