@@ -91,7 +91,7 @@ def main() -> None:
         links = list(state.links)
         browser.close()
     print(
-        f"### The whole demo during one service ({elapsed:.0f} s), a browser watching the map and"
+        f"### The whole demo ({model}) during one service ({elapsed:.0f} s), a browser watching the map and"
         " the video\n"
     )
     rows: list[list[object]] = [
