@@ -91,8 +91,8 @@ def main() -> None:
         links = list(state.links)
         browser.close()
     print(
-        f"### The whole demo ({model}) during one service ({elapsed:.0f} s), a browser watching the map and"
-        " the video\n"
+        f"### The whole demo ({model}) during one service ({elapsed:.0f} s), a browser watching the"
+        " map and the video\n"
     )
     rows: list[list[object]] = [
         [name, f"{shares[name]:.2f}", f"{memory[name]:.0f}"] for name in sorted(shares)
