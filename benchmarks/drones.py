@@ -12,24 +12,16 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass, replace
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from _run import table
 from housefly import fly, load_site
 from housefly.config.airframe import airframe_names
-from housefly.lab.lockstep.service import fly_lockstep
-from housefly.messages import Order, OrderKind, PilotStep
 from housefly.numeric import FloatArray
-from housefly.record.series import collect
-from housefly.record.summary import Summary, summarize_flight
-from housefly.record.truth import read_truth
-from housefly.sites.loaded_site import open_site, read_site
+from housefly.record.summary import Summary
 from quality_gate.errands import BSEN_ERRANDS
 from quality_gate.flown_row import FlownRow
 from quality_gate.flown_track import COLUMNS
@@ -77,29 +69,13 @@ def flown(row: Scenario, model: str) -> FlownRow:
     return fly_row(row, Way.SPACE, model, {"drone__kind": model})
 
 
-def served(model: str, seed: int) -> tuple[Summary, int]:
-    """Fly the visitor service; return its summary, and how much was touched."""
-    loaded = open_site(read_site("bsen", drone__kind=model, twin__seed=seed))
-    steps: list[PilotStep] = []
-    with TemporaryDirectory() as folder:
-        course = Path(folder) / "truth.jsonl"
-        order = Order(OrderKind.SERVICE, PLACE, look_s=LOOK_S)
-        outcome = fly_lockstep(loaded, order, steps.append, truth_file=course)
-        truth = read_truth(course)
-    flight = collect(steps, loaded.site.tracking.body)
-    site, room, grid = loaded.site, loaded.room, loaded.grid
-    return summarize_flight(flight, outcome, site, room, grid, truth=truth), len(
-        truth.contacts if truth else ()
-    )
-
-
-def served_over_wires(model: str, seed: int) -> tuple[Summary, int]:
-    """Fly the visitor service with all processes of a run, in real time."""
+def served(model: str, seed: int, *, lockstep: bool) -> Summary:
+    """Fly the visitor service; over real wires with all processes of a run, in real time."""
     address = f"127.58.{airframe_names().index(model)}.{1 + seed % 250}"
     at = {"drone__address": address, "tracking__address": address}
     loaded = load_site("bsen", drone__kind=model, twin__seed=seed, twin__video=False, **at)
-    with closing(fly(PLACE, loaded, lockstep=False, look_s=LOOK_S)) as flight:
-        return flight.summary, len(flight.summary.contacts or ())
+    with closing(fly(PLACE, loaded, lockstep=lockstep, look_s=LOOK_S)) as flight:
+        return flight.summary
 
 
 def _quality_row(model: str) -> list[object]:
@@ -121,14 +97,12 @@ def _cell(row: FlownRow) -> str:
     return f"{measures.arrived:.0f} of {measures.legs:.0f}: {off}"
 
 
-Service = Callable[[str, int], tuple[Summary, int]]
-
-
-def _service_row(model: str, seeds: int, service: Service) -> list[object]:
+def _service_row(model: str, seeds: int, *, lockstep: bool) -> list[object]:
     done, touched, errors, landed = 0, 0, list[float](), list[float]()
     ended = set[str]()
     for seed in range(1, seeds + 1):
-        summary, contacts = service(model, seed)
+        summary = served(model, seed, lockstep=lockstep)
+        contacts = len(summary.contacts or ())
         _tell(f"{model}, seed {seed}: {summary.outcome}, {contacts} contacts")
         done += summary.outcome == "completed"
         touched += contacts
@@ -156,7 +130,6 @@ def main() -> None:
     parser.add_argument("--no-quality", action="store_true", help="the service only")
     parser.add_argument("--wires", action="store_true", help="the service only, over real wires")
     wanted = parser.parse_args()
-    service = served_over_wires if wanted.wires else served
     print("### How well each drone flies, on the truth\n")
     if not (wanted.no_quality or wanted.wires):
         headings = [
@@ -175,7 +148,9 @@ def main() -> None:
             "model", "services completed", "contacts", "rms off the path [mm]",
             "landed off the pad, most [mm]", "outcomes",
         ]  # fmt: skip
-        rows = [_service_row(model, wanted.seeds, service) for model in wanted.models]
+        rows = [
+            _service_row(model, wanted.seeds, lockstep=not wanted.wires) for model in wanted.models
+        ]
         print(table(headings, rows))
 
 

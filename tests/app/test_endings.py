@@ -134,6 +134,7 @@ def test_a_second_typed_ctrl_c_does_not_wait_and_the_drone_is_landed_all_the_sam
         assert run.process.poll() is None, "it did not wait after the first"
         terminal.type(b"\x03")
         wait_for(lambda: run.process.poll() is not None, 10.0, "the launcher's end")
+        assert not room.is_standing()
         assert_landed_and_gone(room, run)
         words = re.sub(r"\s+", " ", (tmp_path / "log").read_text())
         assert "lands the drone and ends when it is down" in words

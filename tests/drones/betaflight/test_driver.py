@@ -10,7 +10,7 @@ from math import cos, hypot, sin
 import pytest
 from betaflight_room import BetaflightRoom, betaflight_room
 from driven_room import lossy
-from serial_bridge import serial_bridge
+from serial_bridge import serial_bridge, udp_bridge
 
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
@@ -203,42 +203,17 @@ async def test_with_a_radio_the_mask_is_checked_by_what_it_flies_by(
     assert room.status in (DroneStatus.FLYING, DroneStatus.LANDED)
 
 
-class SerialBridge(asyncio.DatagramProtocol):
-    """A bridge from Wi-Fi to a serial port: datagrams to whoever wrote last, at ``UDP_PORT``."""
-
-    def __init__(self, host: str) -> None:
-        self.host, self.client, self.writer = host, (host, 0), None
-
-    async def open(self) -> None:
-        loop = asyncio.get_running_loop()
-        reader, self.writer = await asyncio.open_connection(self.host, TCP_PORT)
-        link, _ = await loop.create_datagram_endpoint(
-            lambda: self, local_addr=(self.host, UDP_PORT)
-        )
-
-        async def carry() -> None:
-            while data := await reader.read(256):
-                link.sendto(data, self.client)
-            link.close()
-
-        self.carrying = asyncio.create_task(carry())
-
-    def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
-        self.client = addr
-        self.writer.write(data)
-
-
 async def test_over_udp_it_flies_by_a_bridge_to_its_serial_port(
     room: BetaflightRoom, loopback: str
 ) -> None:
-    await SerialBridge(loopback).open()
     config = DroneConfig(kind="betaflight", address=f"udp:{loopback}:{UDP_PORT}")
-    room.driver = Betaflight(config, LimitsConfig(), RealClock())
-    await room.fly()
-    await room.hold(Action.HOVER, 1.0)
-    assert room.height == pytest.approx(1.05, abs=0.15)
-    await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
-    assert room.height < 0.06 and room.world.contact_log == ()
+    with udp_bridge(loopback, TCP_PORT, UDP_PORT):
+        room.driver = Betaflight(config, LimitsConfig(), RealClock())
+        await room.fly()
+        await room.hold(Action.HOVER, 1.0)
+        assert room.height == pytest.approx(1.05, abs=0.15)
+        await room.until(lambda: room.status is DroneStatus.LANDED, Action.LAND)
+        assert room.height < 0.06 and room.world.contact_log == ()
 
 
 async def test_a_fifth_of_all_commands_and_answers_may_be_lost(loopback: str) -> None:

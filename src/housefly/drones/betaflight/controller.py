@@ -33,7 +33,9 @@ QUESTIONS = (
 """What is asked before a flight, in order; all of it has to be told."""
 
 PERIODS = {Msp.ATTITUDE: 0.04, Msp.STATUS_EX: 0.06, Msp.RC: 0.2, Msp.BATTERY_STATE: 1.0}
-"""How often each is asked [s]."""
+"""How often each is asked [s]: its state so often that bad luck on a link that loses a fifth both
+ways does not hide it for ``STATUS_AGE_MAX``.
+"""
 AGAIN_AFTER = 0.2
 """A question that was not answered is asked again [s]."""
 LOOK_AGAIN = 0.5
