@@ -23,7 +23,7 @@ from housefly.pilot.safety.tracking_rules import (
 )
 
 FLOOR = (5.0, 2.0, 0.05)
-STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR)
+STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR, yaw=0.0)
 TICK = 0.05
 SETTLED = 8.0
 SUDDEN: dict[str, tuple[str, ...]] = {"too_fast": ("contact",)}
@@ -92,6 +92,12 @@ def taking_off(aside: float, z: float) -> Change:
         reference=None,
         telemetry=report,
     )
+
+
+def turned(angle: float) -> Change:
+    """It takes off where it stood, and has turned so far [rad]."""
+    rises = taking_off(0.0, 0.15)
+    return lambda inputs, t: replace(rises(inputs, t), yaw=angle)
 
 
 def landing(aside: float, height: float) -> Change:
@@ -199,6 +205,7 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "outside_fence": (now(position=(11.01, 2.0, 1.1)), now(position=(10.99, 2.0, 1.1)), 0.0),
     "too_high": (at(2.31), at(2.3), 0.0),
     "take_off_drift": (taking_off(0.09, 0.15), taking_off(0.07, 0.15), 0.0),
+    "take_off_turn": (turned(0.81), turned(-0.79), 0.0),
     "take_off_aborted": (taking_off(0.15, 0.07), taking_off(0.15, 0.18), 0.0),
     "landing_drift": (landing(0.26, 0.05), landing(0.26, 0.1), 0.0),
     "blown_about": (now(velocity=(0.2, 0.0, 0.0)), now(velocity=(0.0, -0.14, 0.0)), 3.4),

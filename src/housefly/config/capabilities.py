@@ -85,6 +85,10 @@ class Capabilities(Section):
         description="how often it wants to be told its own pose; left out: not at all",
         json_schema_extra={"unit": "Hz"},
     )
+    hears_pose_time: bool = Field(
+        default=False,
+        description="whether it hears when it was there; else it is told where by now",
+    )
     light: bool = Field(
         default=False, description="whether it can show that its camera is recorded"
     )

@@ -72,6 +72,7 @@ class EventCode(StrEnum):
     NOT_ON_FLOOR = "not_on_floor"
     TAKE_OFF_DRIFT = "take_off_drift"
     TAKE_OFF_ABORTED = "take_off_aborted"
+    TAKE_OFF_TURN = "take_off_turn"
     LANDING_DRIFT = "landing_drift"
     BLOWN_ABOUT = "blown_about"
     NOT_FINITE = "not_finite"

@@ -244,7 +244,7 @@ def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direct
     unknown = replace(FINE, velocity=None)
     assert vertical_speed(RuleContext(unknown, NOTHING_OBSERVED, LIMITS, FENCE, AIRFRAME)) == 0.0
     assert FlightObservations() == FlightObservations(
-        0.0, 0.0, 0.0, None, None, nan, nan, 0.0, 0.0, inf, 0.0, 0.0, 0, 0.0, False, NO_ENERGY
+        0.0, 0.0, 0.0, None, None, 0.0, nan, nan, 0.0, 0.0, inf, 0.0, 0.0, 0, 0.0, False, NO_ENERGY
     )
     assert EnergyBudget(0.0, inf, 0.0, 0.0, 0.0, 0.0) == NO_ENERGY
 

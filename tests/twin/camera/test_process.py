@@ -243,7 +243,7 @@ async def test_closing_ends_the_child() -> None:
         await film.more(1)
         pid = film.camera.pid
     assert pid is not None
-    assert not alive(pid)
+    await film.until(lambda: not alive(pid))
 
 
 async def test_a_child_ends_when_its_parent_is_gone() -> None:

@@ -116,18 +116,21 @@ class HeightLoop:
         state = self.state._replace(speed=0.0)
         return replace(self, state=state, asked=asked, made=made, stands=True)
 
-    def lifted(self, rise: float, spool: float) -> HeightLoop:
+    def lifted(self, rise: float, seen_ago: float, spool: float) -> HeightLoop:
         """Return it once it has left the ground: what its motors made then carries its weight.
 
         Args:
-            rise: since then [m]: what grows evenly has risen by a sixth of spool t^3.
+            rise: until it was seen [m]: what grows evenly has risen by a sixth of spool t^3.
+            seen_ago: how long ago that was [s].
             spool: how quickly the thrust over weight grew [1/s].
         """
         jerk = GRAVITY * spool
-        passed = (6.0 * max(rise, 0.0) / jerk) ** (1.0 / 3.0)
+        passed = (6.0 * max(rise, 0.0) / jerk) ** (1.0 / 3.0) + seen_ago
         push = -(self.made - jerk * passed)
         push = min(max(push, -PUSH_MAX), PUSH_MAX)
-        state = self.state._replace(speed=0.5 * jerk * passed**2, push=push)
+        risen = jerk * passed**3 / 6.0 - rise
+        speed = 0.5 * jerk * passed**2
+        state = self.state._replace(place=self.state.place + risen, speed=speed, push=push)
         return replace(self, state=state, stands=False)
 
     def climbing(self, climb: float) -> HeightLoop:

@@ -233,7 +233,7 @@ class StickManoeuvres:
             return self._stop(now)
         rise = self._seen_height - self._start_height
         if rise > _LIFT_OFF_HEIGHT:
-            self.height = self.height.lifted(rise, _SPOOL_RATE)
+            self.height = self.height.lifted(rise, now - self._seen_at, _SPOOL_RATE)
             self._begin(Doing.RISING, now)
             self._place = self._place.holding()
             return self._rise(state, now)

@@ -13,6 +13,8 @@ from typing import NamedTuple
 
 POLE = 5.0
 """How quickly a pose corrects [1/s]."""
+POLE_TIMES_AGE = 0.35
+"""A pose that is old corrects more slowly, or the loop swings: pole times age is no more."""
 PUSH_MAX = 4.0
 """No steady push is larger [m/s^2]: more is no drone of this mass."""
 _STEP_MAX, _GAP_MAX = 0.02, 0.5
@@ -73,8 +75,10 @@ def corrected(state: AxisState, place: float, captured_at: float) -> AxisState:
     if period > _GAP_MAX:
         return AxisState(max(captured_at, state.at), place, 0.0, state.push, captured_at)
     period = min(max(period, _PERIOD_MIN), _PERIOD_MAX)
-    keep = exp(-POLE * period)
-    off = place - (state.place - state.speed * max(0.0, state.at - captured_at))
+    age = max(0.0, state.at - captured_at)
+    pole = min(POLE, POLE_TIMES_AGE / age) if age > 0.0 else POLE
+    keep = exp(-pole * period)
+    off = place - (state.place - state.speed * age)
     push = state.push + (1.0 - keep) ** 3 / period**2 * off
     return AxisState(
         state.at,

@@ -7,7 +7,7 @@ flies it here.
 from __future__ import annotations
 
 from dataclasses import replace
-from math import inf
+from math import inf, isfinite
 
 from housefly.config.site import Site
 from housefly.drones.betaflight.height import height_model
@@ -49,7 +49,8 @@ class BetaflightWire:
         self, told: Instruction, now: float, report: Telemetry | None
     ) -> tuple[Channels, ...]:
         """Return the channels of one SET_RAW_RC."""
-        if report is not None:
+        if report is not None and isfinite(report.phi) and isfinite(report.theta):
+            # MSP has whole numbers only: a lean that is none never arrives
             self._told = self._told._replace(phi=report.phi, theta=report.theta)
         leaves = self._manoeuvres.told(told, self._asked(now), now)
         positions = self._switches.armed if leaves.arms else self._switches.disarmed

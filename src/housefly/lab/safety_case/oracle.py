@@ -35,7 +35,9 @@ from housefly.twin.solids import SolidKind
 from housefly.twin.world import SimulatedWorld
 
 STANDING = 0.12
-"""A drone whose origin is lower than this stands on the floor [m]."""
+"""A drone whose origin is lower than this stands on the floor [m] ..."""
+STANDING_SLACK = 0.05
+"""... and so does one with long legs, no more than this above where it stands [m]."""
 FALL_HEIGHT = 0.3
 """Motors that stop above this let the drone fall [m]."""
 HARD_LANDING = 1.5
@@ -110,6 +112,10 @@ class Oracle:
     _looked_at: float = -inf
     _height: float = 0.0
 
+    @property
+    def _standing(self) -> float:
+        return max(STANDING, self.site.drone.airframe.body.standing_height + STANDING_SLACK)
+
     def watch(self, step: PilotStep) -> None:
         """Take in one step of the pilot and what the world did since the last."""
         truth, state = self.world.truth(), self.world.onboard().flight
@@ -126,7 +132,7 @@ class Oracle:
             self._path = step.outputs.path.waypoints
         if state.airborne and step.now >= self.faulty_since and self._path:
             self._flown.append(truth.pose.position[:2])
-        is_down = not state.airborne and truth.pose.position[2] < STANDING
+        is_down = not state.airborne and truth.pose.position[2] < self._standing
         if not is_down:
             self.grounded_at = None
         elif self.grounded_at is None:
@@ -184,7 +190,7 @@ class Oracle:
         outside = max(x_min - x, x - x_max, y_min - y, y - y_max, 0.0)
         if outside > stopping_distance(self.site.limits.speed, 1.0, 0.3):
             self._break("I2", f"{outside:.1f} m outside the room")
-        falls = z < STANDING <= self._height and -velocity[2] > HARD_LANDING
+        falls = z < self._standing <= self._height and -velocity[2] > HARD_LANDING
         if falls and not self.cannot_hover:
             self._break("fall", f"came down at {-velocity[2]:.1f} m/s")
 

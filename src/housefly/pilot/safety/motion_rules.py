@@ -42,6 +42,8 @@ VERTICAL_SPEED_SLACK = 0.4
 """A drone may climb or sink this much faster than ``limits.vertical_speed_max`` [m/s]."""
 SPEED_SLACK = 0.5
 """A drone may fly this much faster than its cruise speed, and than it makes way at most [m/s]."""
+TAKE_OFF_TURN_MAX = 0.8
+"""Who has turned by more than this while it takes off has a weak motor or propeller [rad]."""
 TILT_HOLD_TIME = 1.5
 """A drone that leans otherwise than told holds itself for this long [s]: a link that lagged has
 then passed on what was said to it ...
@@ -254,6 +256,24 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
             )
         ),
         debounce=0.2,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code=EventCode.TAKE_OFF_TURN,
+        mode=SafetyMode.LAND,
+        scope=RuleScope.AIRBORNE,
+        condition="turns round while it takes off",
+        is_broken=lambda c: c.seen.take_off_turn > TAKE_OFF_TURN_MAX,
+        words=lambda c: landing(
+            with_angle_limit(
+                Words(
+                    "turned {n} degrees while it took off",
+                    n=figure(degrees(c.seen.take_off_turn), ".0f"),
+                ),
+                degrees(TAKE_OFF_TURN_MAX),
+            )
+        ),
+        debounce=0.1,
         clears=Clearing.GROUND,
     ),
     SafetyRule(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import cos, dist, exp, hypot, inf, isfinite, nan, sin, sqrt
 
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import GRAVITY, Vec2
+from housefly.geometry import GRAVITY, Vec2, wrap_angle
 from housefly.messages.flight import Phase
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Setpoint
@@ -70,6 +70,7 @@ class FlightObservations:
         standing_height: tracked height of a drone that stands [m].
         start: where it took off [m]; None before it was seen standing.
         take_off_velocity: smoothed velocity in the plane while it takes off [m/s]; None else.
+        take_off_turn: how far it has turned since it stood, while it takes off [rad]; 0 else.
         tilt_asked: smoothed tilt that we ask for [rad]; nan while the drone flies itself.
         tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
             either is unknown.
@@ -91,6 +92,7 @@ class FlightObservations:
     standing_height: float = 0.0
     start: Vec2 | None = None
     take_off_velocity: Vec2 | None = None
+    take_off_turn: float = 0.0
     tilt_asked: float = nan
     tilt_error: float = nan
     tilt_wrong_for: float = 0.0
@@ -125,6 +127,7 @@ class FlightObserver:
         self._height = inf
         self._standing_height = inf
         self._start: Vec2 | None = None
+        self._standing_yaw = nan
         self._take_off_velocity: Vec2 | None = None
         self._tilt_asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
@@ -164,6 +167,7 @@ class FlightObserver:
             standing_height=self._standing_height if isfinite(self._standing_height) else 0.0,
             start=self._start,
             take_off_velocity=self._smoothed_take_off_velocity(inputs, dt),
+            take_off_turn=self._take_off_turn(inputs),
             tilt_asked=hypot(*self._tilt_asked) if self._tilt_asked else nan,
             tilt_error=tilt_error,
             tilt_wrong_for=_total_time(self._tilted, now, dt if is_tilted else 0.0),
@@ -185,7 +189,7 @@ class FlightObserver:
         is_seen = inputs.position is not None and inputs.pose_age <= self._limits.pose_age_level
         if inputs.status is DroneStatus.LANDED and is_seen and inputs.position is not None:
             height = inputs.position[2]
-            self._start = inputs.position[:2]
+            self._start, self._standing_yaw = inputs.position[:2], inputs.yaw
             self._standing_height = (
                 min(self._standing_height, height) if isfinite(height) else self._standing_height
             )
@@ -198,6 +202,11 @@ class FlightObserver:
         share = 1.0 - exp(-dt / TAKE_OFF_TIME_CONSTANT)
         self._take_off_velocity = (x + share * (vx - x), y + share * (vy - y))
         return self._take_off_velocity
+
+    def _take_off_turn(self, inputs: GateInputs) -> float:
+        turn = inputs.yaw - self._standing_yaw
+        is_known = inputs.status is DroneStatus.TAKING_OFF and isfinite(turn)
+        return abs(wrap_angle(turn)) if is_known else 0.0
 
     def _climbing_for(self, inputs: GateInputs) -> float:
         is_same = inputs.flight_height == self._height or (

@@ -1,1 +1,1 @@
-import"./chunk-chunk-REMONM44.js";
+import"./chunk-chunk-LRM7EJ3Q.js";
