@@ -9,7 +9,14 @@ import pytest
 from gate_flight import AIRFRAME, FENCE, FINE, HERE, LIMITS, REPORT, RULES
 
 from housefly.geometry import GRAVITY
-from housefly.messages import DroneFault, DroneStatus, Phase, Reference, SafetyMode
+from housefly.messages import (
+    DroneFault,
+    DroneStatus,
+    Phase,
+    Reference,
+    SafetyMode,
+    VelocitySetpoint,
+)
 from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.mission import NO_SILENCE
 from housefly.pilot.behavior.standing import STANDS_HIGH
@@ -45,6 +52,7 @@ from housefly.pilot.safety.motion_rules import (
     IMPACT_SPEED_CHANGE,
     SPEED_SLACK,
     STUCK_SPEED,
+    STUCK_SPEED_ASKED,
     STUCK_TILT,
     TAKE_OVER_TIME,
     TILT_WRONG_MAX,
@@ -164,6 +172,13 @@ AT_BOUND: list[tuple[str, RuleContext, bool]] = [
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT), True),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT, velocity=(STUCK_SPEED, 0.0, 0.0)), False),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT, telemetry=None), True),
+    ("stuck", context(flown=VelocitySetpoint(0.0, -STUCK_SPEED_ASKED)), False),
+    ("stuck", context(flown=VelocitySetpoint(0.3, -STUCK_SPEED_ASKED)), True),
+    (
+        "stuck",
+        context(flown=VelocitySetpoint(1.0), velocity=(STUCK_SPEED, 0.0, 0.0)),
+        False,
+    ),
     ("stuck", context(tilt_asked=1.5 * STUCK_TILT, velocity=(0.0, 0.0, 0.5)), True),
     (
         "stuck",

@@ -8,7 +8,7 @@ from housefly.config.airframe import Ability
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import GRAVITY
 from housefly.messages.event_code import EventCode
-from housefly.messages.steering import Clearing, SafetyMode
+from housefly.messages.steering import Clearing, SafetyMode, VelocitySetpoint
 from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.standing import STANDS_HIGH
@@ -57,7 +57,9 @@ IMPACT_SPEED_CHANGE = 0.55
 UNEXPLAINED_SPEED_CHANGE = 0.25
 """... of which the lean of the drone, that brakes after a gust, leaves more than this [m/s]."""
 STUCK_TILT, STUCK_SPEED = 0.1, 0.08
-"""Stuck is who is tilted by more than this [rad] and slower than this [m/s]."""
+"""Stuck is who is tilted by more than this [rad] and slower than this [m/s] ..."""
+STUCK_SPEED_ASKED = 0.4
+"""... and so is who is steered by velocity and told to fly faster than this [m/s]."""
 CONTROL_ERROR_HOLD, CONTROL_ERROR_LAND = 0.5, 1.0
 """Distance to the reference: hold, land [m]."""
 VELOCITY_ERROR_MAX = 0.3
@@ -108,8 +110,15 @@ def speed_bound(limits: LimitsConfig) -> float:
     return max(limits.speed, EVASION_SPEED) + SPEED_SLACK
 
 
+def _speed_asked(c: RuleContext) -> float:
+    """Return how fast a drone that is steered by velocity is to fly in the plane [m/s]; else 0."""
+    asked = c.inputs.flown
+    return hypot(asked.forward, asked.left) if isinstance(asked, VelocitySetpoint) else 0.0
+
+
 def _is_stuck(c: RuleContext) -> bool:
-    if not c.seen.tilt_asked > STUCK_TILT or c.inputs.velocity is None:
+    is_driven = c.seen.tilt_asked > STUCK_TILT or _speed_asked(c) > STUCK_SPEED_ASKED
+    if not is_driven or c.inputs.velocity is None:
         return False
     onboard = hypot(*c.inputs.telemetry.velocity[:2]) if c.inputs.telemetry else 0.0
     return max(hypot(*c.inputs.velocity[:2]), onboard) < STUCK_SPEED
@@ -152,6 +161,21 @@ def _contact_words(c: RuleContext) -> Words:
         " (limit {m} m/s), landing",
         d=figure(c.seen.velocity_change, ".1f"),
         m=figure(IMPACT_SPEED_CHANGE, "g"),
+    )
+
+
+def _stuck_words(c: RuleContext) -> Words:
+    if _speed_asked(c) > STUCK_SPEED_ASKED:
+        return Words(
+            "is told to fly at {d} m/s and does not move (limit {m} m/s): stuck on something,"
+            " landing",
+            d=figure(_speed_asked(c), ".1f"),
+            m=figure(STUCK_SPEED_ASKED, "g"),
+        )
+    return Words(
+        "leans {n} degrees and does not move (limit {m}): stuck on something, landing",
+        n=figure(degrees(c.seen.tilt_asked), ".0f"),
+        m=figure(degrees(STUCK_TILT), ".0f"),
     )
 
 
@@ -310,17 +334,11 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         code=EventCode.STUCK,
         mode=SafetyMode.LAND,
         scope=RuleScope.CRUISE,
-        condition="it leans as told and neither tracking nor its own report sees it move",
+        condition="it is told to move and neither tracking nor its own report sees it do so",
         is_broken=_is_stuck,
-        words=lambda c: Words(
-            "leans {n} degrees and does not move (limit {m}): stuck on something, landing",
-            n=figure(degrees(c.seen.tilt_asked), ".0f"),
-            m=figure(degrees(STUCK_TILT), ".0f"),
-        ),
+        words=_stuck_words,
         debounce=1.5,
         clears=Clearing.GROUND,
-        needs=frozenset({Ability.TILT}),
-        instead="`control_lost`: it falls behind its reference",
     ),
     SafetyRule(
         code=EventCode.CONTROL_LOST,

@@ -1,1 +1,1 @@
-import"./chunk-chunk-LRM7EJ3Q.js";
+import"./chunk-chunk-PBMQYSGX.js";

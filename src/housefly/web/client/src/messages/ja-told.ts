@@ -235,6 +235,8 @@ export const JA_TOLD: Templates = {
   "blown along at {d} m/s (limit {m} m/s) and only {k} m above the floor: cutting the motors":
     "{d} m/s で流され（限度 {m} m/s）、床から {k} m だけです。モーターを遮断します",
   "blown {d} m from where it took off": "離陸位置から {d} m 流されました",
+  "is told to fly at {d} m/s and does not move (limit {m} m/s): stuck on something, landing":
+    "{d} m/s で飛ぶ指令なのに動きません（限度 {m} m/s）。何かに引っかかっています。着陸します",
   "turned {n} degrees while it took off": "離陸中に {n} 度回りました",
   "blown about: {d} m/s off the wanted velocity for {n} s": "風にあおられています：{n}秒間、速度が {d} m/s ずれました",
   "the command was not a number": "指令が数値ではありません",
