@@ -166,12 +166,8 @@ def _contact_words(c: RuleContext) -> Words:
 
 def _stuck_words(c: RuleContext) -> Words:
     if _speed_asked(c) > STUCK_SPEED_ASKED:
-        return Words(
-            "is told to fly at {d} m/s and does not move (limit {m} m/s): stuck on something,"
-            " landing",
-            d=figure(_speed_asked(c), ".1f"),
-            m=figure(STUCK_SPEED_ASKED, "g"),
-        )
+        words = Words("told {d} m/s and does not move", d=figure(_speed_asked(c), ".1f"))
+        return landing(with_speed_limit(words, STUCK_SPEED_ASKED, "g"))
     return Words(
         "leans {n} degrees and does not move (limit {m}): stuck on something, landing",
         n=figure(degrees(c.seen.tilt_asked), ".0f"),

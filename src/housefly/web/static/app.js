@@ -1,1 +1,1 @@
-import"./chunk-chunk-PBMQYSGX.js";
+import"./chunk-chunk-UIBBPBF6.js";

@@ -263,8 +263,7 @@ export const DE_TOLD: Templates = {
   "blown along at {d} m/s (limit {m} m/s) and only {k} m above the floor: cutting the motors":
     "mit {d} m/s verweht (Grenze {m} m/s), nur {k} m über dem Boden: Motoren werden abgeschaltet",
   "blown {d} m from where it took off": "{d} m vom Startort verweht",
-  "is told to fly at {d} m/s and does not move (limit {m} m/s): stuck on something, landing":
-    "soll mit {d} m/s fliegen und bewegt sich nicht (Grenze {m} m/s): hängt fest, Landung",
+  "told {d} m/s and does not move": "soll {d} m/s fliegen und bewegt sich nicht",
   "turned {n} degrees while it took off": "hat sich beim Abheben um {n} Grad gedreht",
   "blown about: {d} m/s off the wanted velocity for {n} s":
     "Böen: seit {n} s {d} m/s neben der Sollgeschwindigkeit",

@@ -92,7 +92,7 @@ export const JA_TOLD: Templates = {
     "最後の応答では地上にいました。自動操縦がなければ動きません",
   ["it was in the air when it was last heard; landing is asked on, and a drone that hears " +
     "nobody brakes and lands by itself"]:
-    "最後の応答では空中にいました。着陸を指示し続けています。通信が切れたドローンは自動で止まり、着陸します",
+    "最後の応答では空中でした。着陸を指示し続けています。通信が切れたドローンは自動で着陸します",
   ["if the pilot has ended, the drone brakes and lands by itself within seconds; if only its " +
     "word is lost, {then}"]:
     "自動操縦が止まった場合、ドローンは数秒で自動で止まり、着陸します。通信だけが切れた場合、{then}",
@@ -124,7 +124,7 @@ export const JA_TOLD: Templates = {
   "STOP is latched": "STOPで停止中です",
   "hold Resume when all is well": "安全を確かめて「再開」を長押ししてください",
   "look at the tracking system: is it running, does it stream the body under this name?":
-    "位置計測の装置を見てください。動いていますか。この名前で送信していますか",
+    "位置計測の装置は動いていますか。この名前で送信していますか",
   "it stands under, on or in {thing}": "{thing}の下・上・中にあります",
   "carry it to its pad": "パッドまで運んでください",
   "{why} ({found})": "{why}（{found}）",
@@ -152,7 +152,7 @@ export const JA_TOLD: Templates = {
   "{why} (limit {d} m/s)": "{why}（限度 {d} m/s）",
   "{why} (limit {n})": "{why}（限度 {n}）",
   "motors are being cut by order": "指示によりモーターを遮断中です",
-  "the motors are cut: reset when nobody is near": "モーター遮断済みです。近くに人がいないときにリセットしてください",
+  "the motors are cut: reset when nobody is near": "モーター遮断済み。近くに人がいないときにリセットしてください",
   "on the floor for {n} s with its motors running: cutting them": "床の上で{n}秒間モーターが回っています。遮断します",
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "着陸の指示から{n}秒（限度 {m}秒）、まだ空中です。こちらの指令で降下します",
@@ -235,9 +235,8 @@ export const JA_TOLD: Templates = {
   "blown along at {d} m/s (limit {m} m/s) and only {k} m above the floor: cutting the motors":
     "{d} m/s で流され（限度 {m} m/s）、床から {k} m だけです。モーターを遮断します",
   "blown {d} m from where it took off": "離陸位置から {d} m 流されました",
-  "is told to fly at {d} m/s and does not move (limit {m} m/s): stuck on something, landing":
-    "{d} m/s で飛ぶ指令なのに動きません（限度 {m} m/s）。何かに引っかかっています。着陸します",
-  "turned {n} degrees while it took off": "離陸中に {n} 度回りました",
+  "told {d} m/s and does not move": "{d} m/s の指令でも動きません",
+  "turned {n} degrees while it took off": "離陸中に{n}度回転しました",
   "blown about: {d} m/s off the wanted velocity for {n} s": "風にあおられています：{n}秒間、速度が {d} m/s ずれました",
   "the command was not a number": "指令が数値ではありません",
   "nothing holds the drone back any more": "飛行を妨げるものはなくなりました",
@@ -292,7 +291,7 @@ export const JA_TOLD: Templates = {
   "it flies by where tracking sees it": "位置計測をもとに飛びます",
   ["look at the tracking system: is it running, does it stream the body under this name? if " +
     "it is only slow, housefly gains says which limits.pose_age_level it needs"]:
-    "位置計測の装置を見てください。動いていますか。この名前で送信していますか。遅いだけなら、必要な limits.pose_age_level を housefly gains " +
+    "位置計測の装置は動いていますか。この名前で送信していますか。遅いだけなら、必要な limits.pose_age_level を housefly gains " +
       "が示します",
   "tracking leaves it where it stands": "止まっている間、位置は動いていません",
   "tracking moves the drone although it stands": "止まっているのに、計測では動いています",
@@ -428,13 +427,13 @@ export const JA_TOLD: Templates = {
     "ドローンが制限値をまだ確認していません。待つか、電源を入れ直してください",
   ["tracking sees the drone {d} m from where it stands (limit {m} m): check the tracking " +
     "system's origin and the drone's body"]:
-    "計測した位置が実際と {d} m ずれています（限度 {m} m）。位置計測の原点とドローンの登録を確認してください",
+    "計測した位置が実際と {d} m ずれています（限度 {m} m）。位置計測の原点とドローンの登録を見てください",
   "the battery is too low: {p}%, take-off needs {q}%": "バッテリー残量が足りません：{p}%、離陸には {q}% 必要です",
   ["tracking shows the drone as it was {n} s ago (limits.pose_age_level: {m} s); housefly " +
     "gains says which limit slow tracking needs"]:
     "位置計測が{n}秒遅れています（limits.pose_age_level：{m}秒）。必要な値は housefly gains が示します",
   "{why}: {found}, must be {limit}; {mend}": "{why}：{found}（条件：{limit}）。{mend}",
-  "someone else flies the drone: hold the button to take over": "ほかの人が操縦中です。引き継ぐにはボタンを長押ししてください",
+  "someone else flies the drone: hold the button to take over": "ほかの人が操縦中です。長押しで引き継ぎます",
   "you do not have control": "操縦権がありません",
   "this session is over": "このセッションは終了しました",
   "too many commands at once: wait a moment": "操作が多すぎます。少し待ってください",

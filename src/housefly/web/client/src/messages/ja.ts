@@ -62,7 +62,7 @@ const texts: Speech["texts"] = {
   "Connecting": "接続中",
   "for {n} s": "{n}秒間",
   "Waiting for the pilot": "自動操縦を待っています",
-  "This console was opened in another tab; that one is live.": "この画面は別のタブで開かれました。そちらが現在の表示です。",
+  "This console was opened in another tab; that one is live.": "この画面は別のタブで開かれました。そちらが有効です。",
   "This browser's session has ended. Ask for a fresh link.":
     "このブラウザーのセッションは終了しました。新しいリンクをもらってください。",
   "No contact with the server: nothing is known of the drone.": "サーバーと通信できません。ドローンの状態は不明です。",
@@ -557,7 +557,7 @@ const texts: Speech["texts"] = {
   "Reason": "理由",
   "Wet floor": "床がぬれている",
   "Kept free [m]": "飛行禁止 [m]",
-  "These changes were not saved before. Save or Discard them.": "前回保存していない変更があります。保存するか破棄してください。",
+  "These changes were not saved before. Save or Discard them.": "保存していない変更があります。保存するか破棄してください。",
   "{who} has control, and only who has control may change the room.":
     "{who} が操縦中です。部屋を変更できるのは操縦者だけです。",
   "Take control first: only who has control may change the room.":
