@@ -216,7 +216,7 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "tilt_error": (told(phi=-0.21), told(phi=0.19), 0.0),
     "tilt_lost": (told(phi=-0.21), pulsed(2.0, 0.15, told(phi=0.21)), TILT_WRONG_MAX),
     "contact": (told(acceleration=(6.0, 0.0, 15.0)), told(acceleration=(4.0, 0.0, 14.0)), 0.0),
-    "stuck": (DAWDLING, now(flown=Setpoint(theta=0.12), velocity=(0.09, 0.0, 0.0)), 0.4),
+    "stuck": (DAWDLING, now(flown=Setpoint(theta=0.12), velocity=(0.13, 0.0, 0.0)), 0.4),
     "control_lost": (off(1.01), off(0.99), 0.0),
     "near_fence": (
         moving(0.5, position=(9.9, 2.0, 1.1), reference=None),

@@ -56,7 +56,7 @@ IMPACT_SPEED_CHANGE = 0.55
 """... and so is a change of velocity within 0.2 s by more than this [m/s] ..."""
 UNEXPLAINED_SPEED_CHANGE = 0.25
 """... of which the lean of the drone, that brakes after a gust, leaves more than this [m/s]."""
-STUCK_TILT, STUCK_SPEED = 0.1, 0.08
+STUCK_TILT, STUCK_SPEED = 0.1, 0.12
 """Stuck is who is tilted by more than this [rad] and slower than this [m/s] ..."""
 STUCK_SPEED_ASKED = 0.4
 """... and so is who is steered by velocity and told to fly faster than this [m/s]."""
