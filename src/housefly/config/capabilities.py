@@ -85,9 +85,9 @@ class Capabilities(Section):
         description="how often it wants to be told its own pose; left out: not at all",
         json_schema_extra={"unit": "Hz"},
     )
-    hears_pose_time: bool = Field(
+    external_pose_stamped: bool = Field(
         default=False,
-        description="whether it hears when it was there; else it is told where by now",
+        description="whether it takes the time of a pose, too; else it is told where it is by now",
     )
     light: bool = Field(
         default=False, description="whether it can show that its camera is recorded"

@@ -77,7 +77,7 @@ TICK_MAX = 0.1
 REFUSALS_MAX = 100
 """No more refusals of obstacles are told and remembered than this."""
 POSE_LEAD_MAX = 0.3
-"""A drone that does not hear when it was seen is told no farther ahead than this [s]."""
+"""A drone that does not take the time of a pose is told no farther ahead than this [s]."""
 SLOW_FACTOR = 0.5
 """Share of the cruise speed of a drone that is to fly slowly."""
 PHASE_ACTIONS = {
@@ -156,7 +156,11 @@ class Pilot:
 
     @property
     def external_pose(self) -> Sighting | None:
-        """Where tracking saw the drone last, for one that wants to be told; None if in doubt."""
+        """Where tracking saw the drone, for one that wants to be told; None if in doubt.
+
+        One that does not take the time of a pose is told where it is by now: its place moved on,
+        its attitude as it was seen.
+        """
         return self._seen
 
     @property
@@ -323,10 +327,10 @@ class Pilot:
         turn = wrapped(self._stepped.yaw_target - estimate.yaw)
         return abs(turn) < self._settings.facing_tolerance
 
-    def _told_pose(self, estimate: Estimate | None) -> Sighting | None:
-        """Return where the drone was seen last; where it is by now, if it does not hear when."""
+    def _external_pose(self, estimate: Estimate | None) -> Sighting | None:
+        able = self._settings.airframe.capabilities
         seen = self._estimator.accepted if self._estimator else None
-        if seen is None or estimate is None or self._settings.airframe.capabilities.hears_pose_time:
+        if seen is None or estimate is None or able.external_pose_stamped:
             return seen
         age = min(max(estimate.at - seen.captured_at, 0.0), POSE_LEAD_MAX)
         x, y, z = (p + age * v for p, v in zip(seen.pose.position, estimate.velocity, strict=True))
@@ -363,7 +367,7 @@ class Pilot:
         verdict = gate_verdict(action, output.command, assessment, output.formed)
         self._climb = output.command.vz if verdict.command.action is Action.FLY else 0.0
         self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
-        self._seen = self._told_pose(vehicle.estimate) if assessment.knows_place else None
+        self._seen = self._external_pose(vehicle.estimate) if assessment.knows_place else None
         is_off = assessment.held or assessment.waits
         self._held = is_off or not is_flown_in(self._stepped.gate)
         self._maneuvering, self._height = override.active and not blind, output.target.z

@@ -151,6 +151,13 @@ def test_numbers_leave_the_gate_exactly_when_the_command_is_to_fly(
         assert is_ours or numbers.mode == MODE_SEVERITY[told]
 
 
+def test_a_steered_landing_whose_command_is_no_number_is_left_to_the_drone() -> None:
+    for yaw_rate, action in ((0.1, Action.FLY), (inf, Action.LAND), (nan, Action.LAND)):
+        gate, high = GateBench(LIMITS, FENCE), replace(FINE, position=(0.0, 0.0, 3.0))
+        verdict = gate.judge(Command(Action.FLY, Setpoint(yaw_rate=yaw_rate)), high)
+        assert verdict.mode is SafetyMode.LAND and verdict.command.action is action
+
+
 STOPPING = (SafetyMode.HOLD, SafetyMode.STOPPED, SafetyMode.LAND)
 """Modes in which our setpoint may keep the place, or sink."""
 

@@ -76,8 +76,7 @@ def corrected(state: AxisState, place: float, captured_at: float) -> AxisState:
         return AxisState(max(captured_at, state.at), place, 0.0, state.push, captured_at)
     period = min(max(period, _PERIOD_MIN), _PERIOD_MAX)
     age = max(0.0, state.at - captured_at)
-    pole = min(POLE, POLE_TIMES_AGE / age) if age > 0.0 else POLE
-    keep = exp(-pole * period)
+    keep = exp(-min(POLE, POLE_TIMES_AGE / max(age, _PERIOD_MIN)) * period)
     off = place - (state.place - state.speed * age)
     push = state.push + (1.0 - keep) ** 3 / period**2 * off
     return AxisState(

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from math import degrees, hypot, isfinite
+from math import degrees, dist, hypot, isfinite
 
 from housefly.config.airframe import Ability
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import GRAVITY
 from housefly.messages.event_code import EventCode
-from housefly.messages.steering import Clearing, SafetyMode, VelocitySetpoint
+from housefly.messages.steering import Clearing, PositionSetpoint, SafetyMode, VelocitySetpoint
 from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.braking import EVASION_SPEED
 from housefly.pilot.behavior.standing import STANDS_HIGH
@@ -59,7 +59,9 @@ UNEXPLAINED_SPEED_CHANGE = 0.25
 STUCK_TILT, STUCK_SPEED = 0.1, 0.12
 """Stuck is who is tilted by more than this [rad] and slower than this [m/s] ..."""
 STUCK_SPEED_ASKED = 0.4
-"""... and so is who is steered by velocity and told to fly faster than this [m/s]."""
+"""... and so is who is steered by velocity and told to fly faster than this [m/s] ..."""
+STUCK_DISTANCE = 0.25
+"""... or by places, and told one that is farther away than this [m]."""
 CONTROL_ERROR_HOLD, CONTROL_ERROR_LAND = 0.5, 1.0
 """Distance to the reference: hold, land [m]."""
 VELOCITY_ERROR_MAX = 0.3
@@ -116,8 +118,20 @@ def _speed_asked(c: RuleContext) -> float:
     return hypot(asked.forward, asked.left) if isinstance(asked, VelocitySetpoint) else 0.0
 
 
+def _distance_asked(c: RuleContext) -> float:
+    """Return how far a drone that is steered by places is told to fly, in the plane [m]; else 0."""
+    asked, here = c.inputs.flown, c.inputs.position
+    if not isinstance(asked, PositionSetpoint) or here is None:
+        return 0.0
+    return dist((asked.x, asked.y), here[:2])
+
+
 def _is_stuck(c: RuleContext) -> bool:
-    is_driven = c.seen.tilt_asked > STUCK_TILT or _speed_asked(c) > STUCK_SPEED_ASKED
+    is_driven = (
+        c.seen.tilt_asked > STUCK_TILT
+        or _speed_asked(c) > STUCK_SPEED_ASKED
+        or _distance_asked(c) > STUCK_DISTANCE
+    )
     if not is_driven or c.inputs.velocity is None:
         return False
     onboard = hypot(*c.inputs.telemetry.velocity[:2]) if c.inputs.telemetry else 0.0
@@ -168,6 +182,8 @@ def _stuck_words(c: RuleContext) -> Words:
     if _speed_asked(c) > STUCK_SPEED_ASKED:
         words = Words("told {d} m/s and does not move", d=figure(_speed_asked(c), ".1f"))
         return landing(with_speed_limit(words, STUCK_SPEED_ASKED, "g"))
+    if _distance_asked(c) > STUCK_DISTANCE:
+        return landing(_off_words(_distance_asked(c), STUCK_DISTANCE))
     return Words(
         "leans {n} degrees and does not move (limit {m}): stuck on something, landing",
         n=figure(degrees(c.seen.tilt_asked), ".0f"),
@@ -183,9 +199,9 @@ def _height_words(c: RuleContext) -> Words:
     return Words("{d} m below its height of {m} m", d=by, m=height)
 
 
-def _error_words(c: RuleContext, limit: float) -> Words:
-    error = figure(control_error(c.inputs), ".1f")
-    return with_length_limit(Words("{d} m from where it should be", d=error), limit, "g")
+def _off_words(off: float, limit: float) -> Words:
+    words = Words("{d} m from where it should be", d=figure(off, ".1f"))
+    return with_length_limit(words, limit, "g")
 
 
 MOTION_RULES: tuple[SafetyRule, ...] = (
@@ -342,7 +358,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         scope=RuleScope.CRUISE,
         condition="very far from where it should be",
         is_broken=lambda c: control_error(c.inputs) > CONTROL_ERROR_LAND,
-        words=lambda c: landing(_error_words(c, CONTROL_ERROR_LAND)),
+        words=lambda c: landing(_off_words(control_error(c.inputs), CONTROL_ERROR_LAND)),
         clears=Clearing.GROUND,
         may_steer=True,
     ),
@@ -384,7 +400,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         scope=RuleScope.CRUISE,
         condition="far from where it should be",
         is_broken=lambda c: control_error(c.inputs) > CONTROL_ERROR_HOLD,
-        words=lambda c: held(_error_words(c, CONTROL_ERROR_HOLD)),
+        words=lambda c: held(_off_words(control_error(c.inputs), CONTROL_ERROR_HOLD)),
         debounce=0.5,
         may_steer=True,
     ),
