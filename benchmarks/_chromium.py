@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
 import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 from playwright.async_api import Browser, async_playwright
+
+from housefly.app.browser_video import chromium_path
 
 CHROMIUM_FLAGS = [
     "--no-sandbox",
@@ -21,7 +22,7 @@ CHROMIUM_FLAGS = [
 @asynccontextmanager
 async def headless_chromium() -> AsyncIterator[Browser]:
     """Start Debian's Chromium, and end it; without it the benchmark ends in words."""
-    path = shutil.which("chromium")
+    path = chromium_path()
     if path is None:
         sys.exit("Chromium is not installed")
     async with async_playwright() as playwright:

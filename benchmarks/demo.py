@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import argparse
 import re
-import shutil
 import time
 
 import psutil
@@ -17,6 +16,7 @@ from playwright.sync_api import Page, sync_playwright
 
 from _chromium import CHROMIUM_FLAGS
 from _run import Running, bench_site, percentile, running, table
+from housefly.app.browser_video import chromium_path
 from housefly.config.airframe import airframe_names
 from housefly.messages import OrderKind, Phase
 
@@ -66,9 +66,7 @@ def main() -> None:
     model = parser.parse_args().drone
     site = bench_site("127.9.1.1", drone__kind=model)
     with running(site) as state, sync_playwright() as play:
-        browser = play.chromium.launch(
-            executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
-        )
+        browser = play.chromium.launch(executable_path=chromium_path(), args=CHROMIUM_FLAGS)
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         web = state.runtime.site().web
         page.goto(f"http://{web.host}:{web.port}/?token={state.runtime.token}")

@@ -7,7 +7,6 @@ one large button; hints are left alone. ``VISITS`` of them (5 by default).
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 import time
 
@@ -15,6 +14,7 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 from _chromium import CHROMIUM_FLAGS
 from _run import Running, bench_site, percentile, running, table
+from housefly.app.browser_video import chromium_path
 from housefly.messages import OrderKind, Phase
 
 VISITS = int(os.environ.get("VISITS", "5"))
@@ -29,9 +29,7 @@ def main() -> None:
     """Visit, and print how long it took."""
     visits = []
     with sync_playwright() as play:
-        browser = play.chromium.launch(
-            executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
-        )
+        browser = play.chromium.launch(executable_path=chromium_path(), args=CHROMIUM_FLAGS)
         for _ in range(VISITS):
             with running(bench_site("127.9.1.7")) as state:
                 visits.append(visit(browser, state))

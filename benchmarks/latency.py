@@ -15,7 +15,6 @@ from __future__ import annotations
 import asyncio
 import itertools
 import os
-import shutil
 import sys
 import tempfile
 import time
@@ -32,6 +31,7 @@ from playwright.async_api import Locator, Page, async_playwright
 
 from _chromium import CHROMIUM_FLAGS
 from _run import bench_site, percentile, table
+from housefly.app.browser_video import chromium_path
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
 from housefly.app.readiness import Readiness
@@ -281,9 +281,7 @@ async def clicks_to_command(
     landings = []
     web = runtime.site().web
     async with async_playwright() as play:
-        browser = await play.chromium.launch(
-            executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
-        )
+        browser = await play.chromium.launch(executable_path=chromium_path(), args=CHROMIUM_FLAGS)
         page = await browser.new_page(viewport={"width": 1280, "height": 800})
         await page.goto(f"http://{web.host}:{web.port}/?token={runtime.token}")
         await page.evaluate(

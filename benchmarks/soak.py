@@ -7,7 +7,6 @@ service every three minutes.
 from __future__ import annotations
 
 import re
-import shutil
 import sys
 import tempfile
 import time
@@ -19,6 +18,7 @@ import psutil
 from playwright.sync_api import sync_playwright
 
 from _run import Running, bench_site, running, table
+from housefly.app.browser_video import chromium_path
 from housefly.messages import OrderKind, Phase
 
 MINUTES = 30
@@ -117,7 +117,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         site = bench_site("127.9.8.1", hub__store=str(Path(folder) / "room.db"), **lively)
         with running(site) as state, sync_playwright() as play:
-            browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+            browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
             page = browser.new_page(viewport={"width": 1280, "height": 800})
             web = state.runtime.site().web
             page.goto(f"http://{web.host}:{web.port}/?token={state.runtime.token}")

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -15,6 +14,8 @@ from pathlib import Path
 
 from playwright.sync_api import expect, sync_playwright
 from screenshots import DESKTOP, FLAGS, IMAGES, PHONE, housefly
+
+from housefly.app.browser_video import chromium_path
 
 ROOM = (
     *("--room", "7x5x2.5", "--place", "window 6,2.5", "--place", "sofa 1.5,3.5"),
@@ -36,7 +37,7 @@ def main() -> None:
         found = re.search(r"http://\S+", server.stdout.readline())
         if not found:
             sys.exit("the page did not say where it is")
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         page = browser.new_page(viewport=DESKTOP)
         page.goto(found.group(0))
         for picture, size in (("new-room", DESKTOP), ("phone-new-room", PHONE)):

@@ -7,7 +7,6 @@ docs/images/{room-live,room-history,phone-room,room-edit}.png. Needs mosquitto.
 from __future__ import annotations
 
 import io
-import shutil
 import signal
 import socket
 import subprocess
@@ -21,6 +20,7 @@ from playwright.sync_api import Page, expect, sync_playwright
 from screenshots import DESKTOP, FLAGS, IMAGES, PHONE, address_in, housefly
 
 from housefly import sites
+from housefly.app.browser_video import chromium_path
 
 FOLDER = Path(sites.__file__).parent
 THINGS = """
@@ -136,7 +136,7 @@ def main() -> None:
             "run", "--site", str(write_site(folder)), stdout=log.open("w"), stderr=subprocess.STDOUT
         )
         try:
-            browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+            browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
             visit(browser.new_page(viewport=DESKTOP), address_in(log))
             browser.close()
         finally:

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import signal
 import socket
 import subprocess
@@ -19,6 +18,7 @@ from typing import Any
 from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect, sync_playwright
 
 from housefly import sites
+from housefly.app.browser_video import chromium_path
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
 DESKTOP: ViewportSize = {"width": 1280, "height": 800}
@@ -216,7 +216,7 @@ def main() -> None:
     """Take all pictures."""
     IMAGES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         photograph_demo(browser, Path(folder))
         photograph_report(browser, Path(folder) / "flight")
         browser.close()

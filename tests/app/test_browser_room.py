@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from installed_chromium import chromium_path
 from playwright.sync_api import Page, expect, sync_playwright
 
 pytestmark = [
@@ -139,7 +139,7 @@ def address(tmp_path: Path, write_site: Any) -> Iterator[str]:
 @pytest.fixture
 def page() -> Iterator[Page]:
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         yield browser.new_page(viewport={"width": 1280, "height": 800})
         browser.close()
 

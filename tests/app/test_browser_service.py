@@ -3,7 +3,6 @@
 import http.client
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -15,6 +14,7 @@ from typing import Any
 
 import psutil
 import pytest
+from installed_chromium import chromium_path
 from playwright.sync_api import Locator, Page, expect, sync_playwright
 
 pytestmark = [
@@ -96,7 +96,7 @@ def demo(tmp_path: Path, write_site: Any) -> Iterator[Demo]:
 @pytest.fixture
 def page() -> Iterator[Page]:
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         yield browser.new_page(viewport={"width": 1280, "height": 800})
         browser.close()
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from installed_chromium import chromium_path
 from playwright.sync_api import Locator, Page, expect, sync_playwright
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.browser, pytest.mark.slow]
@@ -71,7 +71,7 @@ def demo(tmp_path: Path, write_site: Any) -> Iterator[str]:
 @pytest.fixture
 def page() -> Iterator[Page]:
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         yield browser.new_page(viewport={"width": 1280, "height": 800})
         browser.close()
 

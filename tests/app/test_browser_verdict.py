@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import signal
 import time
 from collections.abc import Callable, Iterator
@@ -16,6 +15,7 @@ from typing import Any
 
 import pytest
 from console_report import FIVE_SIZES, ConsoleReport, console_report
+from installed_chromium import chromium_path
 from outside_room import OutsideRoom, Run, outside_site, running_outside, wait_for
 from playwright.sync_api import Locator, Page, expect, sync_playwright
 
@@ -112,7 +112,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
     with running_outside(site, log, films=True) as (room, run), sync_playwright() as play:
         found = re.search(r"http://\S+", log.read_text())
         assert found
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         page.goto(found[0])
         yield House(room, run, page, console_report("live", folder))

@@ -151,6 +151,7 @@ def refusals(story: Story) -> list[str]:
     return [event.text for event in story.events if event.code == "order_refused"]
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_the_rooms_own_shelf_that_was_carried_away_leaves_its_place_free() -> None:
     story = Story(None, moved_to=(9.5, 5.0))

@@ -150,6 +150,7 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_of_being_seen(fl
     assert story.closest > HULL and story.contacts == 0
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 def test_what_fills_the_corridor_is_waited_for_and_flown_past_when_taken_away(fly: Fly) -> None:
     story = fly(Story(2.2, radius=1.4, away_after=9.0, ends_at="entrance"), give_up_after=45.0)

@@ -223,6 +223,7 @@ def test_two_scanners_with_one_name_or_one_address_are_refused() -> None:
         changed(read_site("bsen"), lasers=[{**one, "z": 99.0}])
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.usefixtures("no_report")
 def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: Path) -> None:

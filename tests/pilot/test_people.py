@@ -150,7 +150,7 @@ def corridor(flight: Any) -> tuple[Obstacle, ...]:
     )
 
 
-@pytest.mark.parametrize("ahead", [8.0, 9.0])
+@pytest.mark.parametrize("ahead", [8.0, pytest.param(9.0, marks=pytest.mark.safety)])
 def test_who_walks_after_the_drone_into_a_dead_end_finds_it_on_the_floor(
     fly: Fly, ahead: float
 ) -> None:

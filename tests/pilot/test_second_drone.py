@@ -47,7 +47,7 @@ class SecondDrone:
     [
         ((9.0, 3.2), (-0.5, 0.0), SEPARATION),
         ((7.0, 4.8), (0.0, -0.3), SEPARATION),
-        ((2.6, 2.62), (0.9, 0.0), SEPARATION),
+        pytest.param((2.6, 2.62), (0.9, 0.0), SEPARATION, marks=pytest.mark.safety),
         ((7.0, 3.2), (0.0, 0.0), SEPARATION_AT_REST),
     ],
     ids=["head-on", "crossing", "from behind", "hovering in the way"],

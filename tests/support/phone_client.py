@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import sys
 from pathlib import Path
 from typing import Any
 
+from installed_chromium import chromium_path
 from playwright.sync_api import Page, expect, sync_playwright
 
 FLAGS = [
@@ -31,7 +31,7 @@ def main(folder: Path) -> None:
     assert link is not None, printed
     seen: dict[str, Any] = {"link": link[1]}
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
         page = browser.new_page(
             viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True
         )

@@ -39,6 +39,7 @@ STATES: dict[str, tuple[Callable[[Any], None], str]] = {
 """What happens one after another, and the shape of the headline by which it shows."""
 
 
+@pytest.mark.interop
 async def test_axe_finds_nothing_on_the_live_scene_in_any_state(page: Page, console: Any) -> None:
     for state, (change, shape) in STATES.items():
         change(console.pilot)

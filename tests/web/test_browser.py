@@ -153,7 +153,14 @@ async def test_stop_is_one_click_at_once_and_stays_until_resume_is_held(
 
 
 @pytest.mark.parametrize(
-    "focus", ["body", ".place", ".primary", ".cut", ".plan-view > svg", ".log ol"]
+    "focus",
+    [
+        *("body", ".cut", ".primary"),
+        *(
+            pytest.param(focus, marks=pytest.mark.interop)
+            for focus in (".place", ".plan-view > svg", ".log ol")
+        ),
+    ],
 )
 async def test_in_flight_space_stops_whatever_has_the_focus_and_presses_nothing_else(
     page: Page, console: Any, focus: str
@@ -240,6 +247,7 @@ async def test_the_motors_are_cut_only_by_a_hold_of_a_second(
     await expect(page.locator(".headline")).to_contain_text("Motors are cut")
 
 
+@pytest.mark.interop
 async def test_the_motors_are_cut_by_shift_and_escape_held_for_a_second(
     page: Page, console: Any, until: Until
 ) -> None:

@@ -253,6 +253,7 @@ async def test_who_was_overtaken_is_told_and_takes_what_the_other_saved(
     await expect(button(page, "TV")).to_have_count(0)
 
 
+@pytest.mark.interop
 async def test_axe_finds_nothing_while_a_zone_and_a_place_are_edited(
     page: Page, versions: EditVersions
 ) -> None:

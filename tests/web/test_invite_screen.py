@@ -112,6 +112,7 @@ async def test_who_may_not_invite_is_told_whom_to_ask(console: Any, chromium: Br
     await page.close()
 
 
+@pytest.mark.interop
 async def test_a_link_that_is_too_old_is_not_shown_as_a_good_one(
     page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -185,6 +185,7 @@ async def test_a_drag_moves_the_map_and_is_never_a_goal(page: Page) -> None:
     assert after[1] == pytest.approx(a[1] - 40.0, abs=1.0)
 
 
+@pytest.mark.interop
 async def test_the_map_is_no_farther_than_the_room_no_nearer_than_eight_times_and_keeps_the_room(
     page: Page,
 ) -> None:
@@ -219,6 +220,7 @@ async def test_the_whole_room_is_one_press_away_and_only_when_it_is_not_shown(pa
     await expect(page.locator(PLAN)).to_be_focused()
 
 
+@pytest.mark.interop
 async def test_keys_bring_the_map_nearer_when_it_has_the_focus_and_arrows_stay_the_goals(
     page: Page,
 ) -> None:
@@ -234,6 +236,7 @@ async def test_keys_bring_the_map_nearer_when_it_has_the_focus_and_arrows_stay_t
     await expect(page.locator(".ghost")).to_be_visible()
 
 
+@pytest.mark.interop
 async def test_in_the_past_arrows_move_the_map_and_no_tap_is_a_goal(page: Page) -> None:
     await page.get_by_role("slider", name="Time shown").fill("-60")
     await expect(page.locator(".past-banner")).to_be_visible()
@@ -267,6 +270,7 @@ async def test_the_map_jumps_for_those_who_want_no_motion(page: Page, motion: An
     assert pictures == 1 if motion == "reduce" else pictures > 1
 
 
+@pytest.mark.interop
 async def test_a_drone_out_of_view_has_an_arrow_at_the_edge_that_brings_it_back(
     page: Page, console: Any
 ) -> None:

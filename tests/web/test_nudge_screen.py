@@ -179,7 +179,9 @@ async def test_a_gamepads_sticks_move_it_and_its_b_hovers(
     await is_still(page, console)
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(
+    "size", [*SIZES[3:], *(pytest.param(size, marks=pytest.mark.interop) for size in SIZES[:3])]
+)
 async def test_the_pad_is_on_the_screen_and_hides_neither_orders_nor_stop(
     page: Page, size: tuple[int, int]
 ) -> None:

@@ -131,6 +131,7 @@ async def test_the_line_unfolds_to_all_checks_what_is_wrong_first_and_never_cove
     await expect(rows).to_have_count(0)
 
 
+@pytest.mark.interop
 async def test_that_people_are_not_seen_is_said_on_every_screen_to_everybody(
     page: Page, console: Any
 ) -> None:

@@ -49,7 +49,13 @@ def cover(one: FloatRect, other: FloatRect) -> bool:
     return across > 1 and down > 1
 
 
-@pytest.mark.parametrize("state", STATES)
+@pytest.mark.parametrize(
+    "state",
+    [
+        *("flying", "fault", "silent"),
+        *(pytest.param(state, marks=pytest.mark.interop) for state in ("ready", "looking")),
+    ],
+)
 async def test_orders_and_stop_are_on_the_screen_at_every_size(
     page: Page, console: Any, state: str
 ) -> None:

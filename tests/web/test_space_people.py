@@ -82,6 +82,7 @@ async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Ho
         await asyncio.to_thread(hub.close)
 
 
+@pytest.mark.interop
 async def test_who_was_seen_long_ago_is_pale_and_says_so(house: House) -> None:
     await expect(house.name("person-2")).to_contain_text("the guest")
     await expect(house.name("person-2")).to_contain_text("s ago")
@@ -95,6 +96,7 @@ async def test_who_was_seen_long_ago_is_pale_and_says_so(house: House) -> None:
     await expect(house.page.locator(".space-words")).to_contain_text("last seen")
 
 
+@pytest.mark.interop
 async def test_doubt_is_in_the_words_of_the_plan(house: House) -> None:
     lies = SituationAnswer(
         "lies on the floor",

@@ -156,7 +156,13 @@ async def test_a_flight_of_ten_minutes_opens_within_a_second_and_draws_each_fram
     assert work < 16.0, f"{work:.1f} ms a frame"
 
 
-@pytest.mark.parametrize("what", ["fault", "flight", "stop", "goal"])
+@pytest.mark.parametrize(
+    "what",
+    [
+        "fault",
+        *(pytest.param(what, marks=pytest.mark.interop) for what in ("flight", "stop", "goal")),
+    ],
+)
 async def test_what_happens_now_brings_the_present_back(
     kept: tuple[Page, Any], until: Until, what: str
 ) -> None:

@@ -181,6 +181,7 @@ async def test_a_stop_stays_latched_although_the_pilot_was_started_again(
     await expect(page.locator(".headline")).to_contain_text("Stopped")
 
 
+@pytest.mark.interop
 async def test_a_page_that_stood_still_is_told_that_it_lost_control(page: Page) -> None:
     await page.evaluate("{ const until = Date.now() + 4500; while (Date.now() < until); }")
     said = page.locator(".said")
@@ -191,6 +192,7 @@ async def test_a_page_that_stood_still_is_told_that_it_lost_control(page: Page) 
     await expect(page.locator(".who")).to_contain_text("You have control")
 
 
+@pytest.mark.interop
 async def test_a_watcher_that_is_left_alone_does_not_get_control_by_chance(
     page: Page, console: Any
 ) -> None:

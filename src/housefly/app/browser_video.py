@@ -15,7 +15,9 @@ _BROWSERS = (
     "google-chrome",
     "google-chrome-stable",
     "microsoft-edge",
+    "chromium-headless-shell",
 )
+_HEADLESS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 _FLAGS = (
     "--headless",
     "--disable-gpu",
@@ -44,6 +46,11 @@ class BrowserVideo:
 
     shows: bool
     words: str
+
+
+def chromium_path() -> str | None:
+    """Return the Chromium that draws a page for a program at the least cost, or None."""
+    return next(filter(None, map(shutil.which, _HEADLESS)), None)
 
 
 class _Page(BaseHTTPRequestHandler):

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import io
-import shutil
 import threading
 from typing import Any
 
 import numpy as np
 from PIL import Image
 
+from housefly.app.browser_video import chromium_path
 from housefly.lab.reproduction.fig17_service import RgbImage
 
 _BROWSER_FLAGS = [
@@ -23,7 +23,7 @@ _VIEWPORT = {"width": 1280, "height": 720}
 
 def has_browser() -> bool:
     """Return whether there are Chromium and playwright."""
-    return shutil.which("chromium") is not None and _playwright() is not None
+    return chromium_path() is not None and _playwright() is not None
 
 
 class ConsoleCamera:
@@ -68,9 +68,7 @@ class ConsoleCamera:
         playwright = _playwright()
         assert playwright is not None
         with playwright.sync_playwright() as play:
-            browser = play.chromium.launch(
-                executable_path=shutil.which("chromium"), args=_BROWSER_FLAGS
-            )
+            browser = play.chromium.launch(executable_path=chromium_path(), args=_BROWSER_FLAGS)
             page: Any = browser.new_page(viewport=_VIEWPORT, color_scheme="light")
             opened = False
             while True:

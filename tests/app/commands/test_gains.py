@@ -52,6 +52,7 @@ def test_the_advice_for_five_frames_a_second_flies_with_the_lines_it_comes_with(
     assert outcome == "completed" and not contacts
 
 
+@pytest.mark.interop
 def test_without_the_advised_limits_the_refusal_names_the_age_of_the_pose(
     tmp_path: Path,
 ) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import shutil
 from contextlib import redirect_stdout
 from importlib import resources
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 import pytest
+from installed_chromium import chromium_path
 from PIL import Image
 
 from housefly.app import reproduction_run
@@ -174,7 +174,7 @@ def test_a_bad_seed_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str])
 @pytest.mark.slow
 @pytest.mark.interop
 def test_one_service_is_flown_over_real_wires_and_photographed(tmp_path: Path) -> None:
-    assert shutil.which("chromium")
+    assert chromium_path()
     assert main(["reproduce", "--quick", "--out", str(tmp_path)]) == 0
     text = (tmp_path / "reproduction.html").read_text()
     assert "One service over real wires (completed" in text
@@ -184,7 +184,7 @@ def test_one_service_is_flown_over_real_wires_and_photographed(tmp_path: Path) -
 
     with sync_playwright() as play:
         browser = play.chromium.launch(
-            executable_path=shutil.which("chromium"), args=["--no-sandbox", "--disable-gpu"]
+            executable_path=chromium_path(), args=["--no-sandbox", "--disable-gpu"]
         )
         for width in (1280, 390):
             page = browser.new_page(viewport={"width": width, "height": 844})

@@ -43,11 +43,13 @@ def measures(result: GateResult, row: str, way: Way) -> RowMeasures:
     return next(one.measures for one in result.flown if (one.row, one.way) == (row, way.value))
 
 
+@pytest.mark.interop
 def test_the_gate_is_green(flown: GateResult) -> None:
     assert [finding_words(finding) for finding in flown.red] == []
     assert {row.way for row in flown.flown} >= {Way.GRID.value, Way.PAPER.value}
 
 
+@pytest.mark.interop
 def test_the_eight_of_mode_paper_is_far_from_its_line(flown: GateResult) -> None:
     grid, paper = (measures(flown, "eight-100", way) for way in (Way.GRID, Way.PAPER))
     assert paper.path_rms > 2.0 * grid.path_rms
@@ -58,12 +60,14 @@ def test_a_wrong_gain_turns_it_red() -> None:
     assert {finding.limit.measure for finding in weak.red} >= {"reference_rms"}
 
 
+@pytest.mark.interop
 @pytest.mark.skipif(not offered(WAY_CHANGES[Way.SPACE]), reason="no trajectories in space yet")
 def test_corners_instead_of_curves_turn_it_red() -> None:
     corners = cut("errands-1.0", ways=SPACE, map__planner="grid")
     assert {finding.limit.measure for finding in corners.red} >= {"overshoot"}
 
 
+@pytest.mark.interop
 def test_the_same_command_flies_nothing_again_and_the_page_shows_it(
     flown: GateResult, folder: Path
 ) -> None:

@@ -40,6 +40,7 @@ def judged(rate: float, latency: float) -> tuple[LoadedSite, Judgement]:
     return loaded, judge_gains(loaded)
 
 
+@pytest.mark.interop
 @pytest.mark.parametrize(("rate", "latency"), SETTINGS)
 def test_a_flight_holds_the_delay_margin_less_five_percent(rate: float, latency: float) -> None:
     loaded, judgement = judged(rate, latency)
@@ -48,6 +49,7 @@ def test_a_flight_holds_the_delay_margin_less_five_percent(rate: float, latency:
     assert hover_swing(loaded, extra).dies_away
 
 
+@pytest.mark.interop
 @pytest.mark.parametrize(("rate", "latency"), SETTINGS)
 def test_a_flight_fails_at_the_delay_margin_and_five_percent(rate: float, latency: float) -> None:
     loaded, judgement = judged(rate, latency)
@@ -55,6 +57,7 @@ def test_a_flight_fails_at_the_delay_margin_and_five_percent(rate: float, latenc
     assert not hover_swing(loaded, extra).dies_away
 
 
+@pytest.mark.interop
 @pytest.mark.interop
 def test_a_model_without_datagrams_would_promise_what_no_flight_holds() -> None:
     loaded, judgement = judged(*SETTINGS[0])

@@ -205,7 +205,7 @@ QUIET: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("minutes", [15, pytest.param(60, marks=pytest.mark.safety)])
+@pytest.mark.parametrize("minutes", [5, pytest.param(60, marks=pytest.mark.safety)])
 def test_an_hour_in_which_nothing_happens_gives_no_false_alarm(
     play: Play, watcher: Watcher, minutes: int
 ) -> None:
@@ -297,7 +297,7 @@ def heard(layout: Layout, rows: Heard, period: float, until: float = 62.0) -> li
     return told
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(rows=STREAMS)
 def test_whatever_comes_ends_follow_beginnings_and_a_replay_says_the_same(
     layout: Layout, rows: Heard
@@ -307,7 +307,7 @@ def test_whatever_comes_ends_follow_beginnings_and_a_replay_says_the_same(
     assert heard(layout, rows, 0.1) == told
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(rows=STREAMS, chance=st.randoms())
 def test_neither_delay_within_patience_nor_order_nor_doubles_nor_the_rate_of_calls_matter(
     layout: Layout, rows: Heard, chance: random.Random

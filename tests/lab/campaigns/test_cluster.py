@@ -38,6 +38,7 @@ def plan(small: Any) -> Plan:
     return made
 
 
+@pytest.mark.interop
 def test_a_worker_killed_in_the_middle_changes_no_bit(
     plan: Plan, cluster: Any, tmp_path: Path
 ) -> None:

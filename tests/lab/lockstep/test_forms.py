@@ -84,11 +84,13 @@ def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     return flight
 
 
+@pytest.mark.interop
 def test_it_completes_the_service_near_its_path_and_touches_nothing(flown: Flown) -> None:
     assert flown.outcome == "completed"
     assert (sum(error * error for error in flown.errors) / len(flown.errors)) ** 0.5 < 0.05
 
 
+@pytest.mark.interop
 def test_it_is_steered_in_its_own_form_within_its_limits_and_the_room(flown: Flown) -> None:
     site = flown.loaded.site
     form = FORMS[site.drone.kind]
@@ -102,6 +104,7 @@ def test_it_is_steered_in_its_own_form_within_its_limits_and_the_room(flown: Flo
     assert len(flown.asked) > 2000
 
 
+@pytest.mark.interop
 def test_its_recording_is_replayed_bit_for_bit_and_has_its_report(flown: Flown) -> None:
     loaded = flown.loaded
     assert flown.problems == () and (flown.folder / "flight" / "report.html").is_file()

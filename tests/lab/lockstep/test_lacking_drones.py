@@ -37,6 +37,7 @@ def flown(
     return simulation, steps
 
 
+@pytest.mark.interop
 def test_it_completes_the_service_and_is_never_told_to_hover(loaded: LoadedSite) -> None:
     assert loaded.site.drone.airframe.lacks == set(Ability) - {Ability.ATTITUDE, Ability.TILT}
     steps: list[PilotStep] = []

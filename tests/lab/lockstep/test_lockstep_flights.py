@@ -90,6 +90,7 @@ def quick(folder: Path, shipped: str = SHIPPED, rates: str = QUICK) -> Path:
     return file
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.usefixtures("no_report")
 def test_the_same_seed_gives_the_same_flight_and_another_seed_another(tmp_path: Path) -> None:
@@ -126,6 +127,7 @@ def test_the_recording_holds_ros_2_types_that_the_mcap_library_reads(flown: Fly)
     assert (out / "report.html").stat().st_size > 10_000
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.usefixtures("no_report")
 def test_the_paper_mode_flies_the_service_too(tmp_path: Path) -> None:
@@ -142,6 +144,7 @@ def test_an_unknown_place_is_refused_with_the_known_ones(
     assert "entrance" in capsys.readouterr().err
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.usefixtures("no_report")
 @pytest.mark.parametrize(

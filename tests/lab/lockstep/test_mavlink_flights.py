@@ -19,7 +19,7 @@ from housefly.twin.world import SimulatedWorld
 
 
 @pytest.mark.usefixtures("no_report")
-@pytest.mark.parametrize("kind", ["arducopter", pytest.param("px4", marks=pytest.mark.interop)])
+@pytest.mark.parametrize("kind", ["px4", pytest.param("arducopter", marks=pytest.mark.interop)])
 def test_it_completes_the_service_near_its_path_and_is_replayed_bit_for_bit(
     kind: str, tmp_path: Path
 ) -> None:
@@ -46,7 +46,10 @@ def test_it_completes_the_service_near_its_path_and_is_replayed_bit_for_bit(
     assert (result.missing, result.difference) == (0, None)
 
 
-@pytest.mark.parametrize(("kind", "stops", "lands"), [("arducopter", 3.0, 5.0), ("px4", 1.0, 1.0)])
+@pytest.mark.parametrize(
+    ("kind", "stops", "lands"),
+    [pytest.param("arducopter", 3.0, 5.0, marks=pytest.mark.interop), ("px4", 1.0, 1.0)],
+)
 def test_over_a_lost_link_it_comes_to_rest_and_lands_by_its_own_rules(
     kind: str, stops: float, lands: float
 ) -> None:

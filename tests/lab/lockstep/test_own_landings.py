@@ -46,7 +46,7 @@ def cut(kind: str, stop_at: float = 99.0) -> Cut:
     return flown
 
 
-@pytest.mark.parametrize("kind", ["arducopter", "px4"])
+@pytest.mark.parametrize("kind", ["px4", pytest.param("arducopter", marks=pytest.mark.interop)])
 def test_in_hover_it_stays_level_and_is_told_to_land_within_a_second(kind: str) -> None:
     flown = cut(kind, stop_at=7.0)
     told = next(step for step in flown.steps if step.outputs.command.action is Action.LAND)
@@ -59,7 +59,7 @@ def test_in_hover_it_stays_level_and_is_told_to_land_within_a_second(kind: str) 
     check_landed(flown, 0.15)
 
 
-@pytest.mark.parametrize("kind", ["arducopter", "px4"])
+@pytest.mark.parametrize("kind", ["px4", pytest.param("arducopter", marks=pytest.mark.interop)])
 def test_on_its_way_it_brakes_and_comes_down_where_it_stopped(kind: str) -> None:
     flown = cut(kind)
     assert hypot(*flown.truths[0].velocity[:2]) > 0.4, "nothing to brake"

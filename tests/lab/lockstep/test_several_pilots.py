@@ -52,6 +52,7 @@ def test_the_first_of_the_site_keeps_its_way_and_the_other_makes_way(flown) -> N
     assert services["anna"].duration < services["bert"].duration
 
 
+@pytest.mark.interop
 def test_blind_for_each_other_they_come_to_harm() -> None:
     simulation = Simulation(pair())
     services = fly_services_lockstep(simulation, ORDERS, hear=without_others(simulation))

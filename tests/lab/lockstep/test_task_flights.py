@@ -82,6 +82,7 @@ def test_the_first_picture_comes_within_a_third_more_than_the_planned_flight(
     assert start.at - visitor.airborne_at < 1.3 * planned + 5.0
 
 
+@pytest.mark.interop
 def test_without_a_visitor_the_door_is_shown_and_that_is_said() -> None:
     flight = flown("visitor", loaded=premises(twin__visitor_present=False))
     assert flight.stage is TaskStage.DONE
@@ -91,7 +92,10 @@ def test_without_a_visitor_the_door_is_shown_and_that_is_said() -> None:
     assert any("nobody" in line for line in words(flight, Say))
 
 
-@pytest.mark.parametrize(("subject", "seen"), [("refrigerator", "refrigerator"), ("TV", "tv")])
+@pytest.mark.parametrize(
+    ("subject", "seen"),
+    [("refrigerator", "refrigerator"), pytest.param("TV", "tv", marks=pytest.mark.interop)],
+)
 def test_a_thing_or_a_place_is_in_the_picture(subject: str, seen: str) -> None:
     flight = flown("look", subject=subject, time=1.0)
     assert flight.stage is TaskStage.DONE, flight.words
@@ -184,6 +188,7 @@ def test_who_vanishes_is_missed_though_the_memory_keeps_their_place() -> None:
     assert 19.0 < waits < 24.0 and 6.0 < looks - waits < 9.0 and 9.0 < comes_home - looks < 12.0
 
 
+@pytest.mark.interop
 def test_an_inventory_lists_what_is_inside_with_a_picture() -> None:
     flight = flown("inventory", memory=True, subject="refrigerator")
     assert flight.stage is TaskStage.DONE, flight.words
@@ -215,6 +220,7 @@ def test_when_everybody_is_well_nothing_flies() -> None:
     assert words(flight, Say) == ["Nobody seems to need help"]
 
 
+@pytest.mark.interop
 def test_the_night_round_looks_at_the_places_it_is_given() -> None:
     flight = flown("night_round", memory=True, places="tv")
     assert flight.stage is TaskStage.DONE, flight.words
@@ -254,6 +260,7 @@ def test_a_person_who_takes_over_ends_the_task_and_is_not_fought() -> None:
     assert all(one.at < 8.3 for one in flight.actions_of(GiveOrder))
 
 
+@pytest.mark.interop
 def test_hovering_that_is_not_flown_is_added_in_time_and_charge() -> None:
     whole = flown("come", scene=(alone := scene_of(person("anna", STANDS, start=(8.6, 3.6)))),
                   script=TaskScript(silent=True), person="anna", stay=30.0)  # fmt: skip

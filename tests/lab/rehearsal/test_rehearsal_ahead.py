@@ -146,6 +146,7 @@ def test_a_still_room_is_rehearsed_ahead_and_the_answer_is_there_at_once(house: 
     assert rehearser.rehearse(TASK).result().took > 0.0, "the visitor has left"
 
 
+@pytest.mark.interop
 def test_what_is_refused_ahead_is_left_alone_for_a_time_and_does_not_hold_up_the_next(
     house: House,
 ) -> None:

@@ -100,6 +100,7 @@ def of_text(steps: str, now: RoomNow | None = None) -> RehearsalReport:
     return rehearsed().rehearse(task, now or RoomNow(), nobody)
 
 
+@pytest.mark.interop
 def test_a_question_may_take_all_its_time_and_that_is_counted_before_take_off() -> None:
     """Answered at once it would fly; nobody says that it is."""
     report = rehearse("visitor", RoomNow(people=(VISITOR,), battery=0.5), stay=300.0)
@@ -152,6 +153,7 @@ def test_a_step_that_fails_is_not_taken_for_the_documents_own_end() -> None:
     assert "nobody remembers" in report.words
 
 
+@pytest.mark.interop
 def test_more_answers_than_can_be_rehearsed_are_refused() -> None:
     """Nothing flies here, so the ways are many but short."""
     many = "".join(
@@ -167,9 +169,12 @@ def test_more_answers_than_can_be_rehearsed_are_refused() -> None:
     "steps",
     [
         "  - ask: {question: Where, choices: [moon, tv], wait: 5 s}\n  - look_at: $reply",
-        "  - timeout: 4 s\n    do:\n      - ask: {question: Moon, wait: 30 s}\n"
-        "      - {if: {reply: {equals: yes}}, then: [{look_at: moon}]}\n"
-        "    otherwise: [{say: too late}]",
+        pytest.param(
+            "  - timeout: 4 s\n    do:\n      - ask: {question: Moon, wait: 30 s}\n"
+            "      - {if: {reply: {equals: yes}}, then: [{look_at: moon}]}\n"
+            "    otherwise: [{say: too late}]",
+            marks=pytest.mark.interop,
+        ),
     ],
     ids=["the answer is where it goes", "the question is given up before its time"],
 )

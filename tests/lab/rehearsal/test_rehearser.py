@@ -59,6 +59,7 @@ def test_the_worker_asks_the_rooms_memory(rehearser: Rehearser, asked: Asked) ->
     assert any(getattr(one, "thing", "") == "grandma's cup" for one in asked.questions)
 
 
+@pytest.mark.interop
 def test_a_worker_that_hangs_or_dies_is_a_refusal_and_is_started_again(
     rehearser: Rehearser,
 ) -> None:

@@ -46,6 +46,7 @@ MEASURING = {
 }
 
 
+@pytest.mark.interop
 @pytest.mark.parametrize("key", COUNTEREXAMPLES)
 def test_in_its_counter_world_the_verdict_is_another_one(key: str, evidence: Evidence) -> None:
     here = finding_of(BY_KEY[key], evidence)

@@ -114,6 +114,7 @@ kept_flights.KeptFlights(Path(sys.argv[1]), "now")(drones, plan)
 """
 
 
+@pytest.mark.interop
 @pytest.mark.timeout(120)
 def test_what_was_flown_before_a_kill_is_kept(tmp_path: Path) -> None:
     flying = subprocess.Popen([sys.executable, "-c", _ENDLESS, str(tmp_path)])

@@ -21,6 +21,7 @@ def test_every_flight_of_a_plan_is_in_one_group_and_a_group_has_one_course() -> 
     assert len(groups) < len(keys) / 3
 
 
+@pytest.mark.safety
 def test_flown_together_they_are_the_same_to_the_last_bit_as_flown_alone() -> None:
     assert len({onset_of(key) for key in CLIMBING}) > 1
     together = {result.key: result for result in fly_alike(CLIMBING)}

@@ -11,6 +11,7 @@ from housefly.pilot.safety import lean_consistency
 MIRRORED = TrialKey("F07/axes", 0, model="tello")
 
 
+@pytest.mark.safety
 @pytest.mark.slow
 def test_it_lands_before_it_touches_anything_and_flies_into_the_kitchen_unwatched(
     monkeypatch: pytest.MonkeyPatch,

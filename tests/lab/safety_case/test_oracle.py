@@ -1,11 +1,14 @@
 from __future__ import annotations
 
+import pytest
+
 from housefly.lab.lockstep.simulation import Simulation
 from housefly.lab.safety_case.oracle import Oracle
 from housefly.messages import Order, OrderKind, Phase
 from housefly.sites.loaded_site import load_site
 
 
+@pytest.mark.safety
 def test_a_drone_that_takes_off_again_without_an_order_is_unsafe_and_with_one_it_is_not() -> None:
     loaded = load_site("bsen", hub__enabled=False)
     simulation = Simulation(loaded)

@@ -79,9 +79,9 @@ def test_what_is_to_pass_unnoticed_and_is_told_is_a_false_alarm() -> None:
 @pytest.mark.parametrize(
     "flight",
     [
-        TrialKey("F02/1s", 1),
+        pytest.param(TrialKey("F02/1s", 1), marks=pytest.mark.safety),
         TrialKey("F10/no_rotation", 4),
-        TrialKey("F16/up_1s", 38),
+        pytest.param(TrialKey("F16/up_1s", 38), marks=pytest.mark.safety),
     ],
     ids=lambda key: key.row,
 )

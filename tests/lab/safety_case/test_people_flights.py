@@ -11,7 +11,7 @@ from housefly.lab.safety_case.trial import TrialKey
 @pytest.mark.parametrize(
     ("row", "seed", "least"),
     [
-        ("F34/walks_up", 2, 0.3),
+        pytest.param("F34/walks_up", 2, 0.3, marks=pytest.mark.safety),
         pytest.param("F34/walks_up", 3, 0.3, marks=pytest.mark.safety),
         pytest.param("F34/walks_up", 9, 0.1, marks=pytest.mark.safety),
         pytest.param("F34/head_on", 3, 0.0, marks=pytest.mark.safety),
@@ -32,7 +32,7 @@ def test_nobody_is_touched(row: str, seed: int, least: float) -> None:
 @pytest.mark.parametrize(
     ("row", "seed"),
     [
-        ("F03/above_child", 1),
+        pytest.param("F03/above_child", 1, marks=pytest.mark.safety),
         pytest.param("F03/above_child", 5, marks=pytest.mark.safety),
         ("F03/above_lying", 4),
         pytest.param("F03/above_lying", 1, marks=pytest.mark.safety),
@@ -51,7 +51,7 @@ def test_without_tracking_it_lands_beside_whom_only_its_sonar_shows(row: str, se
     ("row", "seed"),
     [
         ("F44/flat_box", 6),
-        ("F44/pole", 6),
+        pytest.param("F44/pole", 6, marks=pytest.mark.safety),
         pytest.param("F44/pole", 0, marks=pytest.mark.safety),
     ],
 )
@@ -80,6 +80,7 @@ def test_a_chair_beside_the_pad_is_told_and_landed_beside() -> None:
     assert result.told and result.ending == "stands on the floor"
 
 
+@pytest.mark.safety
 def test_who_runs_into_a_drone_that_takes_off_too_late_for_any_steering_is_counted_by_itself() -> (
     None
 ):

@@ -12,8 +12,8 @@ from housefly.lab.safety_case.trial import TrialKey
     ("row", "seed", "words"),
     [
         ("F22/60percent", 2, "below its height"),
-        ("F23/fan", 5, "below its height"),
-        ("F23/50g", 1, "lower than"),
+        pytest.param("F23/fan", 5, "below its height", marks=pytest.mark.safety),
+        pytest.param("F23/50g", 1, "lower than", marks=pytest.mark.safety),
     ],
     ids=["a weak motor in a turn", "the wind of a ceiling fan", "50 g hung on in the climb"],
 )

@@ -271,7 +271,7 @@ def play(sequence: list[Ask | Tell | Tick | Restart]) -> None:
 
 
 @given(sequences)
-@settings(max_examples=300)
+@settings(max_examples=100)
 def test_the_scheduler_does_what_the_naive_queue_does(
     sequence: list[Ask | Tell | Tick | Restart],
 ) -> None:

@@ -413,6 +413,7 @@ def test_whatever_is_asked_it_is_answered_in_words_and_nothing_flies(
     assert stage.orders == []
 
 
+@pytest.mark.interop
 def test_an_alarm_takes_the_drone_and_gives_it_back(stage: TaskStage) -> None:
     stage.ask(RequestTask("look", {"subject": "sofa", "time": 20.0}, by="kim"))
     assert stage.fly(lambda: stage.parts.inbox.status is DroneStatus.FLYING, 30.0)
@@ -427,6 +428,7 @@ def test_an_alarm_takes_the_drone_and_gives_it_back(stage: TaskStage) -> None:
     assert stage.loop is not None and not stage.loop.contacts()
 
 
+@pytest.mark.interop
 def test_a_paused_flight_hovers_until_it_is_continued(stage: TaskStage) -> None:
     stage.ask(LOOK)
     assert stage.fly(lambda: _phase(stage) is Phase.OUTBOUND, 30.0)

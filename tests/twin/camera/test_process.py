@@ -184,6 +184,7 @@ async def test_a_killed_child_is_replaced_and_starts_with_a_key_frame() -> None:
         assert film.pictures[before].number == before + 1
 
 
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux has a policy for idle time")
 async def test_a_child_that_starves_at_idle_priority_is_replaced_by_one_that_competes() -> None:

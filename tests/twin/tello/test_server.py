@@ -185,6 +185,7 @@ async def test_a_flight_by_lines(client, world: SimulatedWorld) -> None:
     assert world.onboard().motors == (0.0, 0.0, 0.0, 0.0)
 
 
+@pytest.mark.interop
 async def test_in_silence_it_flies_on_for_fifteen_seconds_and_then_lands(
     client, world: SimulatedWorld
 ) -> None:

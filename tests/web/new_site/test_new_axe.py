@@ -24,6 +24,7 @@ DRAWN = {
 }
 
 
+@pytest.mark.interop
 async def test_axe_finds_nothing_at_any_step(drawer: Any, chromium: Browser) -> None:
     status, told = await drawer.post("/draft", draft=DRAWN)
     assert status == 200, told

@@ -119,6 +119,7 @@ async def texts_of(page: Page, index: int) -> set[str]:
     return {text for text in found if re.search(r"[^\W\d_]{2}", text)}
 
 
+@pytest.mark.interop
 async def test_no_text_of_the_page_is_left_untranslated(speaking: Callable[[str], Any]) -> None:
     pages = {name: await speaking(name) for name in LOCALES}
     for index, step in enumerate(STEPS):

@@ -289,6 +289,7 @@ async def test_at_double_size_on_a_phone_the_head_leaves_room_for_the_steps(page
     assert await page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
+@pytest.mark.interop
 async def test_what_is_typed_slowly_stays_while_answers_of_the_server_come(
     page: Page, page_of_nothing: Any
 ) -> None:

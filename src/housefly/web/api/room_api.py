@@ -11,11 +11,12 @@ import json
 import logging
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 from starlette.requests import HTTPConnection, Request
-from starlette.responses import JSONResponse, Response
+from starlette.responses import Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
@@ -32,6 +33,7 @@ from housefly.web.access.bearer import bears
 from housefly.web.access.roles import Role
 from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol, same_origin
 from housefly.web.access.session_watch import while_logged_in
+from housefly.web.api.question_reader import QuestionReader, question_reader
 from housefly.web.api.room_openapi import openapi_document
 from housefly.web.http.responses import error_response, json_response
 from housefly.web.http.seats import Seats
@@ -60,11 +62,10 @@ class RoomApi:
 
     def routes(self, more: Sequence[BaseRoute] = ()) -> list[BaseRoute]:
         """Return the routes below ``API_PREFIX``, with more of the same API."""
-        document = openapi_document(ENDPOINTS, TASK_ENDPOINTS, API_PREFIX)
         asked = [
             Route(endpoint.path, self._handler(endpoint), methods=["GET"]) for endpoint in ENDPOINTS
         ]
-        described = Route("/openapi.json", lambda request: JSONResponse(document), methods=["GET"])
+        described = Route("/openapi.json", _openapi, methods=["GET"])
         return [
             Mount(
                 API_PREFIX,
@@ -77,7 +78,7 @@ class RoomApi:
         self._threads.shutdown(wait=False, cancel_futures=True)
 
     def _handler(self, endpoint: Endpoint) -> Callable[[Request], Any]:
-        reader: TypeAdapter[Any] = TypeAdapter(endpoint.question)
+        reader = question_reader(endpoint)
 
         async def answer(request: Request) -> Response:
             if not self._may_ask(request):
@@ -144,17 +145,27 @@ class RoomApi:
         return bears(connection, self._key) or self._auth.has_session(connection)
 
 
-def _parsed_question(reader: TypeAdapter[Any], request: Request) -> Question:
+@cache
+def _described() -> bytes:
+    return json.dumps(openapi_document(ENDPOINTS, TASK_ENDPOINTS, API_PREFIX)).encode()
+
+
+def _openapi(request: Request) -> Response:
+    """Answer from a thread: to describe it all takes half a second, once."""
+    return Response(_described(), media_type="application/json")
+
+
+def _parsed_question(reader: QuestionReader, request: Request) -> Question:
     """Return a request's question; raises ValueError or ValidationError naming the parameter."""
     given = dict(request.path_params)
     for name, value in request.query_params.multi_items():
         if name in given:
             raise ValueError(f"{name}: given twice")
         given[name] = value
-    known = set(reader.json_schema()["properties"]) - {"ask"}
-    if unknown := sorted(set(given) - known):
-        raise ValueError(f"{unknown[0]}: no such parameter; there are: {', '.join(sorted(known))}")
-    question: Question = reader.validate_python(given)
+    if unknown := sorted(set(given) - reader.parameters):
+        there = ", ".join(sorted(reader.parameters))
+        raise ValueError(f"{unknown[0]}: no such parameter; there are: {there}")
+    question: Question = reader.adapter.validate_python(given)
     return question
 
 

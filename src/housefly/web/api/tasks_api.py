@@ -13,7 +13,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
@@ -45,6 +45,7 @@ from housefly.web.access.bearer import bears
 from housefly.web.access.refused_changes import mark_as_written
 from housefly.web.access.roles import Role, role_for_path, role_objection
 from housefly.web.access.session_auth import SessionAuth
+from housefly.web.api.question_reader import QuestionReader, question_reader
 from housefly.web.api.task_asker import TaskAsker, filled_in, program_asking
 from housefly.web.api.task_limits import TaskLimits
 from housefly.web.api.tasks_endpoints import status_of_reason
@@ -100,7 +101,7 @@ class TasksApi:
             threads.shutdown(wait=False, cancel_futures=True)
 
     def _handler(self, endpoint: TaskEndpoint) -> Callable[[Request], Any]:
-        reader: TypeAdapter[Any] = TypeAdapter(endpoint.question)
+        reader = question_reader(endpoint)
 
         async def answer(request: Request) -> Response:
             if not self._may_enter(request, endpoint):
@@ -228,11 +229,13 @@ def _query(request: Request) -> dict[str, Any]:
     return given
 
 
-def _question(reader: TypeAdapter[Any], request: Request, given: dict[str, Any]) -> TaskQuestion:
+def _question(reader: QuestionReader, request: Request, given: dict[str, Any]) -> TaskQuestion:
     """Return a request's question; raises ValueError or ValidationError naming the parameter."""
-    known = set(reader.json_schema()["properties"]) - {"ask", *FILLED_IN, *request.path_params}
+    known = reader.parameters - {*FILLED_IN, *request.path_params}
     if unknown := sorted(set(given) - known):
         there = ", ".join(sorted(known)) or "none"
         raise ValueError(f"{unknown[0]}: no such parameter; there are: {there}")
-    question: TaskQuestion = reader.validate_json(json.dumps({**given, **request.path_params}))
+    question: TaskQuestion = reader.adapter.validate_json(
+        json.dumps({**given, **request.path_params})
+    )
     return question
