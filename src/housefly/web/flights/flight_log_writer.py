@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Protocol
 
 from housefly.config.durable import SyncPace, append_lines
+from housefly.geometry import wrap_angle
 from housefly.messages import DroneStatus, Estimate, PilotStep, Severity
 from housefly.messages.words import literal
-from housefly.numeric import wrapped
 from housefly.web.flights.flight_log import (
     DURATION_MAX,
     METRES_MAX,
@@ -169,7 +169,7 @@ def _sample(t: float, step: PilotStep) -> LoggedPose:
     x, y, z = (round(value, 3) for value in estimate.position)
     speed = min(100.0, hypot(*estimate.velocity))
     return LoggedPose(
-        t, (x, y, z), round(wrapped(estimate.yaw), 3), round(speed, 3), round(battery, 3)
+        t, (x, y, z), round(wrap_angle(estimate.yaw), 3), round(speed, 3), round(battery, 3)
     )
 
 
