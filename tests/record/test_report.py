@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from installed_chromium import chromium_path
 from playwright.sync_api import sync_playwright
 
 from housefly.config.site import Site
@@ -18,8 +19,6 @@ from housefly.record.series import collect
 from housefly.record.summary import summarize_flight
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
-
-CHROMIUM = Path("/usr/bin/chromium")
 
 
 @pytest.fixture(scope="module")
@@ -143,10 +142,9 @@ def test_a_recording_without_a_single_step_still_has_a_report(
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    if not CHROMIUM.exists():
-        pytest.skip("Chromium is not installed")
+    path = chromium_path()
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=str(CHROMIUM), args=["--no-sandbox"])
+        chromium = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
         yield chromium
         chromium.close()
 

@@ -152,11 +152,14 @@ async def test_another_user_cannot_take_the_port_of_stop_while_the_pilot_is_down
 
 @as_root
 def test_a_port_that_nobody_holds_can_be_taken_by_another_user(runtime: Runtime) -> None:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    assert taken_as_nobody(port) == ""
-    assert console_taken_as_nobody("127.0.0.1", port) == ""
+    for kind, taken in (
+        (socket.SOCK_DGRAM, taken_as_nobody),
+        (socket.SOCK_STREAM, partial(console_taken_as_nobody, "127.0.0.1")),
+    ):
+        with socket.socket(socket.AF_INET, kind) as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        assert taken(port) == ""
 
 
 def until_it_answers(site: Site) -> None:

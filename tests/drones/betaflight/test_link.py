@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import random
 import struct
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -26,12 +27,13 @@ class SlowController(asyncio.DatagramProtocol):
     """Takes one command after the other.
 
     Attributes:
-        pause: that each one takes [s].
+        pause: that each one takes [s], a fifth more or less.
         ages: how old sticks were when their turn came [s].
     """
 
     def __init__(self) -> None:
         self.pause, self.ages = QUICK, list[float]()
+        self._dice = random.Random(4)
         self._waiting: asyncio.Queue[tuple[bytes, object]] = asyncio.Queue()
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
@@ -50,7 +52,7 @@ class SlowController(asyncio.DatagramProtocol):
     async def work(self) -> None:
         while True:
             data, addr = await self._waiting.get()
-            await asyncio.sleep(self.pause)
+            await asyncio.sleep(self.pause * self._dice.uniform(0.8, 1.2))
             for frame in MspReader().feed(data):
                 if frame.command == Msp.SET_RAW_RC:
                     self.ages.append(RealClock().now() - struct.unpack("<d", frame.payload)[0])
@@ -91,9 +93,9 @@ async def driven(host: str) -> AsyncIterator[tuple[SlowController, Sticks]]:
     transport.close()
 
 
-@pytest.mark.parametrize("answers_hz", [30, 40])
+@pytest.mark.parametrize(("answers_hz", "age"), [(20, 0.4), (30, 0.25), (40, 0.2)])
 async def test_sticks_come_in_time_to_a_controller_that_becomes_busy(
-    loopback: str, answers_hz: int
+    loopback: str, answers_hz: int, age: float
 ) -> None:
     oldest, taken = [], []
     async with driven(loopback) as (controller, sticks):
@@ -102,7 +104,7 @@ async def test_sticks_come_in_time_to_a_controller_that_becomes_busy(
             oldest.append(max(controller.ages))
             taken.append(len(controller.ages))
             controller.ages.clear()
-    assert oldest[0] < 0.02 and oldest[1] < 0.5 and oldest[2] < 0.25, oldest
+    assert oldest[0] < 0.02 and max(oldest) < age, oldest
     assert taken[0] > 290 and taken[1] > 1.8 * answers_hz and taken[2] > 280, taken
 
 

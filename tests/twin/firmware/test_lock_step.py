@@ -78,9 +78,9 @@ def hovering(frames: int = 10**9) -> Iterator[tuple[SimulatedWorld, LockStep, Ho
 def flown(seconds: float) -> list[tuple[float, ...]]:
     """Return where the drone was, ten times a second."""
     with hovering() as (world, steps, program):
-        while not steps.steps:
+        while not steps.steps:  # one physics step: the same one is its first, whenever it comes
             world.first.put()
-            world.advance(0.005)
+            world.advance(0.0025)
         track: list[tuple[float, ...]] = []
         for _ in range(round(seconds / 0.1)):
             world.advance(0.1)

@@ -226,7 +226,9 @@ async def test_three_points_align_the_frame_with_what_tracking_sees(
     await button(page, "Real hardware").click()
     await number(page, "Address").fill("10.0.0.5")
     await button(page, "Listen for 3 s").click()
-    await expect(page.locator(".notes").first).to_contain_text("100 frames a second")
+    await expect(page.locator(".notes").first).to_contain_text(
+        "100 frames a second", timeout=30_000
+    )
     await open_step(page, "Tracking frame")
     seen = page.get_by_role("group", name="As tracking sees it [m]")
     for x, y in ((1.0, 1.0), (6.0, 1.0), (1.0, 4.0)):

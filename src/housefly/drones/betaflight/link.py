@@ -23,11 +23,12 @@ _UNANSWERED_MAX, _QUESTIONS_MAX = 4, 2
 twenty of them let a simulated drone swing into a wall where a busy controller took 40 a second.
 Neither kind waits for the other: where answers are lost, both would.
 """
-_ANSWER_TIMEOUT: dict[Carrier, float] = {Carrier.TCP: 0.5, Carrier.UDP: 0.25, Carrier.SERIAL: 0.25}
+_ANSWER_TIMEOUT: dict[Carrier, float] = {Carrier.TCP: 0.5, Carrier.UDP: 0.4, Carrier.SERIAL: 0.4}
 """An answer is lost after so long [s]; over TCP only a bridge to a serial port loses any."""
-_OVERTAKEN_AFTER = (0.03, 0.2)
-"""Shortest and longest time [s] after which one is lost already, where answers come: lost sticks
-keep no others waiting. It is twice what an answer takes.
+_OVERTAKEN_AFTER = (0.1, 0.2)
+"""Shortest and longest time [s] without any answer after which one is lost already: lost sticks
+keep no others waiting. It is twice what an answer takes. While others are answered the controller
+is only slow: what was sent on then waited there, 1.4 s old.
 """
 _AMBIGUITY = 0.5
 """An answer says how long it took where the same was not sent for so long before [s]: commands have
@@ -91,9 +92,13 @@ class _AnswerTime:
         self._pauses_from = self._pauses_until = -inf
         self._lost_after = _OVERTAKEN_AFTER[1]
 
-    def lost_after(self, now: float, timeout: float) -> float:
-        """Return after which time one is lost now; the timeout where no answers come [s]."""
-        return self._lost_after if now - self._heard_at <= timeout else timeout
+    def is_lost(self, one: _UnderWay, now: float, timeout: float) -> bool:
+        """Return whether no answer to a command is waited for any more.
+
+        Answers come in order: a controller that answers others is at work, and only slow.
+        """
+        quiet_since = max(one.sent_at, self._heard_at)
+        return now - one.sent_at > timeout or now - quiet_since > self._lost_after
 
     def pauses(self, now: float) -> bool:
         """Return whether the controller must answer what waits there before more is sent."""
@@ -276,8 +281,7 @@ class MspLink(asyncio.DatagramProtocol, asyncio.Protocol):
 
     def _forget_lost(self) -> None:
         now, timeout = self._clock.now(), _ANSWER_TIMEOUT[self._endpoint.carrier]
-        lost_after = self._answer_time.lost_after(now, timeout)
-        while self._under_way and now - self._under_way[0].sent_at > lost_after:
+        while self._under_way and self._answer_time.is_lost(self._under_way[0], now, timeout):
             self._under_way.popleft()
 
     async def _keep(self) -> None:
