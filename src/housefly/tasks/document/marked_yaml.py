@@ -6,9 +6,9 @@ are flags (YAML 1.2), because rooms have lamps that are ``on``.
 
 from __future__ import annotations
 
-import contextlib
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -126,7 +126,7 @@ def read_marked_yaml(text: str, source: str = "") -> MarkedValue:
     if len(text) > SIZE_MAX:
         raise document_error(source, 1, f"{len(text)} characters; allowed: {SIZE_MAX}")
     try:
-        with contextlib.suppress(yaml.YAMLError):
+        with suppress(yaml.YAMLError):
             return _Reader(text, source, _FAST_LOADER).document()
         return _Reader(text, source, yaml.SafeLoader).document()
     except yaml.YAMLError as error:
