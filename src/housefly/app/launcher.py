@@ -10,6 +10,7 @@ broker      an MQTT broker; absent where the devices have their own
 perception  finds obstacles in scans and depth images; absent without such sensors
 tasks       services: queue, rules, clips; gives the pilot orders as people do
 web         the console
+ros2        the room as a ROS 2 node
 """
 
 from __future__ import annotations
@@ -129,6 +130,9 @@ def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[P
         processes.append(ProcessSpec("perception", "housefly.app.perception_main"))
     if site.tasks.enabled:
         processes.append(ProcessSpec("tasks", "housefly.app.tasks_main", niceness=3))
+    if site.ros2.enabled:
+        joins = (*site_argument, "--bus", runtime.bus)
+        processes.append(ProcessSpec("ros2", "housefly.ros2.process", joins, niceness=5))
     if (port := runtime.console_port) is not None:
         listens_at = ("--bus", runtime.bus, "--listener", str(port.descriptor))
         processes.append(

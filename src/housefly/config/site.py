@@ -33,6 +33,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.config.map import MapConfig, RoomConfig
 from housefly.config.people import PeopleConfig
 from housefly.config.profile import CONSTANTS, load_profile
+from housefly.config.ros2 import Ros2Config
 from housefly.config.section import Section
 from housefly.config.tasks import TasksConfig
 from housefly.config.text import did_you_mean, refuse_odd_values, shortened
@@ -97,6 +98,7 @@ class Site(Section):
     mqtt: MqttConfig = MqttConfig()
     hub: HubConfig = HubConfig()
     tasks: TasksConfig = TasksConfig()
+    ros2: Ros2Config = Ros2Config()
     edits: Edits = Edits()
 
     def __hash__(self) -> int:

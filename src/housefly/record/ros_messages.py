@@ -1,7 +1,7 @@
 """Standard ROS 2 messages made of ours, for the tools that know only those.
 
-Stamps are the monotonic clock; positions are in the frame ``world``, velocities of the drone in the
-frame ``drone``.
+A recording's stamps are the monotonic clock, its frames ``world`` and ``drone``; a live node says
+Unix time and its own frames.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from housefly.bus.interfaces import type_store
-from housefly.geometry import Quaternion, Vec3, rotate
+from housefly.geometry import IDENTITY, Quaternion, Vec3, rotate
 from housefly.messages import (
     DroneStatus,
     Estimate,
@@ -27,7 +27,7 @@ from housefly.messages import (
 )
 from housefly.room.grid import Cell, OccupancyGrid
 
-_WORLD_FRAME, _DRONE_FRAME = "world", "drone"
+WORLD_FRAME, DRONE_FRAME = "world", "drone"
 
 _LOG_LEVEL = {Severity.INFO: 20, Severity.WARNING: 30, Severity.FAULT: 40}
 _MAP_VALUE = {
@@ -46,33 +46,33 @@ def nanoseconds(seconds: float) -> int:
     return max(0, round(seconds * 1e9))
 
 
-def pose_stamped(at: float, pose: Pose) -> Any:
+def pose_stamped(at: float, pose: Pose, frame: str = WORLD_FRAME) -> Any:
     """Return geometry_msgs/PoseStamped of a body in the world."""
-    return _new(
+    return message(
         "geometry_msgs/msg/PoseStamped",
-        _header(at, _WORLD_FRAME),
-        _pose(pose.position, pose.orientation),
+        header(at, frame),
+        pose_message(pose.position, pose.orientation),
     )
 
 
-def odometry(estimate: Estimate) -> Any:
+def odometry(estimate: Estimate, frame: str = WORLD_FRAME, child: str = DRONE_FRAME) -> Any:
     """Return nav_msgs/Odometry of the estimate, with the variances of x and y.
 
     The pose is in the world, the velocity in the drone's frame.
     """
-    turn = _about_z(estimate.yaw)
+    turn = about_z(estimate.yaw)
     covariance = np.zeros(36)
     covariance[[0, 7]] = estimate.position_std**2
-    pose = _new("geometry_msgs/msg/PoseWithCovariance", _pose(estimate.position, turn), covariance)
+    pose = message(
+        "geometry_msgs/msg/PoseWithCovariance", pose_message(estimate.position, turn), covariance
+    )
     back = (turn[0], 0.0, 0.0, -turn[3])
-    twist = _new(
+    twist = message(
         "geometry_msgs/msg/TwistWithCovariance",
         _twist(rotate(back, estimate.velocity), (0.0, 0.0, 0.0)),
         _NO_COVARIANCE,
     )
-    return _new(
-        "nav_msgs/msg/Odometry", _header(estimate.at, _WORLD_FRAME), _DRONE_FRAME, pose, twist
-    )
+    return message("nav_msgs/msg/Odometry", header(estimate.at, frame), child, pose, twist)
 
 
 def velocity_command(at: float, setpoint: Setpoint | VelocitySetpoint) -> Any:
@@ -86,16 +86,16 @@ def velocity_command(at: float, setpoint: Setpoint | VelocitySetpoint) -> Any:
     else:
         ahead, left = setpoint.theta, -setpoint.phi
     twist = _twist((ahead, left, setpoint.vz), (0.0, 0.0, setpoint.yaw_rate))
-    return _new("geometry_msgs/msg/TwistStamped", _header(at, _DRONE_FRAME), twist)
+    return message("geometry_msgs/msg/TwistStamped", header(at, DRONE_FRAME), twist)
 
 
-def battery_state(telemetry: Telemetry) -> Any:
+def battery_state(telemetry: Telemetry, frame: str = DRONE_FRAME) -> Any:
     """Return sensor_msgs/BatteryState; unknown values are nan."""
     known = telemetry.status is not DroneStatus.UNKNOWN
     electrical = [nan] * 6
-    return _new(
+    return message(
         "sensor_msgs/msg/BatteryState",
-        _header(telemetry.received_at, _DRONE_FRAME),
+        header(telemetry.received_at, frame),
         *electrical,
         telemetry.battery if known else nan,
         _POWER_DISCHARGING,
@@ -109,37 +109,37 @@ def battery_state(telemetry: Telemetry) -> Any:
     )
 
 
-def planned_path(at: float, path: Path | None, height: float) -> Any:
+def planned_path(at: float, path: Path | None, height: float, frame: str = WORLD_FRAME) -> Any:
     """Return nav_msgs/Path at the flight height [m]; empty when there is no path."""
     waypoints = path.waypoints if path else ()
     stamped = [
-        _new(
+        message(
             "geometry_msgs/msg/PoseStamped",
-            _header(at, _WORLD_FRAME),
-            _pose((x, y, height), _about_z(0.0)),
+            header(at, frame),
+            pose_message((x, y, height)),
         )
         for x, y in waypoints
     ]
-    return _new("nav_msgs/msg/Path", _header(at, _WORLD_FRAME), stamped)
+    return message("nav_msgs/msg/Path", header(at, frame), stamped)
 
 
-def occupancy(at: float, grid: OccupancyGrid) -> Any:
+def occupancy(at: float, grid: OccupancyGrid, frame: str = WORLD_FRAME) -> Any:
     """Return nav_msgs/OccupancyGrid: 0 free, 50 inflated, 90 virtual, 100 occupied, -1 outside."""
     width, height = grid.cells.shape
-    info = _new(
+    info = message(
         "nav_msgs/msg/MapMetaData",
-        _time(at),
+        time_message(at),
         grid.resolution,
         width,
         height,
-        _pose((*grid.origin, 0.0), _about_z(0.0)),
+        pose_message((*grid.origin, 0.0)),
     )
     values = np.zeros(256, dtype=np.int8)
     for cell, value in _MAP_VALUE.items():
         values[cell] = value
-    return _new(
+    return message(
         "nav_msgs/msg/OccupancyGrid",
-        _header(at, _WORLD_FRAME),
+        header(at, frame),
         info,
         values[grid.cells.T].reshape(-1),
     )
@@ -147,9 +147,9 @@ def occupancy(at: float, grid: OccupancyGrid) -> Any:
 
 def log_message(event: Event) -> Any:
     """Return rcl_interfaces/Log of an event."""
-    return _new(
+    return message(
         "rcl_interfaces/msg/Log",
-        _time(event.at),
+        time_message(event.at),
         _LOG_LEVEL[event.severity],
         event.code,
         event.text,
@@ -162,39 +162,44 @@ def log_message(event: Event) -> Any:
 def compressed_video(frame: VideoFrame) -> Any:
     """Return foxglove_msgs/CompressedVideo of one H.264 access unit."""
     data = np.frombuffer(frame.data, dtype=np.uint8)
-    return _new(
-        "foxglove_msgs/msg/CompressedVideo", _time(frame.received_at), "camera", data, "h264"
+    return message(
+        "foxglove_msgs/msg/CompressedVideo", time_message(frame.received_at), "camera", data, "h264"
     )
 
 
-def _new(name: str, *values: Any) -> Any:
+def message(name: str, *values: Any) -> Any:
+    """Return a message of a ROS 2 type with all its fields, in order."""
     return type_store().types[name](*values)
 
 
-def _time(at: float) -> Any:
-    return _new("builtin_interfaces/msg/Time", *divmod(nanoseconds(at), 1_000_000_000))
+def time_message(at: float) -> Any:
+    """Return builtin_interfaces/Time."""
+    return message("builtin_interfaces/msg/Time", *divmod(nanoseconds(at), 1_000_000_000))
 
 
-def _header(at: float, frame: str) -> Any:
-    return _new("std_msgs/msg/Header", _time(at), frame)
+def header(at: float, frame: str) -> Any:
+    """Return std_msgs/Header."""
+    return message("std_msgs/msg/Header", time_message(at), frame)
 
 
-def _pose(position: Vec3, orientation: Quaternion) -> Any:
+def pose_message(position: Vec3, orientation: Quaternion = IDENTITY) -> Any:
+    """Return geometry_msgs/Pose."""
     w, x, y, z = orientation
-    return _new(
+    return message(
         "geometry_msgs/msg/Pose",
-        _new("geometry_msgs/msg/Point", *position),
-        _new("geometry_msgs/msg/Quaternion", x, y, z, w),
+        message("geometry_msgs/msg/Point", *position),
+        message("geometry_msgs/msg/Quaternion", x, y, z, w),
     )
 
 
 def _twist(linear: Vec3, angular: Vec3) -> Any:
-    return _new(
+    return message(
         "geometry_msgs/msg/Twist",
-        _new("geometry_msgs/msg/Vector3", *linear),
-        _new("geometry_msgs/msg/Vector3", *angular),
+        message("geometry_msgs/msg/Vector3", *linear),
+        message("geometry_msgs/msg/Vector3", *angular),
     )
 
 
-def _about_z(yaw: float) -> Quaternion:
+def about_z(yaw: float) -> Quaternion:
+    """Return the turn by a heading [rad]."""
     return cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)

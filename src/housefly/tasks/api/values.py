@@ -73,6 +73,7 @@ class RequestSurface(Enum):
     COMMAND_LINE = "command line"
     HTTP = "http"
     MQTT = "mqtt"
+    ROS = "ros 2"
     WEBHOOK = "webhook"
     ASSISTANT = "assistant"
     RULE = "rule"

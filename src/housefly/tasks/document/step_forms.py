@@ -92,6 +92,8 @@ FORMS: dict[StepKind, StepForm] = {
         (
             _A("subject", _T.SUBJECT, "where to go"),
             _A("point", _T.POINT, "or a point instead", low=-1000.0, high=1000.0),
+            _A("x", _T.LENGTH, "or its two numbers", low=-1000.0, high=1000.0),
+            _A("y", _T.LENGTH, "likewise", low=-1000.0, high=1000.0),
         ),
         flies=True,
     ),

@@ -51,6 +51,8 @@ FOUND_NAMES = {
 """Arguments that name what a step finds."""
 EACH = "each"
 """The name of the present one inside for_each."""
+_GOALS = ({"subject"}, {"point"}, {"x", "y"})
+"""What says where to go."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -258,8 +260,8 @@ class StepParser:
 
     def _checked(self, step: TaskStep, marked: MarkedValue) -> TaskStep:
         arguments = step.arguments
-        if step.kind is StepKind.GO_TO and len(arguments) != 1:
-            raise self.error(marked, "go_to needs a subject or a point, one of them")
+        if step.kind is StepKind.GO_TO and set(arguments) not in _GOALS:
+            raise self.error(marked, "go_to needs a subject, a point, or x and y, one of them")
         if step.kind is StepKind.RECORD and not arguments.get("time") and not step.blocks:
             raise self.error(marked, "record needs a time, or steps under do:")
         if step.kind is StepKind.ASK:

@@ -147,12 +147,19 @@ class GoTo(FlightStep):
         self.send()
 
     def _aim(self) -> None:
-        point = self.argument("point") if "point" in self.step.arguments else None
-        if isinstance(point, tuple):
-            self.goal: Vec2 = (float(point[0]), float(point[1]))
+        point = self._point()
+        if point is not None:
+            self.goal: Vec2 = point
             self.look_at: Vec3 | None = None
         else:
             self._take(self.viewpoint())
+
+    def _point(self) -> Vec2 | None:
+        given = self.step.arguments
+        point = self.argument("point") if "point" in given else None
+        if isinstance(point, tuple):
+            return float(point[0]), float(point[1])
+        return (self.number("x"), self.number("y")) if {"x", "y"} <= given.keys() else None
 
     def _take(self, view: Viewpoint) -> None:
         self._view, self.goal, self.look_at = view, view.position, view.look_at

@@ -1,0 +1,53 @@
+"""The part of a site file about ROS 2: how the room appears there, and what may come from there."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from housefly.config.section import Section
+
+RosRequests = Literal["off", "ask", "auto"]
+
+
+class Ros2Config(Section):
+    """The room as a ROS 2 node (``docs/ros2.md``)."""
+
+    enabled: bool = Field(
+        default=False,
+        description="join ROS 2 as a node, by the rclpy of the sourced ROS or the extra ros2",
+    )
+    namespace: str = Field(
+        default="",
+        max_length=60,
+        pattern=r"^([A-Za-z][A-Za-z0-9_]*)?$",
+        description="of all topics and services; empty: the name of the site",
+    )
+    frame: str = Field(
+        default="map",
+        pattern=r"^[A-Za-z][A-Za-z0-9_/]{0,59}$",
+        description="name of the world's frame",
+    )
+    domain: int | None = Field(
+        default=None,
+        ge=0,
+        le=232,
+        description="ROS domain; left out: ROS_DOMAIN_ID, or 0",
+        json_schema_extra={"unit": "1"},
+    )
+    discovery: Literal["localhost", "subnet"] = Field(
+        default="localhost",
+        description="who finds the node: programs of this machine, or of the whole network",
+    )
+    requests: RosRequests = Field(
+        default="ask",
+        description=(
+            "what a goal, a take-off or a task from ROS may do: nothing, ask a person, fly; no"
+            " program proves to ROS who it is, so auto trusts all that reach the domain"
+        ),
+    )
+    ardrone: bool = Field(
+        default=False,
+        description="serve the names of ardrone_autonomy, too: /ardrone/takeoff, navdata, cmd_vel",
+    )

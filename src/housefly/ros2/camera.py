@@ -1,0 +1,86 @@
+"""The drone's camera for ROS: what the console may show, as it came and as JPEG."""
+
+from __future__ import annotations
+
+from functools import partial
+from io import BytesIO
+
+from PIL import Image
+
+from housefly.config.capabilities import OnboardCamera
+from housefly.config.house_mode import HouseMode
+from housefly.evidence.live_blanker import LiveBlanker
+from housefly.evidence.picture_codec import PictureDecoder
+from housefly.messages import PilotStep, VideoFrame
+from housefly.ros2.drone_messages import RosFrames, camera_info, compressed_image
+from housefly.ros2.node import RosNode
+from housefly.ros2.topic_table import CAMERA_INFO, H264, PICTURES, RosTopic
+
+_JPEG_QUALITY = 80
+
+
+class RosCamera:
+    """Publishes pictures while somebody subscribes; in mode privacy none.
+
+    Args:
+        node: of the room.
+        camera: of the drone.
+        frames: of the drone.
+        blanker: blanks the privacy zones, as it does for the console.
+        names: full names of the topics.
+    """
+
+    def __init__(
+        self,
+        node: RosNode,
+        camera: OnboardCamera,
+        frames: RosFrames,
+        blanker: LiveBlanker,
+        names: dict[RosTopic, str],
+    ) -> None:
+        self._node, self._camera, self._frames = node, camera, frames
+        self._blanker, self._names = blanker, names
+        self._decoder = PictureDecoder()
+        self._mode: HouseMode | None = None
+
+    def set_mode(self, mode: HouseMode | None) -> None:
+        """Tell the mode of the house; None, not known, shows nothing."""
+        self._mode = mode
+        self._blanker.set_mode(mode)
+
+    def add_step(self, step: PilotStep) -> None:
+        """Tell where the drone is."""
+        if self._blanker.is_needed:
+            self._blanker.add_step(step)
+
+    def show(self, frame: VideoFrame, offset: float) -> None:
+        """Publish a picture.
+
+        Args:
+            frame: as the drone sent it.
+            offset: Unix time at which its clock was zero [s].
+        """
+        if self._mode in (None, HouseMode.PRIVACY) or not self._is_watched():
+            return
+        shown = self._blanker.blanked_frame(frame)
+        if shown is None:
+            return
+        at, frames = frame.received_at + offset, self._frames
+        self._publish(CAMERA_INFO, partial(camera_info, at, frames, self._camera, shown))
+        self._publish(H264, partial(compressed_image, at, frames, "h264", shown.data))
+        if self._node.is_heard(self._names[PICTURES]) and (data := self._jpeg(shown)):
+            self._publish(PICTURES, partial(compressed_image, at, frames, "jpeg", data))
+
+    def _is_watched(self) -> bool:
+        return any(self._node.is_heard(name) for name in self._names.values())
+
+    def _publish(self, topic: RosTopic, make: partial[object]) -> None:
+        self._node.publish(topic, self._names[topic], make)
+
+    def _jpeg(self, frame: VideoFrame) -> bytes:
+        picture = self._decoder.decode(frame)
+        if picture is None:
+            return b""
+        buffer = BytesIO()
+        Image.fromarray(picture).save(buffer, "JPEG", quality=_JPEG_QUALITY)
+        return buffer.getvalue()

@@ -1,0 +1,256 @@
+"""What comes from ROS and moves a drone: checked, asked of a person where the site wants it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import cos, isfinite, sin
+from secrets import token_hex
+from threading import Condition, Lock
+
+from housefly.bus.bus import Bus
+from housefly.bus.topics import HUB_QUERY, TASKS_QUERY, DroneTopics
+from housefly.clock import Clock
+from housefly.config.ros2 import RosRequests
+from housefly.errors import HouseflyError, LinkError, TaskError, WireError
+from housefly.geometry import Vec2, Vec3
+from housefly.hub.api.json import question_from_json
+from housefly.messages import Order, OrderAnswer, OrderKind, OrderSource, PilotStep
+from housefly.ros2.flight_lease import FlightLease
+from housefly.tasks.api.json import (
+    task_answer_from_json,
+    task_question_from_json,
+    task_question_to_json,
+)
+from housefly.tasks.api.questions import CancelTask, RequestTask, Sentence
+from housefly.tasks.api.values import (
+    Confirm,
+    ParameterValue,
+    ReasonCode,
+    RequestSurface,
+    TaskStatus,
+)
+from housefly.tasks.rules.outside_question import outside_question
+
+SENDER = "ROS 2"
+"""Who orders: no node proves that it is another one."""
+OWNER = "ros2"
+GO_SERVICE = "fly_to"
+"""The service that flies to a point."""
+_PATIENCE = 1.0
+"""How long the pilot may take to answer an order [s]."""
+_ASK_PATIENCE = 120.0
+"""How long the tasks may take, which rehearse first [s]."""
+_FACES_AHEAD = 2.0
+"""A heading is faced by looking at a point so far ahead [m]."""
+_OFF = "flights from ROS are off ([ros2] requests in the site file)"
+
+
+@dataclass(frozen=True, slots=True)
+class RosReply:
+    """What became of a wish, as std_srvs/Trigger says it."""
+
+    success: bool
+    message: str
+
+
+class FlightDesk:
+    """Takes wishes from ROS; thread-safe.
+
+    Args:
+        bus: of the run.
+        requests: what the site allows.
+        drones: their names.
+        has_tasks: whether services run; without them nobody can be asked.
+        clock: monotonic.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        requests: RosRequests,
+        drones: tuple[str, ...],
+        has_tasks: bool,
+        clock: Clock,
+    ) -> None:
+        self._bus, self._requests, self._clock = bus, requests, clock
+        self._has_tasks = has_tasks
+        self._topics = {name: DroneTopics(name) for name in drones}
+        self._leases = {name: FlightLease() for name in drones}
+        self._answers: dict[str, OrderAnswer | None] = {}
+        self._answered = Condition()
+        self._asking = Lock()
+        self._question = 0
+
+    def heard(self, drone: str, step: PilotStep) -> None:
+        """Take in a step of a drone's pilot."""
+        self._leases[drone].add(step)
+        if step.outputs.answers and self._answers:
+            with self._answered:
+                for answer in step.outputs.answers:
+                    if answer.order_id in self._answers:
+                        self._answers[answer.order_id] = answer
+                self._answered.notify_all()
+
+    def stop(self, drone: str) -> RosReply:
+        """Stop a drone, whoever flies it."""
+        return self._ordered(drone, OrderKind.STOP)
+
+    def land(self, drone: str) -> RosReply:
+        """Land a drone where it is, whoever flies it."""
+        return self._ordered(drone, OrderKind.LAND)
+
+    def home(self, drone: str) -> RosReply:
+        """Bring a drone home."""
+        if self._requests == "off":
+            return RosReply(False, _OFF)
+        return self._flown(drone, OrderKind.HOME)
+
+    def take_off(self, drone: str) -> RosReply:
+        """Take off and hover, once a person has said yes where the site wants it."""
+        if self._requests == "auto":
+            return self._flown(drone, OrderKind.TAKE_OFF)
+        return self.request(GO_SERVICE, {}, drone)
+
+    def fly_to(self, drone: str, goal: Vec2, yaw: float | None = None) -> RosReply:
+        """Fly to a point [m], face a heading [rad], and hover there."""
+        if not all(map(isfinite, (*goal, yaw or 0.0))):
+            return RosReply(False, f"the goal {goal} is no point; allowed: finite metres")
+        if self._requests == "auto":
+            ahead: Vec3 | None = None
+            if yaw is not None:
+                x, y = goal
+                ahead = (x + _FACES_AHEAD * cos(yaw), y + _FACES_AHEAD * sin(yaw), 1.0)
+            return self._flown(drone, OrderKind.GO, goal, ahead)
+        return self.request(GO_SERVICE, {"x": goal[0], "y": goal[1]}, drone)
+
+    def request(
+        self, service: str, parameters: Mapping[str, ParameterValue], drone: str = ""
+    ) -> RosReply:
+        """Ask for a service; a wish of ours that still waits for a yes is taken back."""
+        if self._requests == "off":
+            return RosReply(False, _OFF)
+        if not self._has_tasks:
+            return RosReply(False, "no services run here ([tasks] enabled in the site file)")
+        if not self._asking.acquire(blocking=False):
+            return RosReply(False, "the last wish is still being looked at")
+        try:
+            return self._requested(service, parameters, drone)
+        except (TaskError, LinkError, WireError) as error:
+            return RosReply(False, str(error))
+        finally:
+            self._asking.release()
+
+    def ask(self, text: str) -> str:
+        """Return the answer, as JSON, to a sentence or to a question of memory or tasks as JSON."""
+        try:
+            if not text.lstrip().startswith("{"):
+                return self._sentence(text)
+            return self._question_answered(text)
+        except (HouseflyError, ValueError) as error:
+            return json.dumps({"error": str(error)})
+
+    def _sentence(self, text: str) -> str:
+        # Checked like any question from outside: its length, its letters.
+        said = task_question_from_json(json.dumps({"ask": "sentence", "text": text}))
+        return self._asked_tasks(task_question_to_json(said))
+
+    def _question_answered(self, text: str) -> str:
+        tree = json.loads(text)
+        if not isinstance(tree, dict):
+            raise WireError("this is no JSON object")
+        try:
+            question_from_json(text)
+        except WireError:
+            return self._asked_tasks(json.dumps({"ask": "request", **tree}))
+        return self._bus.ask(HUB_QUERY, text, _PATIENCE)
+
+    def _asked_tasks(self, text: str) -> str:
+        question = outside_question(
+            text,
+            by=SENDER,
+            owner=OWNER,
+            surface=RequestSurface.ROS,
+            is_trusted=self._requests == "auto",
+        )
+        if self._requests == "off" and isinstance(question, RequestTask):
+            raise TaskError(_OFF, ReasonCode.NOT_ALLOWED.value)
+        if self._requests == "off" and isinstance(question, Sentence):
+            question = replace(question, fly=False)
+        return self._bus.ask(TASKS_QUERY, task_question_to_json(question), _ASK_PATIENCE)
+
+    def _requested(
+        self, service: str, parameters: Mapping[str, ParameterValue], drone: str
+    ) -> RosReply:
+        if self._question:
+            self._take_back(self._question)
+        question = RequestTask(
+            service,
+            dict(parameters),
+            SENDER,
+            RequestSurface.ROS,
+            confirm=Confirm.AUTO if self._requests == "auto" else Confirm.ASK,
+            owner=OWNER,
+            drone=drone,
+        )
+        answer = self._bus.ask(TASKS_QUERY, task_question_to_json(question), _ASK_PATIENCE)
+        task: TaskStatus = task_answer_from_json(question, answer).tasks[0]
+        self._question = task.id if task.question is not None else 0
+        waits = ": a person must say yes in the console" if self._question else ""
+        return RosReply(True, f"task {task.id}: {task.state.value}{waits}")
+
+    def _take_back(self, task: int) -> None:
+        question = CancelTask(task, SENDER, only_of=OWNER)
+        self._question = 0
+        board = self._bus.ask(TASKS_QUERY, '{"ask": "board"}', _PATIENCE)
+        waiting = [one["id"] for one in json.loads(board).get("tasks", ()) if one.get("question")]
+        if task in waiting:
+            self._bus.ask(TASKS_QUERY, task_question_to_json(question), _PATIENCE)
+
+    def _flown(
+        self,
+        drone: str,
+        kind: OrderKind,
+        goal: Vec2 | None = None,
+        look_at: Vec3 | None = None,
+    ) -> RosReply:
+        if words := self._leases[drone].objection(SENDER):
+            return RosReply(False, words)
+        return self._ordered(drone, kind, goal, look_at)
+
+    def _ordered(
+        self,
+        drone: str,
+        kind: OrderKind,
+        goal: Vec2 | None = None,
+        look_at: Vec3 | None = None,
+    ) -> RosReply:
+        order = Order(
+            kind,
+            goal=goal,
+            look_at=look_at,
+            issued_at=self._clock.now(),
+            sender=SENDER,
+            id=token_hex(6),
+            source=OrderSource.PROGRAM,
+        )
+        with self._answered:
+            self._answers[order.id] = None
+        try:
+            self._bus.publish(self._topics[drone].order, order)
+            return self._reply(drone, order.id)
+        finally:
+            with self._answered:
+                del self._answers[order.id]
+
+    def _reply(self, drone: str, order: str) -> RosReply:
+        def is_answered() -> bool:
+            return self._answers[order] is not None
+
+        with self._answered:
+            self._answered.wait_for(is_answered, _PATIENCE)
+            answer = self._answers[order]
+        if answer is None:
+            return RosReply(False, f"the pilot of {drone} does not answer")
+        return RosReply(answer.is_taken, str(answer.reason) or "done")

@@ -1,0 +1,225 @@
+"""The room on the node: map, things, people, sensors, tasks, and its drones."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from contextlib import ExitStack
+from functools import partial
+from typing import Any
+
+from housefly.bus.bus import Bus
+from housefly.bus.codec import encoded
+from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, TASKS_QUERY
+from housefly.clock import RealClock
+from housefly.config.house_mode import HouseMode
+from housefly.config.process_log import log_traceback
+from housefly.errors import LinkError
+from housefly.hub.api.answers import News, PictureAnswer, PlacedThing, SensorsAnswer
+from housefly.hub.api.json import answer_from_json, question_to_json
+from housefly.hub.api.questions import PictureQuestion, Question, SensorsQuestion
+from housefly.hub.api.topics import ROOM_NEWS_TOPIC
+from housefly.hub.wall_clock import WallClock
+from housefly.messages import Obstacle
+from housefly.record import ros_messages
+from housefly.record.ros_topics import topic_part
+from housefly.room.tracked import untracked, untracked_grid
+from housefly.ros2 import diagnostics, room_messages
+from housefly.ros2.drone_messages import text_message
+from housefly.ros2.flight_desk import FlightDesk, RosReply
+from housefly.ros2.node import RosNode
+from housefly.ros2.ros_drone import TRIGGER, RosDrone, triggered
+from housefly.ros2.topic_table import (
+    ANSWERS,
+    ASK,
+    DIAGNOSTICS,
+    MAP,
+    OBSTACLES,
+    PEOPLE,
+    ROOM_EVENTS,
+    ROOM_MARKERS,
+    ROOM_TOPICS,
+    SITUATIONS,
+    STATIC_TRANSFORMS,
+    TASKS,
+    THING_MARKERS,
+    THINGS,
+    TRANSFORMS,
+    RosTopic,
+    full_name,
+)
+from housefly.sites.loaded_site import LoadedSite
+from housefly.tasks.api.answers import ServicesAnswer, TaskBoard
+from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
+from housefly.tasks.api.questions import ServicesQuestion
+from housefly.tasks.api.topics import TASK_NEWS_TOPIC
+
+_LOOK_PERIOD = 1.0
+"""How often sensors are asked for, and what is in the way is told [s]."""
+_OBSTACLE_PERIOD = 0.2
+_OBSTACLE_AGE_MAX = 1.0
+"""What was seen longer ago is not in the way any more [s]."""
+_PERSON = "person"
+
+
+class RosRoom:
+    """The room and its drones on one node.
+
+    Args:
+        loaded: the site.
+        bus: of the run.
+        node: of the room.
+    """
+
+    def __init__(self, loaded: LoadedSite, bus: Bus, node: RosNode) -> None:
+        site = loaded.site
+        self._loaded, self._site, self._bus, self._node = loaded, site, bus, node
+        self._wall, self._clock = WallClock(), RealClock()
+        self._room = site.ros2.namespace or topic_part(site.name).lower()
+        self._desk = FlightDesk(
+            bus, site.ros2.requests, site.drone_names, site.tasks.enabled, self._clock
+        )
+        self._drones = tuple(
+            RosDrone(site.for_drone(name), self._room, node, self._desk, self._wall)
+            for name in site.drone_names
+        )
+        self._things: dict[str, PlacedThing] = {}
+        self._obstacles: dict[tuple[str, str], Obstacle] = {}
+        self._lock = threading.Lock()
+
+    def begin(self, stack: ExitStack) -> None:
+        """Offer topics and services, and listen; what is listened to is closed with the stack."""
+        node, bus = self._node, self._bus
+        for topic in (*ROOM_TOPICS, TRANSFORMS, STATIC_TRANSFORMS):
+            node.advertise(topic, self._name(topic))
+        self._tell_what_stands()
+        for drone in self._drones:
+            drone.begin(bus, stack)
+        node.subscribe(ASK, self._name(ASK), self._asked)
+        for what, wish in (("stop", self._desk.stop), ("land", self._desk.land)):
+            node.serve(TRIGGER, f"/{self._room}/{what}", triggered(partial(self._all, wish)))
+        for subscription in (
+            bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
+            bus.subscribe(OBSTACLE_TOPIC, self._on_obstacle),
+            bus.subscribe(TASK_NEWS_TOPIC, self._on_board),
+        ):
+            stack.callback(subscription.close)
+        if not self._site.tasks.enabled:
+            self._set_mode(HouseMode.HOME)
+
+    def look(self, ended: threading.Event) -> None:
+        """Tell again and again what nobody publishes, until the end."""
+        has_picture = has_services = False
+        looked_at = float("-inf")
+        while not ended.wait(_OBSTACLE_PERIOD):
+            try:
+                self._tell_obstacles()
+                if time.monotonic() - looked_at >= _LOOK_PERIOD:
+                    looked_at = time.monotonic()
+                    has_picture = has_picture or self._ask_picture()
+                    has_services = has_services or self._offer_services()
+                    self._tell_health()
+            except LinkError:
+                continue  # memory or tasks are being started again
+            except Exception:  # one look; the next may do
+                log_traceback()
+
+    def _tell_what_stands(self) -> None:
+        at, frame = self._wall.now(), self._site.ros2.frame
+        loaded, site = self._loaded, self._site
+        grid = untracked_grid(loaded.room, site, loaded.grid)
+        self._tell(MAP, partial(ros_messages.occupancy, at, grid, frame))
+        solids = untracked(loaded.room, site).solids
+        self._tell(ROOM_MARKERS, partial(room_messages.room_markers, at, frame, solids))
+
+    def _on_news(self, news: News) -> None:
+        with self._lock:
+            self._things |= {one.thing: one for one in news.things}
+        if news.things:
+            self._tell_things()
+        for event in news.events:
+            text = room_messages.json_text(event)
+            self._tell(ROOM_EVENTS, partial(text_message, text))
+        self._tell(SITUATIONS, partial(text_message, room_messages.json_text(news.situations)))
+
+    def _tell_things(self) -> None:
+        with self._lock:
+            things = tuple(self._things.values())
+        at, frame = self._wall.now(), self._site.ros2.frame
+        people = [one for one in things if one.kind == _PERSON]
+        others = [one for one in things if one.kind != _PERSON]
+        self._tell(PEOPLE, partial(room_messages.people_message, at, frame, people))
+        self._tell(THING_MARKERS, partial(room_messages.thing_markers, at, frame, others))
+        self._tell(THINGS, partial(text_message, room_messages.json_text(things)))
+
+    def _on_obstacle(self, seen: Obstacle) -> None:
+        with self._lock:
+            self._obstacles[seen.source, seen.id] = seen
+
+    def _tell_obstacles(self) -> None:
+        now = self._clock.now()
+        with self._lock:
+            self._obstacles = {
+                key: one
+                for key, one in self._obstacles.items()
+                if one.confidence > 0.0 and now - one.seen_at < _OBSTACLE_AGE_MAX
+            }
+            there = tuple(self._obstacles.values())
+        at, frame = self._wall.now(), self._site.ros2.frame
+        self._tell(OBSTACLES, partial(room_messages.obstacle_markers, at, frame, there))
+
+    def _on_board(self, board: TaskBoard) -> None:
+        self._set_mode(board.mode)
+        text = encoded(TASK_NEWS_TOPIC, board).decode()
+        self._tell(TASKS, partial(text_message, text))
+
+    def _set_mode(self, mode: HouseMode) -> None:
+        for drone in self._drones:
+            drone.set_mode(mode)
+
+    def _ask_picture(self) -> bool:
+        if self._site.hub.enabled:
+            picture: PictureAnswer = self._asked_memory(PictureQuestion())
+            with self._lock:
+                self._things = {one.thing: one for one in picture.things} | self._things
+            self._tell_things()
+        return True
+
+    def _tell_health(self) -> None:
+        statuses = [status for drone in self._drones for status in drone.statuses()]
+        if self._site.hub.enabled and self._node.is_heard(self._name(DIAGNOSTICS)):
+            answer: SensorsAnswer = self._asked_memory(SensorsQuestion())
+            statuses += [diagnostics.sensor_status(sensor) for sensor in answer.sensors]
+        at = self._wall.now()
+        self._tell(DIAGNOSTICS, partial(diagnostics.diagnostics_message, at, statuses))
+
+    def _asked_memory(self, question: Question) -> Any:
+        return answer_from_json(question, self._bus.ask(HUB_QUERY, question_to_json(question)))
+
+    def _offer_services(self) -> bool:
+        """Offer each service of the room that needs no parameter."""
+        if self._site.tasks.enabled:
+            question = ServicesQuestion()
+            text = self._bus.ask(TASKS_QUERY, task_question_to_json(question))
+            answer: ServicesAnswer = task_answer_from_json(question, text)
+            for info in answer.services:
+                if not any(parameter.required for parameter in info.parameters):
+                    wish = partial(self._desk.request, info.name, {})
+                    name = f"/{self._room}/tasks/{info.name}"
+                    self._node.serve(TRIGGER, name, triggered(wish))
+        return True
+
+    def _asked(self, said: Any) -> None:
+        self._tell(ANSWERS, partial(text_message, self._desk.ask(said.data)))
+
+    def _all(self, wish: Callable[[str], RosReply]) -> RosReply:
+        replies = {name: wish(name) for name in self._site.drone_names}
+        words = "; ".join(f"{name}: {reply.message}" for name, reply in replies.items())
+        return RosReply(all(reply.success for reply in replies.values()), words)
+
+    def _tell(self, topic: RosTopic, make: Callable[[], Any]) -> None:
+        self._node.publish(topic, self._name(topic), make)
+
+    def _name(self, topic: RosTopic) -> str:
+        return full_name(topic, self._room)
