@@ -43,7 +43,10 @@ def test_the_map_of_the_house_names_every_layer_of_the_contract() -> None:
     ] == []
 
 
-OWN_FOLDERS = ("wires/ardrone", "drones/ardrone", "twin/ardrone", "config/airframes")
+OWN_FOLDERS = (
+    *("wires/ardrone", "drones/ardrone", "twin/ardrone", "ros2/ardrone"),
+    "config/airframes",
+)
 STILL_NAME_IT = {
     "words for people": (
         "__init__.py",

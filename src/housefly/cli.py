@@ -31,6 +31,7 @@ from housefly.app.commands.preflight import PREFLIGHT_COMMAND
 from housefly.app.commands.replay import REPLAY_COMMAND
 from housefly.app.commands.reproduce import REPRODUCE_COMMAND
 from housefly.app.commands.room import ROOM_COMMANDS
+from housefly.app.commands.ros2 import ROS2_COMMAND
 from housefly.app.commands.rules import RULES_COMMANDS
 from housefly.app.commands.run import DEMO_COMMAND, RUN_COMMAND
 from housefly.app.commands.safety import SAFETY_COMMAND
@@ -59,6 +60,7 @@ _COMMANDS = (
     RULES_COMMANDS,
     CLIPS_COMMANDS,
     MCP_COMMAND,
+    ROS2_COMMAND,
     WHERE_COMMAND,
     IS_COMMAND,
     WHO_COMMAND,

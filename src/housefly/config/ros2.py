@@ -47,7 +47,7 @@ class Ros2Config(Section):
             " program proves to ROS who it is, so auto trusts all that reach the domain"
         ),
     )
-    ardrone: bool = Field(
+    paper_names: bool = Field(
         default=False,
-        description="serve the names of ardrone_autonomy, too: /ardrone/takeoff, navdata, cmd_vel",
+        description="serve the topics of the paper's own drone node, too (docs/ros2.md)",
     )

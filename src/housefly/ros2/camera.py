@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from io import BytesIO
 
@@ -27,7 +28,7 @@ class RosCamera:
         camera: of the drone.
         frames: of the drone.
         blanker: blanks the privacy zones, as it does for the console.
-        names: full names of the topics.
+        names: full names of each topic.
     """
 
     def __init__(
@@ -36,7 +37,7 @@ class RosCamera:
         camera: OnboardCamera,
         frames: RosFrames,
         blanker: LiveBlanker,
-        names: dict[RosTopic, str],
+        names: Mapping[RosTopic, tuple[str, ...]],
     ) -> None:
         self._node, self._camera, self._frames = node, camera, frames
         self._blanker, self._names = blanker, names
@@ -68,14 +69,18 @@ class RosCamera:
         at, frames = frame.received_at + offset, self._frames
         self._publish(CAMERA_INFO, partial(camera_info, at, frames, self._camera, shown))
         self._publish(H264, partial(compressed_image, at, frames, "h264", shown.data))
-        if self._node.is_heard(self._names[PICTURES]) and (data := self._jpeg(shown)):
+        if self._is_heard(PICTURES) and (data := self._jpeg(shown)):
             self._publish(PICTURES, partial(compressed_image, at, frames, "jpeg", data))
 
     def _is_watched(self) -> bool:
-        return any(self._node.is_heard(name) for name in self._names.values())
+        return any(self._is_heard(topic) for topic in self._names)
+
+    def _is_heard(self, topic: RosTopic) -> bool:
+        return any(self._node.is_heard(name) for name in self._names[topic])
 
     def _publish(self, topic: RosTopic, make: partial[object]) -> None:
-        self._node.publish(topic, self._names[topic], make)
+        for name in self._names[topic]:
+            self._node.publish(topic, name, make)
 
     def _jpeg(self, frame: VideoFrame) -> bytes:
         picture = self._decoder.decode(frame)

@@ -107,6 +107,21 @@ class FlightDesk:
             return RosReply(False, _OFF)
         return self._flown(drone, OrderKind.HOME)
 
+    def reset(self, drone: str) -> RosReply:
+        """End an emergency on the ground; stop what flies."""
+        kind = OrderKind.STOP if self._leases[drone].is_airborne else OrderKind.RESET
+        return self._ordered(drone, kind)
+
+    def nudge(self, drone: str, velocity: Vec3) -> str:
+        """Move a drone that holds its place by hand [m/s]; return why not, in words, or ""."""
+        if self._requests != "auto":
+            return 'moving by hand needs [ros2] requests = "auto"'
+        words = self._leases[drone].objection(SENDER)
+        if not words:
+            order = self._new_order(OrderKind.NUDGE)
+            self._bus.publish(self._topics[drone].order, replace(order, velocity=velocity))
+        return words
+
     def take_off(self, drone: str) -> RosReply:
         """Take off and hover, once a person has said yes where the site wants it."""
         if self._requests == "auto":
@@ -226,15 +241,7 @@ class FlightDesk:
         goal: Vec2 | None = None,
         look_at: Vec3 | None = None,
     ) -> RosReply:
-        order = Order(
-            kind,
-            goal=goal,
-            look_at=look_at,
-            issued_at=self._clock.now(),
-            sender=SENDER,
-            id=token_hex(6),
-            source=OrderSource.PROGRAM,
-        )
+        order = replace(self._new_order(kind), goal=goal, look_at=look_at)
         with self._answered:
             self._answers[order.id] = None
         try:
@@ -243,6 +250,15 @@ class FlightDesk:
         finally:
             with self._answered:
                 del self._answers[order.id]
+
+    def _new_order(self, kind: OrderKind) -> Order:
+        return Order(
+            kind,
+            issued_at=self._clock.now(),
+            sender=SENDER,
+            id=token_hex(6),
+            source=OrderSource.PROGRAM,
+        )
 
     def _reply(self, drone: str, order: str) -> RosReply:
         def is_answered() -> bool:

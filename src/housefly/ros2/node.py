@@ -52,10 +52,7 @@ class RosNode:
 
     def advertise(self, topic: RosTopic, name: str) -> None:
         """Offer a topic under its full name; one whose package is not installed is left out."""
-        kind = _type(topic.type)
-        if kind is None:
-            log_line(f"ros2: {name} is left out: {topic.type.split('/')[0]} is not installed")
-        else:
+        if (kind := _interface(topic.type, name)) is not None:
             publisher = self._node.create_publisher(kind, name, self._qos(topic.quality))
             self._publishers[name] = publisher
 
@@ -87,22 +84,16 @@ class RosNode:
                 return
             _guarded(handler, message)
 
-        self._node.create_subscription(
-            _type(topic.type),
-            name,
-            received,
-            self._qos(topic.quality),
-            callback_group=self._group,
-            raw=True,
-        )
+        if (kind := _interface(topic.type, name)) is not None:
+            quality = self._qos(topic.quality)
+            self._node.create_subscription(
+                kind, name, received, quality, callback_group=self._group, raw=True
+            )
 
     def serve(self, kind: str, name: str, handler: Callable[[Any, Any], Any]) -> None:
         """Answer a service: the handler fills in the response and returns it."""
-        service = _type(kind)
-        if service is None:
-            log_line(f"ros2: {name} is left out: {kind.split('/')[0]} is not installed")
-            return
-        self._node.create_service(service, name, handler, callback_group=self._group)
+        if (service := _interface(kind, name)) is not None:
+            self._node.create_service(service, name, handler, callback_group=self._group)
 
     def warn(self, words: str) -> None:
         """Tell ROS (/rosout) and our log why something was not done."""
@@ -174,10 +165,11 @@ def _rclpy() -> Any:
     return module
 
 
-def _type(name: str) -> Any:
+def _interface(kind: str, name: str) -> Any:
     """Return the class of an interface by its full name; None where it is not installed."""
-    package, kind, interface = name.split("/")
+    package, group, interface = kind.split("/")
     try:
-        return getattr(importlib.import_module(f"{package}.{kind}"), interface)
+        return getattr(importlib.import_module(f"{package}.{group}"), interface)
     except (ImportError, AttributeError):
+        log_line(f"ros2: {name} is left out: {package} is not installed")
         return None

@@ -18,6 +18,7 @@ from housefly.hub.wall_clock import WallClock
 from housefly.messages import LinkStatus, PilotStep, PlannedTrajectory, VideoFrame
 from housefly.record.ros_topics import topic_part
 from housefly.ros2 import diagnostics
+from housefly.ros2.ardrone.autonomy import PAPER_PICTURES, PaperInterface
 from housefly.ros2.camera import RosCamera
 from housefly.ros2.drone_messages import (
     DroneMessages,
@@ -52,10 +53,18 @@ class RosDrone:
         node: of the room.
         desk: takes wishes.
         wall: Unix time.
+        has_paper_names: whether it serves the topics of the paper's own drone node, too.
     """
 
     def __init__(
-        self, site: Site, room: str, node: RosNode, desk: FlightDesk, wall: WallClock
+        self,
+        site: Site,
+        room: str,
+        node: RosNode,
+        desk: FlightDesk,
+        wall: WallClock,
+        *,
+        has_paper_names: bool,
     ) -> None:
         name = site.drone.name
         self._drone, self._node, self._desk, self._wall = name, node, desk, wall
@@ -66,9 +75,16 @@ class RosDrone:
         self._lens = site.drone.airframe.capabilities.camera
         self._camera: RosCamera | None = None
         if self._lens is not None:
-            names = {topic: self._name(topic) for topic in (PICTURES, H264, CAMERA_INFO)}
+            names: dict[RosTopic, tuple[str, ...]]
+            names = {topic: (self._name(topic),) for topic in (PICTURES, H264, CAMERA_INFO)}
+            if has_paper_names:
+                names[PICTURES] = (*names[PICTURES], PAPER_PICTURES.name)
             blanker = LiveBlanker(site.tasks, self._lens)
             self._camera = RosCamera(node, self._lens, self._frames, blanker, names)
+        self._paper: PaperInterface | None = None
+        if has_paper_names:
+            speed = site.limits.nudge_speed
+            self._paper = PaperInterface(name, speed, self._frames, node, desk)
         self._step: PilotStep | None = None
         self._link: LinkStatus | None = None
         self._planned: tuple[Any, ...] = ()
@@ -92,6 +108,8 @@ class RosDrone:
         ):
             service = "/".join(("", *self._space, what))
             node.serve(TRIGGER, service, triggered(partial(wish, self._drone)))
+        if self._paper is not None:
+            self._paper.begin()
         stack.callback(bus.subscribe(topics.step, self._on_step).close)
         stack.callback(bus.subscribe(topics.trajectory, self._on_trajectory).close)
         stack.callback(bus.subscribe(topics.link, self._on_link).close)
@@ -116,6 +134,9 @@ class RosDrone:
             self._camera.add_step(step)
         for topic, make in self._messages.of(step, self._wall.offset()):
             self._node.publish(topic, self._name(topic), make)
+        if self._paper is not None:
+            for topic, make in self._paper.of(step, self._wall.offset()):
+                self._node.publish(topic, topic.name, make)
 
     def _on_trajectory(self, planned: PlannedTrajectory) -> None:
         if planned.points != self._planned:  # it is said again and again

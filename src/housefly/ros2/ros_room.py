@@ -16,7 +16,13 @@ from housefly.clock import RealClock
 from housefly.config.house_mode import HouseMode
 from housefly.config.process_log import log_traceback
 from housefly.errors import LinkError
-from housefly.hub.api.answers import News, PictureAnswer, PlacedThing, SensorsAnswer
+from housefly.hub.api.answers import (
+    News,
+    PictureAnswer,
+    PlacedThing,
+    SensorsAnswer,
+    SituationAnswer,
+)
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import PictureQuestion, Question, SensorsQuestion
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
@@ -52,7 +58,7 @@ from housefly.ros2.topic_table import (
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.answers import ServicesAnswer, TaskBoard
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
-from housefly.tasks.api.questions import ServicesQuestion
+from housefly.tasks.api.questions import BoardQuestion, ServicesQuestion
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 
 _LOOK_PERIOD = 1.0
@@ -60,7 +66,7 @@ _LOOK_PERIOD = 1.0
 _OBSTACLE_PERIOD = 0.2
 _OBSTACLE_AGE_MAX = 1.0
 """What was seen longer ago is not in the way any more [s]."""
-_PERSON = "person"
+_PERSON, _STRUCTURE = "person", "structure"
 
 
 class RosRoom:
@@ -81,11 +87,19 @@ class RosRoom:
             bus, site.ros2.requests, site.drone_names, site.tasks.enabled, self._clock
         )
         self._drones = tuple(
-            RosDrone(site.for_drone(name), self._room, node, self._desk, self._wall)
-            for name in site.drone_names
+            RosDrone(
+                site.for_drone(name),
+                self._room,
+                node,
+                self._desk,
+                self._wall,
+                has_paper_names=site.ros2.paper_names and number == 0,
+            )
+            for number, name in enumerate(site.drone_names)
         )
         self._things: dict[str, PlacedThing] = {}
         self._obstacles: dict[tuple[str, str], Obstacle] = {}
+        self._situations: tuple[SituationAnswer, ...] | None = None
         self._lock = threading.Lock()
 
     def begin(self, stack: ExitStack) -> None:
@@ -110,15 +124,16 @@ class RosRoom:
 
     def look(self, ended: threading.Event) -> None:
         """Tell again and again what nobody publishes, until the end."""
-        has_picture = has_services = False
+        begun = [self._ask_picture, self._ask_board, self._offer_services]
         looked_at = float("-inf")
         while not ended.wait(_OBSTACLE_PERIOD):
             try:
                 self._tell_obstacles()
                 if time.monotonic() - looked_at >= _LOOK_PERIOD:
                     looked_at = time.monotonic()
-                    has_picture = has_picture or self._ask_picture()
-                    has_services = has_services or self._offer_services()
+                    while begun:
+                        begun[0]()
+                        begun.pop(0)
                     self._tell_health()
             except LinkError:
                 continue  # memory or tasks are being started again
@@ -141,11 +156,16 @@ class RosRoom:
         for event in news.events:
             text = room_messages.json_text(event)
             self._tell(ROOM_EVENTS, partial(text_message, text))
-        self._tell(SITUATIONS, partial(text_message, room_messages.json_text(news.situations)))
+        self._tell_situations(news.situations)
+
+    def _tell_situations(self, situations: tuple[SituationAnswer, ...]) -> None:
+        if situations != self._situations:
+            self._situations = situations
+            self._tell(SITUATIONS, partial(text_message, room_messages.json_text(situations)))
 
     def _tell_things(self) -> None:
         with self._lock:
-            things = tuple(self._things.values())
+            things = tuple(one for one in self._things.values() if one.kind != _STRUCTURE)
         at, frame = self._wall.now(), self._site.ros2.frame
         people = [one for one in things if one.kind == _PERSON]
         others = [one for one in things if one.kind != _PERSON]
@@ -178,13 +198,19 @@ class RosRoom:
         for drone in self._drones:
             drone.set_mode(mode)
 
-    def _ask_picture(self) -> bool:
+    def _ask_picture(self) -> None:
         if self._site.hub.enabled:
             picture: PictureAnswer = self._asked_memory(PictureQuestion())
             with self._lock:
                 self._things = {one.thing: one for one in picture.things} | self._things
             self._tell_things()
-        return True
+            self._tell_situations(picture.situations)
+
+    def _ask_board(self) -> None:
+        if self._site.tasks.enabled:
+            question = BoardQuestion()
+            text = self._bus.ask(TASKS_QUERY, task_question_to_json(question))
+            self._on_board(task_answer_from_json(question, text))
 
     def _tell_health(self) -> None:
         statuses = [status for drone in self._drones for status in drone.statuses()]
@@ -197,7 +223,7 @@ class RosRoom:
     def _asked_memory(self, question: Question) -> Any:
         return answer_from_json(question, self._bus.ask(HUB_QUERY, question_to_json(question)))
 
-    def _offer_services(self) -> bool:
+    def _offer_services(self) -> None:
         """Offer each service of the room that needs no parameter."""
         if self._site.tasks.enabled:
             question = ServicesQuestion()
@@ -208,7 +234,6 @@ class RosRoom:
                     wish = partial(self._desk.request, info.name, {})
                     name = f"/{self._room}/tasks/{info.name}"
                     self._node.serve(TRIGGER, name, triggered(wish))
-        return True
 
     def _asked(self, said: Any) -> None:
         self._tell(ANSWERS, partial(text_message, self._desk.ask(said.data)))
