@@ -42,6 +42,8 @@ _PATIENCE = 1.0
 """How long the pilot may take to answer an order [s]."""
 _ASK_PATIENCE = 120.0
 """How long the tasks may take, which rehearse first [s]."""
+_FLIGHT_PERIOD = 0.2
+"""Between two orders to fly of one drone [s]."""
 _FACES_AHEAD = 2.0
 """A heading is faced by looking at a point so far ahead [m]."""
 _OFF = "flights from ROS are off ([ros2] requests in the site file)"
@@ -81,6 +83,7 @@ class FlightDesk:
         self._answers: dict[str, OrderAnswer | None] = {}
         self._answered = Condition()
         self._asking = Lock()
+        self._flown_at: dict[str, float] = {}
         self._question = 0
 
     def heard(self, drone: str, step: PilotStep) -> None:
@@ -232,6 +235,10 @@ class FlightDesk:
     ) -> RosReply:
         if words := self._leases[drone].objection(SENDER):
             return RosReply(False, words)
+        now = self._clock.now()
+        if now - self._flown_at.get(drone, -_FLIGHT_PERIOD) < _FLIGHT_PERIOD:
+            return RosReply(False, f"too many wishes: one in {_FLIGHT_PERIOD:g} s is taken")
+        self._flown_at[drone] = now
         return self._ordered(drone, kind, goal, look_at)
 
     def _ordered(

@@ -5,12 +5,14 @@ from __future__ import annotations
 import importlib
 import os
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
 from housefly.bus.interfaces import type_store
 from housefly.config.process_log import log_line, log_traceback
 from housefly.config.ros2 import Ros2Config
+from housefly.config.text import without_numbers
 from housefly.errors import LinkError, MissingPartError
 from housefly.ros2.topic_table import Quality, RosTopic
 
@@ -20,6 +22,8 @@ _THREADS = 6
 """Requests that are answered at once; who waits for a pilot holds up no STOP."""
 _DEPTH = {Quality.SENSOR: 5, Quality.STATE: 50, Quality.LATCHED: 1}
 _RANGES = {"localhost": "LOCALHOST", "subnet": "SUBNET"}
+_REPEAT_PERIOD, _SAID_MAX = 2.0, 200
+"""What differs in numbers only is said again after this [s]; so many texts are remembered."""
 _MESSAGE_MAX = 64 * 1024
 """Larger messages from ROS are dropped [bytes]."""
 
@@ -49,6 +53,7 @@ class RosNode:
         self._publishers: dict[str, Any] = {}
         self._ended = threading.Event()
         self._lock = threading.Lock()
+        self._said: dict[str, float] = {}
 
     def advertise(self, topic: RosTopic, name: str) -> None:
         """Offer a topic under its full name; one whose package is not installed is left out."""
@@ -97,11 +102,13 @@ class RosNode:
 
     def warn(self, words: str) -> None:
         """Tell ROS (/rosout) and our log why something was not done."""
-        self._node.get_logger().warning(words)
+        if self._is_new(words):
+            self._node.get_logger().warning(words)
 
     def inform(self, words: str) -> None:
         """Tell ROS (/rosout) and our log."""
-        self._node.get_logger().info(words)
+        if self._is_new(words):
+            self._node.get_logger().info(words)
 
     def spin(self) -> None:
         """Answer until ``end``; an error of one request ends nothing."""
@@ -127,6 +134,17 @@ class RosNode:
             self._publishers = {}
         self._node.destroy_node()
         self._rclpy.try_shutdown()
+
+    def _is_new(self, words: str) -> bool:
+        """Whether the same was not said just now: a flood of wishes fills no disk."""
+        now, same = time.monotonic(), without_numbers(words)
+        with self._lock:
+            if now - self._said.get(same, -_REPEAT_PERIOD) < _REPEAT_PERIOD:
+                return False
+            if len(self._said) >= _SAID_MAX:
+                self._said.clear()
+            self._said[same] = now
+            return True
 
     def _qos(self, quality: Quality) -> Any:
         qos = importlib.import_module("rclpy.qos")

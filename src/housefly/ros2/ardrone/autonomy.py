@@ -14,7 +14,6 @@ import numpy as np
 from rosbags.typesys import get_types_from_msg
 
 from housefly.bus.interfaces import type_store
-from housefly.errors import LinkError
 from housefly.geometry import Vec3
 from housefly.messages import DroneStatus, PilotStep, Telemetry
 from housefly.record.ros_messages import header, message
@@ -135,9 +134,12 @@ class PaperInterface:
         linear = (twist.linear.x, twist.linear.y, twist.linear.z)
         if not all(map(isfinite, linear)) or self._yaw is None:
             return
-        wanted = world_velocity(linear, self._yaw, self._speed)
-        if any(wanted) and (words := self._desk.nudge(self._drone, wanted)):
-            raise LinkError(f"/cmd_vel: {words}")
+        if not any(linear):
+            return
+        if not self._speed:
+            self._node.warn("/cmd_vel: limits.nudge_speed is 0: nothing is moved by hand here")
+        elif words := self._desk.nudge(self._drone, world_velocity(linear, self._yaw, self._speed)):
+            self._node.warn(f"/cmd_vel: {words}")
 
 
 def register_navdata() -> None:
