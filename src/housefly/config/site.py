@@ -219,6 +219,12 @@ class Site(Section):
         check_furniture(self.furniture, (*self.drone_bodies, self.tracking.visitor))
         self._check_drones()
         if self.twin.enabled and not self.served_wires:
+            if self.tracking.kind == "ros2":
+                raise ValueError(
+                    'tracking.kind is "ros2", and the simulated room has no ROS of its own; name'
+                    ' what it serves (twin.mocap_wires = ["vicon"], for a node that reads that), or'
+                    " set twin.enabled = false"
+                )
             raise ValueError(
                 f"tracking.bridge_system ({self.tracking.bridge_system}) is none that the twin"
                 f" poses as ({', '.join(BRIDGED)}); choose one of these, or set twin.enabled ="

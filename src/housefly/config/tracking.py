@@ -8,7 +8,7 @@ from pydantic import Field
 
 from housefly.config.section import Section, port_number, quantity
 
-TrackingKind = Literal["vicon", "natnet", "vrpn", "bridge"]
+TrackingKind = Literal["vicon", "natnet", "vrpn", "bridge", "ros2"]
 MocapWire = Literal["vicon", "natnet", "vrpn"]
 BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn": "vrpn"}
 """Types of PyPI motioncapture whose protocol the twin serves."""
@@ -25,7 +25,10 @@ class TrackingConfig(Section):
     )
     kind: TrackingKind = Field(
         default="vicon",
-        description="driver; bridge is PyPI motioncapture (extra mocap), for all others",
+        description=(
+            "driver; bridge is PyPI motioncapture (extra mocap), for all others; ros2 is poses on"
+            " ROS 2 topics"
+        ),
     )
     address: str = Field(default="127.0.0.1", description="IP address")
     port: int = port_number(8010, "TCP port of Vicon; a real one listens on 801")
@@ -45,6 +48,25 @@ class TrackingConfig(Section):
         default="qualisys",
         pattern="^[a-z_]{1,40}$",
         description="type that motioncapture is asked for when kind is bridge",
+    )
+    ros_topic: str = Field(
+        default="/{body}/pose",
+        max_length=200,
+        pattern=r"^/[A-Za-z0-9_/]*(\{body\})?[A-Za-z0-9_/]*$",
+        description=(
+            "topics of ROS 2 with poses, when kind is ros2: PoseStamped, Odometry, TransformStamped"
+            " or PoseWithCovarianceStamped; {body} is the name of the body; or /tf"
+        ),
+    )
+    ros_domain: int | None = Field(
+        default=None,
+        ge=0,
+        le=232,
+        description="ROS domain; left out: ROS_DOMAIN_ID, or 0",
+        json_schema_extra={"unit": "1"},
+    )
+    ros_discovery: Literal["localhost", "subnet"] = Field(
+        default="localhost", description="where the ROS nodes that tell poses run"
     )
     body: str = Field(default=DRONE_BODY, description="name of the drone among the tracked bodies")
     visitor: str = Field(
@@ -69,6 +91,8 @@ class TrackingConfig(Section):
     @property
     def wire(self) -> MocapWire | None:
         """The protocol that arrives here, or None for one that only a bridge speaks."""
+        if self.kind == "ros2":
+            return None
         return BRIDGED.get(self.bridge_system) if self.kind == "bridge" else self.kind
 
     @property

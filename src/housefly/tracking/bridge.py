@@ -8,42 +8,28 @@ child process, which is killed and restarted when it falls silent.
 
 from __future__ import annotations
 
-import asyncio
 import importlib.util
 import json
 import socket
 import sys
-from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable
-from contextlib import suppress
 
-from housefly.bus.reconnect import ReconnectingClient
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, MissingPartError, WireError
 from housefly.messages import Sighting
-from housefly.messages.words import UNSAID, Words
+from housefly.messages.words import Words
 from housefly.tracking.bridge_lines import BridgeLines
-from housefly.tracking.contracts import SightingSink
-from housefly.tracking.counts import FrameCounts
+from housefly.tracking.child_tracker import ChildTracker
 
 
-class BridgeTracker(ReconnectingClient[tuple[Sighting, ...]]):
-    """Starts the child, hands its frames to a sink as they arrive, and restarts it for ever.
-
-    Attributes:
-        counts: frames and what was dropped.
-    """
+class BridgeTracker(ChildTracker):
+    """Reads what ``motioncapture`` tells in its child."""
 
     def __init__(self, config: TrackingConfig, clock: Clock | None = None) -> None:
         super().__init__(f"{config.bridge_system} at {config.address} (by motioncapture)", clock)
-        self.counts = FrameCounts()
         self._config = config
-
-    @property
-    def problem(self) -> Words:
-        """Why no poses arrive, or why they are refused; UNSAID where all is well."""
-        return self._problem or self.counts.unit_problem(self._clock.now()) or super().problem
+        self._begin()
 
     def _no_data_problem(self) -> Words:
         return Words(
@@ -60,40 +46,18 @@ class BridgeTracker(ReconnectingClient[tuple[Sighting, ...]]):
             error=str(error),
         )
 
-    async def _read_connection(self, sink: SightingSink) -> None:
+    def _command(self) -> tuple[str, ...]:
         if importlib.util.find_spec("motioncapture") is None:
             raise MissingPartError("motioncapture", "pip install 'housefly[mocap]'")
-        child = await asyncio.create_subprocess_exec(
-            *(sys.executable, "-m", "housefly.tracking.bridge_child", self._config.bridge_system),
-            json.dumps(connection_settings(self._config)),
-            stdin=PIPE,
-            stdout=PIPE,
-        )
-        try:
-            lines = BridgeLines(self._config.latency, self._config.y_up, self.counts)
-            while True:
-                line = await self._line(child)
-                now = self._clock.now()
-                sightings = lines.read(line, now)
-                self._problem = UNSAID
-                if sightings is not None:
-                    self._data_arrived(now)
-                    sink(sightings)
-        finally:
-            with suppress(ProcessLookupError):
-                child.kill()
-            await child.wait()
+        settings = json.dumps(connection_settings(self._config))
+        child = "housefly.tracking.bridge_child"
+        return sys.executable, "-m", child, self._config.bridge_system, settings
 
-    async def _line(self, child: Process) -> bytes:
-        assert child.stdout is not None
-        silence = f"{self._where} is silent; is it there, streaming, and this body seen?"
-        try:
-            line = await self._before_timeout(child.stdout.readline(), silence)
-        except ValueError as error:
-            raise WireError("bridge line: longer than 64 kB") from error
-        if not line:
-            raise LinkError(f"the bridge to {self._where} ended")
-        return line
+    def _begin(self) -> None:
+        self._lines = BridgeLines(self._config.latency, self._config.y_up, self.counts)
+
+    def _read(self, line: bytes, received_at: float) -> tuple[Sighting, ...] | None:
+        return self._lines.read(line, received_at)
 
 
 def connection_settings(config: TrackingConfig) -> dict[str, str]:

@@ -10,6 +10,7 @@ from housefly.tracking.bridge import BridgeTracker
 from housefly.tracking.contracts import Tracker
 from housefly.tracking.map_frame import MapFrameTracker
 from housefly.tracking.natnet import NatNetTracker
+from housefly.tracking.ros2 import Ros2Tracker
 from housefly.tracking.vicon import ViconTracker
 from housefly.tracking.vrpn import VrpnTracker
 
@@ -18,6 +19,7 @@ TRACKERS: dict[TrackingKind, Callable[[TrackingConfig, Clock], Tracker]] = {
     "natnet": NatNetTracker,
     "vrpn": VrpnTracker,
     "bridge": BridgeTracker,
+    "ros2": Ros2Tracker,
 }
 """The client of each ``tracking.kind``."""
 
