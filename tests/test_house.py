@@ -44,7 +44,7 @@ def test_the_map_of_the_house_names_every_layer_of_the_contract() -> None:
 
 
 OWN_FOLDERS = (
-    *("wires/ardrone", "drones/ardrone", "twin/ardrone", "ros2/ardrone"),
+    *("wires/ardrone", "drones/ardrone", "twin/ardrone", "ros2/paper"),
     "config/airframes",
 )
 STILL_NAME_IT = {

@@ -62,12 +62,9 @@ def site_of(folder: Path) -> Site:
 def mocap_node(site: Site) -> Iterator[None]:
     """Run a ROS driver of the simulated Vicon."""
     where = (site.tracking.address, str(site.tracking.port), str(DOMAIN))
-    node = subprocess.Popen([sys.executable, ros_mocap.__file__, *where])
-    try:
+    command = [sys.executable, ros_mocap.__file__, *where]
+    with subprocess.Popen(command, stdin=subprocess.PIPE):
         yield
-    finally:
-        node.kill()
-        node.wait()
 
 
 def test_a_goal_of_a_ros_node_is_flown_by_poses_of_another(tmp_path: Path) -> None:

@@ -39,7 +39,7 @@ from housefly.messages.words import UNSAID, Words
 from housefly.record import ros_messages
 from housefly.room.bsen import bsen
 from housefly.ros2 import diagnostics, room_messages
-from housefly.ros2.ardrone.autonomy import navdata, world_velocity
+from housefly.ros2.paper.autonomy import navdata, world_velocity
 from housefly.ros2.drone_messages import (
     DroneMessages,
     RosFrames,
@@ -183,7 +183,7 @@ def test_navdata_has_the_units_of_the_papers_node() -> None:
     telemetry = Telemetry(
         1.0, DroneStatus.FLYING, 0.5, phi=pi / 6, height=1.1, velocity=(0.3, 0, 0)
     )
-    from housefly.ros2.ardrone import autonomy
+    from housefly.ros2.paper import autonomy
 
     autonomy.register_navdata()
     data = navdata(1.0, telemetry, "drone/base_link")

@@ -1,6 +1,6 @@
 """Tells what a Vicon system sees on ROS 2 topics, as a driver of a lab does.
 
-``python tests/support/ros_mocap.py ADDRESS PORT DOMAIN``; ends by a signal.
+``python tests/support/ros_mocap.py ADDRESS PORT DOMAIN``; ends with its standard input.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import os
 import sys
+import threading
 import time
 from contextlib import suppress
 from typing import Any
@@ -26,6 +27,7 @@ def main() -> None:
 
     with suppress(PermissionError):
         os.nice(-5)  # as the room that is simulated
+    threading.Thread(target=lambda: (sys.stdin.read(), os._exit(0)), daemon=True).start()
     address, port, domain = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     rclpy.init(domain_id=domain)
     node = rclpy.create_node("mocap")

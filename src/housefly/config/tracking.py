@@ -8,7 +8,9 @@ from pydantic import Field
 
 from housefly.config.section import Section, port_number, quantity
 
-TrackingKind = Literal["vicon", "natnet", "vrpn", "bridge", "ros2"]
+AddressedTracking = Literal["vicon", "natnet", "vrpn", "bridge"]
+"""What answers at an address."""
+TrackingKind = Literal[AddressedTracking, "ros2"]
 MocapWire = Literal["vicon", "natnet", "vrpn"]
 BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn": "vrpn"}
 """Types of PyPI motioncapture whose protocol the twin serves."""

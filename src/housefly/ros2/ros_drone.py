@@ -18,7 +18,6 @@ from housefly.hub.wall_clock import WallClock
 from housefly.messages import LinkStatus, PilotStep, PlannedTrajectory, VideoFrame
 from housefly.record.ros_topics import topic_part
 from housefly.ros2 import diagnostics
-from housefly.ros2.ardrone.autonomy import PAPER_PICTURES, PaperInterface
 from housefly.ros2.camera import RosCamera
 from housefly.ros2.drone_messages import (
     DroneMessages,
@@ -28,6 +27,7 @@ from housefly.ros2.drone_messages import (
 )
 from housefly.ros2.flight_desk import FlightDesk, RosReply
 from housefly.ros2.node import RosNode
+from housefly.ros2.paper.autonomy import PAPER_PICTURES, PaperInterface
 from housefly.ros2.topic_table import (
     CAMERA_INFO,
     DRONE_TOPICS,

@@ -23,7 +23,7 @@ Told = tuple[str, Any, Pose]
 """Name of the body ("": that of the topic), stamp, pose."""
 
 
-def main() -> None:
+def hear_poses() -> None:
     """Hear poses until the parent is gone."""
     settings = json.loads(sys.argv[1])
     out = os.fdopen(os.dup(1), "w", buffering=1)
@@ -128,4 +128,4 @@ def _end_with_parent() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    hear_poses()

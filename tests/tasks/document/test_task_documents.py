@@ -138,7 +138,7 @@ def test_every_kind_of_step_has_a_form() -> None:
             3,
             "two parallel questions name their reply 'reply'",
         ),
-        ("name: t\nsteps:\n  - go_to: {}", 3, "a subject or a point"),
+        ("name: t\nsteps:\n  - go_to: {}", 3, "a subject, a point, or x and y"),
         ("name: t\nsteps:\n  - go_to: {point: [1, nan]}", 3, "a point [x, y]"),
         ("name: t\nsteps:\n  - record: {}", 3, "record needs a time"),
         ("name: t\nsteps:\n  - ask: {question: a, otherwise: maybe}", 3, "allowed: yes, no"),
@@ -327,7 +327,7 @@ def test_every_shipped_document_is_sound_and_says_what_it_is() -> None:
     library = load_library()
     assert set(library) == {
         *("visitor", "look", "where", "patrol", "come", "follow"),
-        *("inventory", "night_round", "all_right", "panorama", "find"),
+        *("inventory", "night_round", "all_right", "panorama", "find", "fly_to"),
     }
     for name, document in library.items():
         info = document.info()

@@ -21,7 +21,7 @@ from housefly.app.new_site.typed import (
 from housefly.config.airframe import airframe_named, airframe_names, is_model
 from housefly.config.profile import load_profile
 from housefly.config.text import did_you_mean, expanded
-from housefly.config.tracking import DRONE_BODY, TrackingKind
+from housefly.config.tracking import DRONE_BODY, AddressedTracking
 from housefly.errors import ConfigError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.imports.contracts import ImportHints
@@ -184,8 +184,8 @@ def _tracking(draft: SiteDraft, text: str, _: Path) -> Answer:
     rest, keys = split_keys(text, ("up", "transport"))
     words = rest.split(maxsplit=2)  # a body's name may have spaces: Motive's own is "Rigid Body 1"
     kind, _colon, system = words[0].partition(":")
-    if kind not in get_args(TrackingKind) or len(words) < 2:
-        kinds = ", ".join(get_args(TrackingKind))
+    if kind not in get_args(AddressedTracking) or len(words) < 2:
+        kinds = ", ".join(get_args(AddressedTracking))
         raise ConfigError(
             "tracking",
             f"is {text!r}; allowed: simulated, or KIND ADDRESS BODY, KIND one of {kinds}, BODY the"

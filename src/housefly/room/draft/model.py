@@ -15,7 +15,7 @@ from housefly.config.airframe import Airframe, airframe_named, airframe_names, i
 from housefly.config.drone import DroneConfig
 from housefly.config.edits import NAME
 from housefly.config.rectangle import FLOOR_SIDE_MAX, check_floor
-from housefly.config.tracking import DRONE_BODY, TrackingKind
+from housefly.config.tracking import DRONE_BODY, AddressedTracking
 from housefly.config.validation import out_of_range
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2
@@ -105,7 +105,7 @@ class DraftTracking:
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    kind: TrackingKind
+    kind: AddressedTracking
     address: Annotated[Text, Field(min_length=1)]
     port: Annotated[int, Field(ge=1, le=65535)] | None = None
     body: Annotated[Text, Field(min_length=1)] = DRONE_BODY

@@ -1,1 +1,1 @@
-import"./chunk-chunk-UIBBPBF6.js";
+import"./chunk-chunk-YAZ4PERO.js";

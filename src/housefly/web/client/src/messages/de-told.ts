@@ -818,6 +818,9 @@ export const DE_TOLD: Templates = {
   "Look around": "Umsehen",
   "Takes pictures in all directions, where the drone starts or at a place.":
     "Macht Bilder in alle Richtungen, am Startort oder an einem Ort.",
+  "Fly to a point": "Zu einem Punkt fliegen",
+  "Flies to a point, waits there and comes home.":
+    "Fliegt zu einem Punkt, wartet dort und kommt zurück.",
   "Is everything all right?": "Ist alles in Ordnung?",
   "Tells how everybody is; looks after who may have fallen or left their bed at night.":
     "Sagt, wie es allen geht; sieht nach, wer gestürzt oder nachts aufgestanden ist.",

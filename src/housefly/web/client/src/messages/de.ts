@@ -330,7 +330,6 @@ const texts: Speech["texts"] = {
   "over MQTT": "über MQTT",
   "by a webhook": "durch einen Webhook",
   "by an assistant": "durch einen Assistenten",
-  "by a rule": "durch eine Regel",
   "The bell rings": "Es klingelt",
   "Somebody may have fallen": "Vielleicht ist jemand gestürzt",
   "Who walks there may close the way for a moment: ask again when it is free.":

@@ -304,7 +304,6 @@ export const EN = [
   "over MQTT",
   "by a webhook",
   "by an assistant",
-  "by a rule",
   "The bell rings",
   "Somebody may have fallen",
   "Who walks there may close the way for a moment: ask again when it is free.",

@@ -120,7 +120,7 @@ export const JA_TOLD: Templates = {
     "電源を入れ、そのWi-Fiに接続し、`housefly doctor` を見てください",
   "its motors are cut": "モーターが遮断されています",
   "see that nobody is near and that it is whole, then hold Reset":
-    "近くに人がいないこと、壊れていないことを確かめ、「リセット」を長押ししてください",
+    "近くに人がおらず、壊れていないことを確かめ、「リセット」を長押ししてください",
   "STOP is latched": "STOPで停止中です",
   "hold Resume when all is well": "安全を確かめて「再開」を長押ししてください",
   "look at the tracking system: is it running, does it stream the body under this name?":
@@ -391,7 +391,7 @@ export const JA_TOLD: Templates = {
   "a load below {n}": "負荷 {n} 未満",
   "what comes late is refused, as if it had not come": "遅れて届いたデータは、届かなかったものとして扱われます",
   "end other programs; the simulated picture costs most (twin.video = false)":
-    "ほかのプログラムを終了してください。シミュレーション映像が最も重い処理です（twin.video = false）",
+    "ほかのプログラムを終了してください。最も重いのは映像です（twin.video = false）",
   "there is room on the disk": "ディスクに空きがあります",
   "a disk is nearly full": "ディスクの空きがわずかです",
   "{p}% free at {name}": "{name} の空き {p}%",
@@ -427,7 +427,7 @@ export const JA_TOLD: Templates = {
     "ドローンが制限値をまだ確認していません。待つか、電源を入れ直してください",
   ["tracking sees the drone {d} m from where it stands (limit {m} m): check the tracking " +
     "system's origin and the drone's body"]:
-    "計測した位置が実際と {d} m ずれています（限度 {m} m）。位置計測の原点とドローンの登録を見てください",
+    "計測位置が実際と {d} m ずれています（限度 {m} m）。位置計測の原点とドローンの登録を見てください",
   "the battery is too low: {p}%, take-off needs {q}%": "バッテリー残量が足りません：{p}%、離陸には {q}% 必要です",
   ["tracking shows the drone as it was {n} s ago (limits.pose_age_level: {m} s); housefly " +
     "gains says which limit slow tracking needs"]:
@@ -753,7 +753,10 @@ export const JA_TOLD: Templates = {
     "玄関へ飛び、来た人を撮影して皆に知らせます。",
   "Look around": "周りを見る",
   "Takes pictures in all directions, where the drone starts or at a place.":
-    "離陸した所か選んだ場所で、全方向の写真を撮ります。",
+    "離陸した所か場所で、全方向の写真を撮ります。",
+  "Fly to a point": "点へ飛ぶ",
+  "Flies to a point, waits there and comes home.":
+    "その点へ飛び、待って戻ります。",
   "Is everything all right?": "異常はありませんか",
   "Tells how everybody is; looks after who may have fallen or left their bed at night.":
     "皆の様子を知らせ、転倒や夜の離床を見に行きます。",

@@ -313,7 +313,6 @@ const texts: Speech["texts"] = {
   "over MQTT": "（MQTTから）",
   "by a webhook": "（Webhookから）",
   "by an assistant": "（音声アシスタントから）",
-  "by a rule": "（自動ルール）",
   "The bell rings": "呼び鈴が鳴っています",
   "Somebody may have fallen": "誰か倒れたかもしれません",
   "Who walks there may close the way for a moment: ask again when it is free.":

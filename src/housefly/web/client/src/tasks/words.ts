@@ -5,20 +5,21 @@ import { localNumber } from "../messages/numbers";
 import type { RehearsalReport, Said, TaskStage, TaskStatus } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
-const SURFACES: Record<TaskStatus["surface"], Key> = {
+/** Where a task was asked for; of the others their name says it. */
+const SURFACES: Partial<Record<TaskStatus["surface"], Key>> = {
   "console": "in the console",
   "command line": "on the command line",
   "http": "over HTTP",
   "mqtt": "over MQTT",
   "webhook": "by a webhook",
   "assistant": "by an assistant",
-  "rule": "by a rule",
 };
 
 /** Who wanted a task, where, and what caused it. */
 export function why(task: TaskStatus): string {
   const who = task.asked_by ? t("asked for by {who}", { who: task.asked_by }) : t("asked for");
-  const where = task.surface === "rule" ? "" : ` ${t(SURFACES[task.surface])}`;
+  const place = SURFACES[task.surface];
+  const where = place ? ` ${t(place)}` : "";
   const cause = task.cause ? t(", because of {cause}", { cause: causeOf(task.cause) }) : "";
   return who + where + cause;
 }

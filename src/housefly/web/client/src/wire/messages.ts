@@ -398,6 +398,7 @@ export type RequestSurface =
   | "command line"
   | "http"
   | "mqtt"
+  | "ros 2"
   | "webhook"
   | "assistant"
   | "rule";
