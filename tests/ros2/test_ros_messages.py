@@ -39,7 +39,6 @@ from housefly.messages.words import UNSAID, Words
 from housefly.record import ros_messages
 from housefly.room.bsen import bsen
 from housefly.ros2 import diagnostics, room_messages
-from housefly.ros2.paper.autonomy import navdata, world_velocity
 from housefly.ros2.drone_messages import (
     DroneMessages,
     RosFrames,
@@ -48,6 +47,7 @@ from housefly.ros2.drone_messages import (
     compressed_image,
     trajectory_message,
 )
+from housefly.ros2.paper.autonomy import navdata, world_velocity
 
 FRAMES = RosFrames.of("map", "drone")
 OFFSET = 1.7e9

@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Iterator
 from math import nan
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -101,6 +102,14 @@ def test_poses_are_stamped_by_the_time_of_capture(stage: RosStage) -> None:
     stamps = [one.header.stamp.sec + 1e-9 * one.header.stamp.nanosec for one in poses]
     assert stamps == sorted(stamps) and abs(time.time() - stamps[-1]) < 30.0
     assert (poses[0].pose.position.x, poses[0].header.frame_id) == (3.0, "map")
+
+
+def test_the_example_node_follows_the_drone(stage: RosStage) -> None:
+    environment = os.environ | {"ROS_DOMAIN_ID": str(stage.domain)}
+    script = Path(__file__).parents[2] / "examples" / "ros2" / "see_the_room.py"
+    command = [sys.executable, str(script), "b_sen"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
+    assert done.stdout.splitlines() == ["x 3.00 m, y 2.00 m, height 1.10 m"] * 10, done.stderr
 
 
 def test_a_goal_flies_there_and_faces_its_heading(stage: RosStage) -> None:
