@@ -14,6 +14,7 @@ from housefly.sensors.laser import scan_of
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.natnet_frames import NatNetFrames
+from housefly.tracking.ros2_lines import Ros2Lines
 from housefly.tracking.tracking_messages import (
     TrackerStatus,
     TrackingMessageReader,
@@ -217,6 +218,20 @@ def _bridge_seeds() -> Iterable[bytes]:
     yield b'{"bodies": ' + DEEP
 
 
+def _ros2(data: bytes) -> None:
+    lines = Ros2Lines(0.01, False, FrameCounts())
+    for line in data.split(b"\n")[:8]:
+        lines.read(line, 10.0)
+
+
+def _ros2_seeds() -> Iterable[bytes]:
+    yield b'{"body": "a", "stamp": 1, "pose": [1, 2, 3, 1, 0, 0, 0]}'
+    yield b'{"topics": ["/a/pose"]}'
+    yield b'{"problem": "gone"}'
+    yield b'{"body": "a", "stamp": ' + HUGE + b', "pose": [1, 2, 3, 1, 0, 0, 0]}'
+    yield b'{"topics": ' + DEEP
+
+
 def _sightings(data: bytes) -> None:
     reader = TrackingMessageReader()
     for piece in pieces(data[1:], 1 + (data[0] if data else 0)):
@@ -239,6 +254,13 @@ ROOM_WIRES: dict[str, FuzzTarget] = {
         (WireError, LinkError),
         2048,
         (b'"bodies"', b"1e309", b"NaN", b"-Infinity"),
+    ),
+    "ros2_line": FuzzTarget(
+        _ros2,
+        _ros2_seeds,
+        (WireError, LinkError),
+        2048,
+        (b'"stamp"', b"1e309", b"NaN", b"-Infinity"),
     ),
     "sightings": FuzzTarget(_sightings, _sighting_seeds, (WireError,), words=(b"HFt1",)),
     "scip_reply": FuzzTarget(_scip, _scip_seeds),

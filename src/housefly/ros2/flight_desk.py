@@ -166,7 +166,7 @@ class FlightDesk:
             if not text.lstrip().startswith("{"):
                 return self._sentence(text)
             return self._question_answered(text)
-        except (HouseflyError, ValueError) as error:
+        except (HouseflyError, ValueError, RecursionError) as error:
             return json.dumps({"error": str(error)})
 
     def _sentence(self, text: str) -> str:

@@ -12,6 +12,8 @@ from housefly.tracking.poses import checked_pose
 from housefly.tracking.sender_clock import SenderClock
 
 _NANOSECOND = 1e-9
+_STAMP_MAX = 2**32 * 1_000_000_000
+"""ROS counts seconds in 32 bits."""
 _BODIES_MAX = 1000
 
 
@@ -51,6 +53,8 @@ class Ros2Lines:
             px, py, pz, w, x, y, z = (float(number) for number in tree["pose"])
         except (KeyError, TypeError, ValueError, OverflowError) as error:
             raise WireError(f"ROS 2 line: {line[:40]!r} is no pose") from error
+        if not 0 <= stamp < _STAMP_MAX:
+            raise WireError("ROS 2 line: the stamp is none; allowed: 0 to 2**32 s")
         captured_at = self._captured_at(body, stamp, received_at)
         if captured_at is None:
             return None
