@@ -96,11 +96,10 @@ def people_message(at: float, frame: str, people: Iterable[PlacedThing]) -> Any:
     return message("geometry_msgs/msg/PoseArray", header(at, frame), poses)
 
 
-def json_text(values: object) -> str:
-    """Return values of the contracts as JSON."""
-    if isinstance(values, (tuple, list)):
-        return json.dumps([asdict(one) for one in values], ensure_ascii=False)
-    return json.dumps(asdict(values), ensure_ascii=False)  # type: ignore[call-overload]
+def json_text(values: Any) -> str:
+    """Return a value of the contracts, or several, as JSON; words are in English."""
+    tree = [asdict(one) for one in values] if isinstance(values, tuple) else asdict(values)
+    return json.dumps(tree, ensure_ascii=False, default=lambda one: one.value)
 
 
 def _marker(

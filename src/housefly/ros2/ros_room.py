@@ -10,7 +10,6 @@ from functools import partial
 from typing import Any
 
 from housefly.bus.bus import Bus
-from housefly.bus.codec import encoded
 from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, TASKS_QUERY
 from housefly.clock import RealClock
 from housefly.config.house_mode import HouseMode
@@ -191,8 +190,7 @@ class RosRoom:
 
     def _on_board(self, board: TaskBoard) -> None:
         self._set_mode(board.mode)
-        text = encoded(TASK_NEWS_TOPIC, board).decode()
-        self._tell(TASKS, partial(text_message, text))
+        self._tell(TASKS, partial(text_message, room_messages.json_text(board)))
 
     def _set_mode(self, mode: HouseMode) -> None:
         for drone in self._drones:
