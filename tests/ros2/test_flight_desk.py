@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from concurrent.futures import ThreadPoolExecutor
 from math import inf, nan
+from threading import Event, Semaphore
 
 import pytest
 from hypothesis import example, given
@@ -79,3 +81,25 @@ def test_without_services_nobody_can_be_asked_and_that_is_said() -> None:
     answering, asked, _ = desk("ask", has_tasks=False)
     assert "no services run here" in answering.request("visitor", {}).message
     assert not asked
+
+
+def test_only_two_questions_wait_at_once_so_that_a_stop_finds_a_thread() -> None:
+    bus, begun, go_on, orders = LocalBus(), Semaphore(0), Event(), list[Order]()
+
+    def slow(_: str) -> str:
+        begun.release()
+        go_on.wait(30.0)
+        return "{}"
+
+    bus.answer(HUB_QUERY, slow)
+    bus.subscribe(DroneTopics().order, orders.append)
+    answering = FlightDesk(bus, "ask", ("drone",), True, RealClock())
+    question = '{"ask": "where", "thing": "cup"}'
+    with ThreadPoolExecutor(2) as waiting:
+        answers = [waiting.submit(answering.ask, question) for _ in range(2)]
+        assert all(begun.acquire(timeout=30.0) for _ in range(2))
+        assert "already" in json.loads(answering.ask(question))["error"]
+        answering.stop("drone")
+        go_on.set()
+    assert [one.result() for one in answers] == ["{}", "{}"]
+    assert [one.kind for one in orders] == [OrderKind.STOP]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import cos, isfinite, sin
 from secrets import token_hex
-from threading import Condition, Lock
+from threading import BoundedSemaphore, Condition, Lock
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import HUB_QUERY, TASKS_QUERY, DroneTopics
@@ -42,6 +42,8 @@ _PATIENCE = 1.0
 """How long the pilot may take to answer an order [s]."""
 _ASK_PATIENCE = 120.0
 """How long the tasks may take, which rehearse first [s]."""
+_ASKED_AT_ONCE = 2
+"""A rehearsal takes seconds; who waits for one holds up nobody's STOP."""
 _FLIGHT_PERIOD = 0.2
 """Between two orders to fly of one drone [s]."""
 _FACES_AHEAD = 2.0
@@ -82,7 +84,7 @@ class FlightDesk:
         self._leases = {name: FlightLease() for name in drones}
         self._answers: dict[str, OrderAnswer | None] = {}
         self._answered = Condition()
-        self._asking = Lock()
+        self._asking, self._answering = Lock(), BoundedSemaphore(_ASKED_AT_ONCE)
         self._flown_at: dict[str, float] = {}
         self._question = 0
 
@@ -162,12 +164,16 @@ class FlightDesk:
 
     def ask(self, text: str) -> str:
         """Return the answer, as JSON, to a sentence or to a question of memory or tasks as JSON."""
+        if not self._answering.acquire(blocking=False):
+            return json.dumps({"error": f"{_ASKED_AT_ONCE} questions are being answered already"})
         try:
             if not text.lstrip().startswith("{"):
                 return self._sentence(text)
             return self._question_answered(text)
         except (HouseflyError, ValueError, RecursionError) as error:
             return json.dumps({"error": str(error)})
+        finally:
+            self._answering.release()
 
     def _sentence(self, text: str) -> str:
         # Checked like any question from outside: its length, its letters.

@@ -25,7 +25,7 @@ from housefly.tasks.api.values import ReasonCode, RequestSurface
 from housefly.tasks.api.values import TaskStage as Stage
 from housefly.tasks.rules.mqtt_requests import mqtt_question
 
-MQTT, ASSISTANT = RequestSurface.MQTT, RequestSurface.ASSISTANT
+MQTT, ASSISTANT, ROS = RequestSurface.MQTT, RequestSurface.ASSISTANT, RequestSurface.ROS
 TOPIC = "housefly/bsen/task/request"
 
 
@@ -50,7 +50,7 @@ def refusals(stage: TaskStage, questions: list[RequestTask]) -> list[TaskError]:
     return found
 
 
-@pytest.mark.parametrize("surface", [MQTT, ASSISTANT])
+@pytest.mark.parametrize("surface", [MQTT, ASSISTANT, ROS])
 def test_a_flood_of_requests_leaves_room_for_people_and_hides_no_history(
     stage: TaskStage, surface: RequestSurface
 ) -> None:
