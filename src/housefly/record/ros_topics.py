@@ -42,7 +42,7 @@ class StepTopics:
         now, outputs, telemetry = step.now, step.outputs, step.inputs.telemetry
         for sighting in step.inputs.sightings:
             stamped = ros_messages.pose_stamped(sighting.captured_at, sighting.pose)
-            yield Sample(f"/sighting/{_topic_part(sighting.body)}", now, stamped)
+            yield Sample(f"/sighting/{topic_part(sighting.body)}", now, stamped)
         if outputs.estimate is not None:
             yield Sample("/odom", now, ros_messages.odometry(outputs.estimate))
         yield ros_command(now, outputs.command.asked)
@@ -69,7 +69,7 @@ def ros_command(now: float, asked: AnySetpoint) -> Sample:
     return Sample("/cmd_vel", now, ros_messages.velocity_command(now, asked))
 
 
-def _topic_part(name: str) -> str:
+def topic_part(name: str) -> str:
     """Return a body's name as ROS 2 allows it in a topic."""
     cleaned = re.sub(r"\W", "_", name, flags=re.ASCII)
     return cleaned if re.match(r"[A-Za-z]", cleaned) else f"body_{cleaned}"
