@@ -1,4 +1,4 @@
-"""The live view as a process on the bus, read by a client that knows the protocol and nothing else."""
+"""The live view as a process on the bus, read by a client that knows only the protocol."""
 
 from __future__ import annotations
 

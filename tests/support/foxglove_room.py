@@ -9,7 +9,7 @@ from dataclasses import replace
 from filming import video
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import FRAME_TOPIC, OBSTACLE_TOPIC, DroneTopics
+from housefly.bus.topics import FRAME_TOPIC, OBSTACLE_TOPIC, ROOM_TOPICS, DroneTopics
 from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.hub.api.answers import EventAnswer, News, SituationAnswer
@@ -92,7 +92,9 @@ def board(mode: HouseMode = HouseMode.HOME, at: float = 1e9) -> TaskBoard:
 
 def news(at: float) -> News:
     """Return what the hub tells."""
-    event = EventAnswer("door opened", "entrance", at, "door", "", 1.0, {}, Words("the door opened"))
+    event = EventAnswer(
+        "door opened", "entrance", at, "door", "", 1.0, {}, Words("the door opened")
+    )
     held = SituationAnswer("visitor waits", "entrance", at, 0.9, "bell", words=Words("waits"))
     return News(at, (), (event,), (held,), ())
 
@@ -112,6 +114,8 @@ class Talker:
         self._bodies = (site.tracking.body, site.tracking.visitor)
         self._frames: Iterator[VideoFrame] = iter(())
         self._count = 0
+        self.orders = self._topics.order
+        self.keys = tuple(topic.key for topic in (*self._topics.all, *ROOM_TOPICS))
 
     def tell(self) -> None:
         """Tell everything once, at the time that it is."""
@@ -133,6 +137,12 @@ class Talker:
         person = Obstacle("p1", (2.0, 2.0), 0.3, top=1.8, seen_at=now, kind=ObstacleKind.PERSON)
         bus.publish(OBSTACLE_TOPIC, person)
         bus.publish(topics.video, self._frame(now))
+
+    def tell_picture(self, data: bytes) -> None:
+        """Tell one picture, whatever its bytes are."""
+        now, self._count = time.monotonic(), self._count + 1
+        frame = VideoFrame(data, True, 640, 360, self._count, now, now)
+        self.bus.publish(self._topics.video, frame)
 
     def _frame(self, now: float) -> VideoFrame:
         frame = next(self._frames, None)
