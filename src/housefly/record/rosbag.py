@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from rosbags.interfaces import (
     Qos,
@@ -23,7 +23,7 @@ from housefly.bus.interfaces import recorded_store
 from housefly.errors import RecordingError
 from housefly.record.mcap_reader import RecordedMessage, flight_file, read_messages
 
-_VERSION = 9
+_VERSION: Literal[9] = 9
 """Of ``metadata.yaml``: that of ROS 2 Jazzy."""
 _OWN_PACKAGE = "housefly_msgs/"
 _DEFAULT_TIME = QosTime(0, 0)
