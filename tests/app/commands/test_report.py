@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import shutil
 from pathlib import Path
 
@@ -47,6 +48,15 @@ def test_a_recording_of_ours_gets_the_report_of_its_flight(tmp_path: Path) -> No
     assert main(["report", str(tmp_path / "mine")]) == 0
     page = (tmp_path / "mine" / "report.html").read_text(encoding="utf-8")
     assert "Errand, behavior, safety" in page and "not known: there is no summary.json" in page
+
+
+def test_a_log_of_others_is_exported_as_a_table_too(tmp_path: Path) -> None:
+    bag, table = write_bag(tmp_path / "hover.bag", flight()), tmp_path / "hover.csv"
+    assert main(["export", str(table), "--flight", str(bag)]) == 0
+    with table.open(encoding="utf-8", newline="") as file:
+        told = list(csv.DictReader(file))
+    assert [float(row["x_m"]) for row in told] == [row.position[0] for row in flight()]
+    assert told[0]["time"].startswith("2023-11-14") and told[0]["cmd_vx_m_s"] == ""
 
 
 @pytest.mark.parametrize("content", [b"", b"hello", b"a,b\n1,2\n", bytes(100)])

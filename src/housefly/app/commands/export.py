@@ -51,8 +51,8 @@ def _add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--flight",
-        metavar="DIR|flight.mcap",
-        help="a recorded flight instead of what the room remembers",
+        metavar="LOG",
+        help="a recorded flight, or a log as `housefly report` reads it, instead of the memory",
     )
     parser.add_argument(
         "--table",
@@ -106,16 +106,33 @@ def _export_flight(options: Namespace) -> int:
     for name in _OF_MEMORY:
         if getattr(options, name):
             raise ConfigError(f"--{name}", "is of what the room remembers, not of --flight")
-    recording, file = Path(options.flight), Path(options.file)
-    if not file.suffix:
-        return _write_bag(recording, file, with_own=options.own)
     from housefly.app.event_table import write_table
-    from housefly.app.flight_tables import TABLE_FORMS, FlightTable, flight_rows
+    from housefly.app.flight_logs.read_log import is_own_recording
 
-    table = FlightTable(options.table)
-    count = write_table(file, TABLE_FORMS[table].headings, flight_rows(recording, table))
+    recording, file = Path(options.flight), Path(options.file)
+    if not is_own_recording(recording):
+        count = _export_log(recording, file)
+    elif not file.suffix:
+        return _write_bag(recording, file, with_own=options.own)
+    else:
+        from housefly.app.flight_tables import TABLE_FORMS, FlightTable, flight_rows
+
+        table = FlightTable(options.table)
+        count = write_table(file, TABLE_FORMS[table].headings, flight_rows(recording, table))
     console.print(f"{count} rows written: {options.file}", markup=False)
     return 0 if count else 1
+
+
+def _export_log(recording: Path, file: Path) -> int:
+    """Write a log of others as a table; return its number of rows."""
+    from housefly.app.event_table import write_table
+    from housefly.app.flight_logs.log_table import LOG_HEADINGS, log_rows
+    from housefly.app.flight_logs.read_log import read_flight_log
+
+    log = read_flight_log(recording)
+    for problem in log.problems:
+        console.print(problem, markup=False)
+    return write_table(file, LOG_HEADINGS, log_rows(log))
 
 
 def _write_bag(recording: Path, folder: Path, *, with_own: bool) -> int:
