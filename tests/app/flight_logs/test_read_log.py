@@ -19,7 +19,9 @@ from foreign_logs import (
 )
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pymavlink.DFReader import DFReader_binary
 
+from housefly.app.flight_logs.dataflash_messages import dataflash_messages
 from housefly.app.flight_logs.read_log import is_own_recording, read_flight_log
 from housefly.errors import RecordingError
 from housefly.messages import Severity
@@ -207,3 +209,27 @@ def test_ours_are_told_from_those_of_others(tmp_path: Path) -> None:
     assert not is_own_recording(bag)
     assert not any(is_own_recording(one) for one in bag.glob("*.mcap"))
     assert not is_own_recording(tmp_path / "nowhere")
+
+
+def test_our_reader_of_dataflash_logs_reads_what_that_of_pymavlink_reads(tmp_path: Path) -> None:
+    file = WRITERS["flight.bin"](tmp_path / "flight.bin", ROWS[:20])
+    theirs, log = [], DFReader_binary(str(file))
+    while (message := log.recv_msg()) is not None:
+        if message.get_type() != "FMT":
+            told = {key: one for key, one in message.to_dict().items() if key != "mavpackettype"}
+            theirs.append((message.get_type(), told))
+    ours = [(one.name, dict(one.fields)) for one in dataflash_messages(file.read_bytes())]
+    assert ours == theirs
+
+
+def test_a_dataflash_log_that_is_damaged_in_the_middle_gives_what_is_before_and_behind(
+    tmp_path: Path,
+) -> None:
+    file = WRITERS["flight.bin"](tmp_path / "flight.bin", ROWS)
+    whole = bytearray(file.read_bytes())
+    middle = len(whole) // 2
+    whole[middle : middle + 100] = bytes(100)
+    file.write_bytes(whole)
+    log = read_flight_log(file)
+    assert log.time.size > len(ROWS) - 5
+    assert "damaged" in log.problems[0]

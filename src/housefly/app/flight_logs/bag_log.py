@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
 from typing import Any
 
 from housefly.bus.interfaces import recorded_store
-from housefly.errors import RecordingError, WireError
+from housefly.errors import RecordingError
 from housefly.geometry import Quaternion, euler_from_quaternion, normalized, rotate, yaw_of
 from housefly.messages import Severity
 from housefly.record.flight_log import FlightLog, LogEvent, LogSamples, Quantity, on_one_time
@@ -46,30 +45,49 @@ def read_bag(path: Path) -> FlightLog:
         RecordingError: it cannot be read at all, or holds no pose.
     """
     kind = "rosbag 1" if path.suffix == ".bag" else "rosbag2"
+    contents = _Contents()
     problems: list[str] = []
-    found: dict[tuple[Quantity, int, str], LogSamples] = {}
-    events: list[LogEvent] = []
-    counts: Counter[str] = Counter()
-    for topic, type_name, at, message in _to_the_end(path, problems, counts):
-        for rank, source in enumerate(_SOURCES):
-            if source.type_name == type_name and source.is_wanted == _says_what_is_wanted(topic):
-                samples = found.setdefault(
-                    (source.quantity, rank, topic), LogSamples(source.quantity)
-                )
-                values = source.read(message)
-                if all(map(isfinite, values)):
-                    samples.add(at, *values)
-        if type_name in _LOGS and len(events) < _EVENTS_KEPT:
-            events.append(_event(at, message, type_name))
-    chosen = _chosen(found)
+    try:
+        for message in _messages(path):
+            contents.take(*message)
+    except Exception as error:  # whatever a damaged file makes the libraries raise
+        words = str(error) or type(error).__name__
+        if not contents.count:
+            raise RecordingError(f"{path} cannot be read as a bag: {words}") from error
+        problems.append(
+            f"cut off or damaged after {contents.count} messages ({words}): what comes later is not"
+            " here"
+        )
+    chosen = _chosen(contents.found)
     return on_one_time(
         kind,
-        [found[key] for key in chosen.values()],
-        events=events,
+        [contents.found[key] for key in chosen.values()],
+        events=contents.events,
         started_at=0.0,
         sources={quantity: topic for quantity, (_, _, topic) in chosen.items()},
         problems=problems,
     )
+
+
+@dataclass(slots=True)
+class _Contents:
+    """What was read so far: samples by quantity, rank of the type, and topic; events."""
+
+    found: dict[tuple[Quantity, int, str], LogSamples] = field(default_factory=dict)
+    events: list[LogEvent] = field(default_factory=list)
+    count: int = 0
+
+    def take(self, topic: str, type_name: str, at: float, message: Any) -> None:
+        """Take one message; it counts when all of it could be read."""
+        for rank, source in enumerate(_SOURCES):
+            if source.type_name == type_name and source.is_wanted == _says_what_is_wanted(topic):
+                key = source.quantity, rank, topic
+                values = source.read(message)
+                if all(map(isfinite, values)):
+                    self.found.setdefault(key, LogSamples(source.quantity)).add(at, *values)
+        if type_name in _LOGS and len(self.events) < _EVENTS_KEPT:
+            self.events.append(_event(at, message, type_name))
+        self.count += 1
 
 
 def _says_what_is_wanted(topic: str) -> bool:
@@ -90,40 +108,20 @@ def _chosen(
     return best
 
 
-def _to_the_end(path: Path, problems: list[str], counts: Counter[str]) -> Iterator[BagMessage]:
-    """Yield the messages up to the first that cannot be read, and note that there was one."""
-    from rosbags.highlevel import AnyReaderError
-
-    messages = _mcap_messages(path) if path.is_file() and path.suffix != ".bag" else _bag(path)
-    last = None
-    try:
-        for message in messages:
-            counts[message[0]] += 1
-            last = message[2]
-            yield message
-    except (AnyReaderError, RecordingError, WireError, OSError, ValueError, KeyError) as error:
-        if last is None:
-            raise RecordingError(f"{path} cannot be read as a bag: {error}") from error
-        problems.append(
-            f"cut off or damaged after {sum(counts.values())} messages ({error}): what comes later"
-            " is not here"
-        )
+def _messages(path: Path) -> Iterator[BagMessage]:
+    is_single = path.is_file() and path.suffix != ".bag"
+    return _mcap_messages(path) if is_single else _bag_messages(path)
 
 
-def _bag(path: Path) -> Iterator[BagMessage]:
-    import sqlite3
-
+def _bag_messages(path: Path) -> Iterator[BagMessage]:
     from rosbags.highlevel import AnyReader
     from rosbags.typesys import Stores, get_typestore
 
     wanted = {source.type_name for source in _SOURCES} | _LOGS.keys()
-    try:
-        with AnyReader([path], default_typestore=get_typestore(Stores.ROS2_JAZZY)) as reader:
-            used = [one for one in reader.connections if one.msgtype in wanted]
-            for one, stamp, data in reader.messages(used) if used else ():
-                yield one.topic, one.msgtype, stamp / 1e9, reader.deserialize(data, one.msgtype)
-    except (sqlite3.Error, AssertionError, EOFError) as error:
-        raise RecordingError(str(error) or type(error).__name__) from error
+    with AnyReader([path], default_typestore=get_typestore(Stores.ROS2_JAZZY)) as reader:
+        used = [one for one in reader.connections if one.msgtype in wanted]
+        for one, stamp, data in reader.messages(used) if used else ():
+            yield one.topic, one.msgtype, stamp / 1e9, reader.deserialize(data, one.msgtype)
 
 
 def _mcap_messages(path: Path) -> Iterator[BagMessage]:

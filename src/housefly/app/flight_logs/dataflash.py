@@ -1,77 +1,78 @@
-"""ArduPilot's dataflash log, read with ``pymavlink``: EKF, attitude, battery, messages."""
+"""ArduPilot's dataflash log: EKF, attitude, battery, messages."""
 
 from __future__ import annotations
 
-import contextlib
-import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import isfinite, radians
 from pathlib import Path
-from typing import Any
 
-from housefly.errors import MissingPartError, RecordingError
+from housefly.app.flight_logs.dataflash_messages import DataflashMessage, dataflash_messages
+from housefly.errors import RecordingError
 from housefly.messages import Severity
 from housefly.record.flight_log import FlightLog, LogEvent, LogSamples, Quantity, on_one_time
 from housefly.wires.mavlink.frames import across_attitude, across_world
 
-DATAFLASH_MAGIC = b"\xa3\x95\x80"
 _KIND = "ArduPilot dataflash log"
+_EVENTS_KEPT = 2000
 
-_Row = Callable[[Any], tuple[float, ...]]
+_Row = Callable[[Mapping[str, float]], tuple[float, ...]]
 
 
 def read_dataflash(path: Path) -> FlightLog:
     """Return a dataflash log; a cut one gives what is there, and says so.
 
     Raises:
-        RecordingError: it is damaged, or holds no pose.
-        MissingPartError: without ``pymavlink``.
+        RecordingError: it cannot be read, or holds no pose.
     """
     try:
-        from pymavlink.DFReader import DFReader_binary
-    except ModuleNotFoundError as error:
-        raise MissingPartError("pymavlink (dataflash)", "pip install 'housefly[logs]'") from error
-    size = path.stat().st_size
+        data = path.read_bytes()
+    except OSError as error:
+        raise RecordingError(f"{path} cannot be read: {error.strerror}") from error
     samples = [LogSamples(quantity) for quantity, _, _ in _SOURCES]
-    modes: list[LogEvent] = []
-    read, end = 0, 0
-    said = io.StringIO()
-    try:
-        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
-            log = DFReader_binary(str(path))
-            while (message := log.recv_msg()) is not None:
-                read, end = read + 1, int(log.offset)
-                _take(message, samples, modes)
-    except Exception as error:  # whatever a damaged file makes the library raise
-        if not read:
-            raise RecordingError(f"{path} cannot be read as {_KIND}: {error}") from error
+    events: list[LogEvent] = []
+    count = end = skipped = 0
+    for message in dataflash_messages(data):
+        count, end = count + 1, message.end
+        skipped += message.skipped
+        _take(message, samples, events)
     problems = []
-    if end < size:
+    if skipped:
+        problems.append(f"damaged: {skipped} of {len(data)} bytes could not be read")
+    if end < len(data):
         problems.append(
-            f"cut off or damaged after {read} messages, {end} of {size} bytes: what comes later is"
-            " not here"
+            f"cut off or damaged after {count} messages, {end} of {len(data)} bytes: what comes"
+            " later is not here"
         )
     used, sources = _first_of_each(samples)
-    return on_one_time(_KIND, used, events=modes, sources=sources, problems=problems)
+    return on_one_time(_KIND, used, events=events, sources=sources, problems=problems)
 
 
-def _take(message: Any, samples: list[LogSamples], events: list[LogEvent]) -> None:
-    kind = message.get_type()
-    at = getattr(message, "TimeUS", None)
-    if at is None:
+def _take(message: DataflashMessage, samples: list[LogSamples], events: list[LogEvent]) -> None:
+    stamp = message.fields.get("TimeUS")
+    if not isinstance(stamp, int | float) or not isfinite(stamp):
         return
-    seconds = float(at) / 1e6
-    if kind == "MSG":
-        events.append(LogEvent(seconds, Severity.INFO, str(message.Message)))
-    elif kind == "ERR":
-        words = f"error of subsystem {message.Subsys}: code {message.ECode}"
-        events.append(LogEvent(seconds, Severity.FAULT, words))
+    at = stamp / 1e6
+    if (event := _event(at, message)) is not None and len(events) < _EVENTS_KEPT:
+        events.append(event)
+    numbers = {key: one for key, one in message.fields.items() if not isinstance(one, str)}
     for into, (_, name, row) in zip(samples, _SOURCES, strict=True):
-        if name == kind and getattr(message, "C", 0) == 0:
-            with contextlib.suppress(AttributeError):
-                values = row(message)
-                if all(map(isfinite, values)):
-                    into.add(seconds, *values)
+        if name == message.name and not numbers.get("C"):
+            try:
+                values = row(numbers)
+            except KeyError:  # an older version of the message
+                continue
+            if all(map(isfinite, values)):
+                into.add(at, *values)
+
+
+def _event(at: float, message: DataflashMessage) -> LogEvent | None:
+    fields = message.fields
+    if message.name == "MSG":
+        return LogEvent(at, Severity.INFO, str(fields.get("Message", "")))
+    if message.name == "ERR":
+        words = f"error of subsystem {fields.get('Subsys')}: code {fields.get('ECode')}"
+        return LogEvent(at, Severity.FAULT, words)
+    return None
 
 
 def _first_of_each(
@@ -86,16 +87,20 @@ def _first_of_each(
     return list(used.values()), sources
 
 
-def _place(one: Any) -> tuple[float, ...]:
-    return across_world((one.PN, one.PE, one.PD))
+def _place(one: Mapping[str, float]) -> tuple[float, ...]:
+    return across_world((one["PN"], one["PE"], one["PD"]))
 
 
-def _velocity(one: Any) -> tuple[float, ...]:
-    return across_world((one.VN, one.VE, one.VD))
+def _velocity(one: Mapping[str, float]) -> tuple[float, ...]:
+    return across_world((one["VN"], one["VE"], one["VD"]))
 
 
-def _attitude(one: Any) -> tuple[float, ...]:
-    return across_attitude((radians(one.Roll), radians(one.Pitch), radians(one.Yaw)))
+def _attitude(one: Mapping[str, float]) -> tuple[float, ...]:
+    return across_attitude((radians(one["Roll"]), radians(one["Pitch"]), radians(one["Yaw"])))
+
+
+def _battery(one: Mapping[str, float]) -> tuple[float, ...]:
+    return (one["RemPct"] / 100.0,)
 
 
 _SOURCES: Sequence[tuple[Quantity, str, _Row]] = (
@@ -105,6 +110,6 @@ _SOURCES: Sequence[tuple[Quantity, str, _Row]] = (
     (Quantity.VELOCITY, "NKF1", _velocity),
     (Quantity.ATTITUDE, "ATT", _attitude),
     (Quantity.ATTITUDE, "XKF1", _attitude),
-    (Quantity.BATTERY, "BAT", lambda one: (one.RemPct / 100.0,)),
+    (Quantity.BATTERY, "BAT", _battery),
 )
 """Which message tells a quantity; of one quantity the first that is there counts."""

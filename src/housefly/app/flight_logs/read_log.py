@@ -6,7 +6,8 @@ from pathlib import Path
 
 from housefly.app.flight_logs.bag_log import read_bag
 from housefly.app.flight_logs.crazyflie_csv import is_crazyflie_csv, read_crazyflie_csv
-from housefly.app.flight_logs.dataflash import DATAFLASH_MAGIC, read_dataflash
+from housefly.app.flight_logs.dataflash import read_dataflash
+from housefly.app.flight_logs.dataflash_messages import DATAFLASH_MAGIC
 from housefly.app.flight_logs.ulog import ULOG_MAGIC, read_ulog
 from housefly.errors import RecordingError
 from housefly.record.flight_log import FlightLog

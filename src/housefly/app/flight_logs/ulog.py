@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stdout
+from io import StringIO
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -37,7 +39,8 @@ def read_ulog(path: Path) -> FlightLog:
         raise MissingPartError("pyulog (PX4 ulog)", "pip install 'housefly[logs]'") from error
     data = path.read_bytes()
     try:
-        log = ULog(str(path), sorted({name for _, name, _ in _SOURCES}))
+        with redirect_stdout(StringIO()):  # the library prints what it thinks of a damaged file
+            log = ULog(str(path), sorted({name for _, name, _ in _SOURCES}))
     except Exception as error:  # whatever a damaged file makes the library raise
         raise RecordingError(f"{path} cannot be read as {_KIND}: {error}") from error
     samples, sources = [], {}
@@ -59,15 +62,14 @@ def read_ulog(path: Path) -> FlightLog:
 
 def _samples(log: Any, quantity: Quantity, name: str, row: _Row) -> LogSamples:
     samples = LogSamples(quantity)
-    found = [one for one in log.data_list if one.name == name]
-    for one in found[:1]:
-        for number, stamp in enumerate(one.data["timestamp"]):
-            try:
-                values = row(one.data, number)
-            except KeyError:
-                return samples
+    found: dict[str, Any] = next((one.data for one in log.data_list if one.name == name), {})
+    try:
+        for number, stamp in enumerate(found.get("timestamp", ())):
+            values = row(found, number)
             if all(map(isfinite, values)):
                 samples.add(float(stamp) / 1e6, *values)
+    except KeyError:  # an older version of the message
+        return LogSamples(quantity)
     return samples
 
 
