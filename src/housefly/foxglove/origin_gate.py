@@ -26,6 +26,8 @@ _HEAD_LIMIT = 8192
 _HEAD_PATIENCE = 5.0
 """How long its end is waited for [s]."""
 _PIECE = 64 * 1024
+_BUFFER = 128 * 1024
+"""Of the kernel's for one way [bytes]: what waits there is old, and cannot be dropped any more."""
 _CONNECTIONS = 16
 """So many viewers at most; the next one is refused."""
 _ORIGIN = re.compile(rb"^origin:[ \t]*(.*?)[ \t]*\r?$", re.IGNORECASE | re.MULTILINE)
@@ -111,6 +113,8 @@ class OriginGate:
                 await self._decide(head, reader, writer)
         except (OSError, TimeoutError, asyncio.IncompleteReadError, asyncio.LimitOverrunError):
             pass
+        except asyncio.CancelledError:
+            pass  # the gate closes; asyncio would log a connection that ends so as an error
         finally:
             self._open -= 1
             writer.close()
@@ -127,6 +131,9 @@ class OriginGate:
             await writer.drain()
             return
         inner_reader, inner_writer = await asyncio.open_connection(*self._inner)
+        writer.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _BUFFER)
+        within = inner_writer.get_extra_info("socket")
+        within.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, _BUFFER)
         try:
             inner_writer.write(head)
             ways = [
