@@ -18,8 +18,6 @@ from housefly.bus.local import LocalBus
 from housefly.config.site import changed
 from housefly.sites.loaded_site import LoadedSite, load_site
 
-pytest.importorskip("foxglove", reason="foxglove-sdk is not installed")
-
 
 @dataclass
 class Live:
@@ -52,6 +50,7 @@ class Live:
 
 @pytest.fixture(scope="session")
 def loaded() -> LoadedSite:
+    pytest.importorskip("foxglove", reason="foxglove-sdk is not installed")
     return load_site("bsen", foxglove__enabled=True, foxglove__port=0)
 
 

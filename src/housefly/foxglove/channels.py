@@ -69,7 +69,7 @@ def tracked_bodies(site: Site) -> tuple[str, ...]:
 
 
 def channels_of(site: Site) -> tuple[LiveChannel, ...]:
-    """Return every channel of a site: those of the room, then those of each drone."""
+    """Return every channel of a site, each once: those of the room, then those of each drone."""
     room = [
         _ros("/tf", "tf2_msgs/msg/TFMessage"),
         _ros("/room/furniture", MARKERS, latched=True),
@@ -82,7 +82,8 @@ def channels_of(site: Site) -> tuple[LiveChannel, ...]:
     if site.tasks.enabled:
         room.append(_json("/tasks", HouseTasks, latched=True))
     drones = (channel for drone in site.drone_names for channel in _drone_channels(site, drone))
-    return (*room, *drones)
+    # Two bodies whose names differ only in what a topic cannot hold share one.
+    return tuple({channel.topic: channel for channel in (*room, *drones)}.values())
 
 
 def _drone_channels(site: Site, drone: str) -> list[LiveChannel]:
