@@ -23,6 +23,8 @@ from housefly.record.summary import EventRecord
 
 _WIDTH, _ROW = 10.4, 1.35
 """Width of a figure and height of one strip [inch]."""
+_SPAN_MIN = 0.02
+"""An axis spans at least this: what is constant is drawn as a line, not as its rounding."""
 _Line = tuple[str, FloatArray]
 
 
@@ -149,6 +151,10 @@ def _strips(name: str, log: FlightLog, rows: Sequence[tuple[str, tuple[_Line, ..
                 style = "-" if number == 0 else (0, (4, 3))
                 colour = svg.ACCENT if number == 0 else svg.SECONDARY
                 axes.plot(log.time, values, color=colour, linestyle=style, label=label)
+            low, high = axes.get_ylim()
+            if high - low < _SPAN_MIN:
+                middle = (low + high) / 2.0
+                axes.set_ylim(middle - _SPAN_MIN / 2.0, middle + _SPAN_MIN / 2.0)
         if any(len(lines) > 1 for _, lines in rows):
             strips[0].legend(loc="upper right", ncols=2, bbox_to_anchor=(1.0, 1.4))
         strips[-1].set_xlabel("time [s]")
