@@ -29,6 +29,7 @@ from housefly.app.commands.new import NEW_COMMAND
 from housefly.app.commands.plan import PLAN_COMMAND
 from housefly.app.commands.preflight import PREFLIGHT_COMMAND
 from housefly.app.commands.replay import REPLAY_COMMAND
+from housefly.app.commands.report import REPORT_COMMAND
 from housefly.app.commands.reproduce import REPRODUCE_COMMAND
 from housefly.app.commands.room import ROOM_COMMANDS
 from housefly.app.commands.ros2 import ROS2_COMMAND
@@ -51,6 +52,7 @@ _COMMANDS = (
     PLAN_COMMAND,
     ROOM_COMMANDS,
     REPLAY_COMMAND,
+    REPORT_COMMAND,
     IDENTIFY_COMMAND,
     GAINS_COMMAND,
     ASK_COMMAND,

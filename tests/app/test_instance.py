@@ -35,6 +35,7 @@ def owned(site: Site) -> set[str]:
         f"tracking {site.tracking.address}",
         *(f"laser {laser.address}:{laser.port}" for laser in site.lasers),
         f"console {site.web.port}",
+        f"foxglove {site.foxglove.port}",
         f"topic {site.mqtt.site}",
         site.name,
         *(str(folder(site)) for folder in (database_file, edits_folder, tasks_folder)),

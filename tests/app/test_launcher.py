@@ -158,6 +158,16 @@ def test_who_lands_last_is_never_killed_and_who_hangs_before_is_all_drones_at_on
                 running[name].kill()
 
 
+def test_the_live_view_runs_only_where_the_site_asks_for_it_and_yields_to_all_others(
+    tmp_path: Path,
+) -> None:
+    without = processes_of(new_runtime(Site(), tmp_path))
+    assert "foxglove" not in [spec.name for spec in without]
+    *others, live = processes_of(new_runtime(changed(Site(), foxglove__enabled=True), tmp_path))
+    assert live.name == "foxglove" and live.lands is None
+    assert all(live.niceness > spec.niceness for spec in others)
+
+
 def test_logs_are_for_their_user_alone(tmp_path: Path, runtime: Runtime) -> None:
     (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
     before = os.umask(0o022)

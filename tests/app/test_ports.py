@@ -38,6 +38,14 @@ def test_a_taken_port_is_refused_before_anything_starts(
             refuse_taken_ports(site_at(loopback), web=True)
 
 
+def test_the_port_of_the_live_view_is_looked_at_where_the_site_asks_for_it(loopback: str) -> None:
+    site = changed(site_at(loopback), foxglove__host=loopback)
+    with socket.create_server((loopback, 8765)):
+        refuse_taken_ports(site, web=True)
+        with pytest.raises(LinkError, match=r"Foxglove: TCP 8765.*foxglove\.port"):
+            refuse_taken_ports(changed(site, foxglove__enabled=True), web=True)
+
+
 @pytest.mark.parametrize(
     ("wire", "port", "kind", "words"),
     [

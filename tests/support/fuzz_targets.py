@@ -8,6 +8,7 @@ from fuzz_drone_wires import DRONE_WIRES
 from fuzz_files import FILES
 from fuzz_imports import IMPORTS
 from fuzz_kept import KEPT
+from fuzz_logs import LOGS
 from fuzz_mavlink import MAVLINK
 from fuzz_new_page import NEW_PAGE
 from fuzz_room_wires import ROOM_WIRES
@@ -20,5 +21,5 @@ from fuzz_web import WEB
 TARGETS: dict[str, FuzzTarget] = {
     **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **TWIN, **WEB,
     **NEW_PAGE, **IMPORTS, **CRAZYFLIE, **TELLO, **MAVLINK,
-    **BETAFLIGHT,
+    **BETAFLIGHT, **LOGS,
 }  # fmt: skip

@@ -1,4 +1,4 @@
-"""Events and ways as tables for other programs: CSV, or Parquet with the extra ``lab``."""
+"""Events, ways and flights as tables for other programs: CSV, or Parquet (extra ``lab``)."""
 
 from __future__ import annotations
 
@@ -14,13 +14,14 @@ from housefly.hub.api.answers import EventAnswer
 from housefly.messages import RoomEvent
 
 Cell = str | float
+CellType = type[str] | type[float] | type[int]
 Row = tuple[Cell, ...]
-EVENT_HEADINGS: Mapping[str, type[str] | type[float]] = {
+EVENT_HEADINGS: Mapping[str, CellType] = {
     "time": str, "unix": float, "kind": str, "thing": str, "name": str, "cause": str,
     "cause_name": str, "confidence": float, "source": str, "words": str, "facts": str,
 }  # fmt: skip
 """Columns of the table of events and their types; facts are JSON."""
-WAY_HEADINGS: Mapping[str, type[str] | type[float]] = {
+WAY_HEADINGS: Mapping[str, CellType] = {
     "time": str, "unix": float, "thing": str, "name": str, "x_m": float, "y_m": float, "z_m": float,
 }  # fmt: skip
 """Columns of the table of where things were."""
@@ -37,7 +38,7 @@ def event_rows(events: Iterable[RoomEvent], names: Mapping[str, str]) -> Iterato
             one.kind, one.thing, one.at, one.source, one.cause, one.confidence, facts
         )
         yield (
-            *_when(one.at),
+            *dated(one.at),
             one.kind,
             one.thing,
             names.get(one.thing, ""),
@@ -53,12 +54,10 @@ def event_rows(events: Iterable[RoomEvent], names: Mapping[str, str]) -> Iterato
 def way_rows(thing: str, name: str, rows: Iterable[tuple[float, ...]]) -> Iterator[Row]:
     """Yield a row for each place of a thing: Unix time [s], x, y, z [m]."""
     for at, x, y, z in rows:
-        yield *_when(at), thing, name, x, y, z
+        yield *dated(at), thing, name, x, y, z
 
 
-def write_table(
-    file: Path, headings: Mapping[str, type[str] | type[float]], rows: Iterable[Row]
-) -> int:
+def write_table(file: Path, headings: Mapping[str, CellType], rows: Iterable[Row]) -> int:
     """Write a table and return its number of rows; the name's ending says the format.
 
     Raises:
@@ -76,9 +75,7 @@ def write_table(
         raise ConfigError("FILE", f"cannot be written ({error.strerror})", str(file)) from error
 
 
-def _write_csv(
-    file: Path, headings: Mapping[str, type[str] | type[float]], rows: Iterable[Row]
-) -> int:
+def _write_csv(file: Path, headings: Mapping[str, CellType], rows: Iterable[Row]) -> int:
     count = 0
     with file.open("w", encoding="utf-8", newline="") as target:
         table = csv.writer(target)
@@ -89,29 +86,29 @@ def _write_csv(
     return count
 
 
-def _write_parquet(
-    file: Path, headings: Mapping[str, type[str] | type[float]], rows: Iterable[Row]
-) -> int:
+def _write_parquet(file: Path, headings: Mapping[str, CellType], rows: Iterable[Row]) -> int:
     try:
         import pyarrow as pa
         import pyarrow.parquet as pq
     except ModuleNotFoundError as error:
         raise MissingPartError("pyarrow (Parquet)", "pip install 'housefly[lab]'") from error
     columns = list(zip(*rows, strict=True)) or [()] * len(headings)
-    types = {str: pa.string(), float: pa.float64()}
+    types = {str: pa.string(), float: pa.float64(), int: pa.int64()}
     arrays = [
-        pa.array(column, types[kind])
+        pa.array(column, types[kind], from_pandas=True)
         for column, kind in zip(columns, headings.values(), strict=True)
     ]
     pq.write_table(pa.table(arrays, names=list(headings)), file)
     return len(columns[0])
 
 
-def _when(at: float) -> tuple[str, float]:
+def dated(at: float) -> tuple[str, float]:
     """Return a Unix time [s] as ISO 8601 in UTC, and as it is."""
     return datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds"), at
 
 
 def _plain(cell: Cell) -> Cell:
+    if cell != cell:  # no number: an empty cell, as in Parquet
+        return ""
     is_formula = isinstance(cell, str) and cell.startswith(_FORMULA)
     return f"'{cell}" if is_formula else cell

@@ -19,8 +19,8 @@ def site_of_instance(site: Site, instance: int) -> Site:
     """Return a simulated site as it runs beside others of its kind.
 
     The first stays as it is. Each other gets loopback addresses of its own for drone, tracking and
-    scanners (127.0.2.1 for 127.0.0.1 of instance 2), the next console port, topics and a memory of
-    its own.
+    scanners (127.0.2.1 for 127.0.0.1 of instance 2), the next ports of console and Foxglove, topics
+    and a memory of its own.
 
     Raises:
         ConfigError: there is no such instance, or the site is not simulated.
@@ -48,6 +48,7 @@ def site_of_instance(site: Site, instance: int) -> Site:
         tracking__address=_moved(site.tracking.address, instance),
         lasers=lasers,
         web__port=site.web.port and site.web.port + instance - 1,
+        foxglove__port=site.foxglove.port and site.foxglove.port + instance - 1,
         mqtt__site=f"{site.mqtt.site}-{instance}"[-40:],
         mqtt__broker=_moved(site.mqtt.broker, instance) if site.mqtt.start else site.mqtt.broker,
         hub__store=_own_store(site, instance),

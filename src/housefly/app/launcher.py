@@ -11,6 +11,7 @@ perception  finds obstacles in scans and depth images; absent without such senso
 tasks       services: queue, rules, clips; gives the pilot orders as people do
 web         the console
 ros2        the room as a ROS 2 node
+foxglove    the live view in Foxglove; absent where the site does not ask for it
 """
 
 from __future__ import annotations
@@ -140,6 +141,9 @@ def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[P
                 "web", "housefly.web.process", (*site_argument, *listens_at), niceness=5, port=port
             )
         )
+    if site.foxglove.enabled:
+        listens = (*site_argument, "--bus", runtime.bus)
+        processes.append(ProcessSpec("foxglove", "housefly.foxglove.process", listens, niceness=10))
     return tuple(processes)
 
 

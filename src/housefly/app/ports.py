@@ -64,6 +64,8 @@ def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
         needs.append(
             _tcp("console", site.web.host, site.web.port, "web.port (or use --port) or web.host")
         )
+    if site.foxglove.enabled and site.foxglove.port:
+        needs.append(_tcp("Foxglove", site.foxglove.host, site.foxglove.port, "foxglove.port"))
     return tuple(needs)
 
 

@@ -26,6 +26,7 @@ from housefly.config.drones import (
 from housefly.config.edits import Edits
 from housefly.config.estimation import EstimationConfig
 from housefly.config.faults import FaultConfig
+from housefly.config.foxglove import FoxgloveConfig
 from housefly.config.furniture import FurnitureConfig, check_furniture
 from housefly.config.hub import HubConfig
 from housefly.config.laser import LaserConfig, check_lasers
@@ -96,6 +97,7 @@ class Site(Section):
     )
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
+    foxglove: FoxgloveConfig = FoxgloveConfig()
     hub: HubConfig = HubConfig()
     tasks: TasksConfig = TasksConfig()
     ros2: Ros2Config = Ros2Config()

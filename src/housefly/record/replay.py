@@ -4,33 +4,22 @@ from __future__ import annotations
 
 import json
 import os
-import struct
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO, Protocol
+from typing import Protocol
 
-from mcap.exceptions import EndOfFile, McapError
-from mcap.opcode import Opcode
-from mcap.records import Channel, McapRecord, Message, Schema
-from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC
 from rosbags.typesys.store import Typestore
-from zstandard import ZstdError
 
 from housefly.bus.codec import check_types, from_cdr
 from housefly.bus.interfaces import recorded_store, ros_name, type_store
 from housefly.errors import RecordingError, WireError
 from housefly.messages import Command, Inputs, OrderSource, Outputs, PilotStep
+from housefly.record.mcap_reader import RecordedMessage, flight_file, read_messages
 
 STEP_CHANNEL = "/housefly/step"
 _STEP_TYPE = ros_name("PilotStep")
-_RECORD_LIMIT = 64 * 2**20
-"""Largest record in a sane recording [bytes]; a damaged length must not exhaust the memory."""
-_PIECE = 2**20
-_HEAD = struct.Struct("<BQ")
-"""Kind and length [bytes] of an MCAP record."""
 
 
 def read_steps(path: Path) -> Iterator[PilotStep]:
@@ -43,70 +32,25 @@ def read_steps(path: Path) -> Iterator[PilotStep]:
         RecordingError: the file is absent, is not a recording of Housefly, or is damaged in the
             middle.
     """
-    path = path / "flight.mcap" if path.is_dir() else path
-    try:
-        file = path.open("rb")
-    except OSError as error:
-        raise RecordingError(f"{path} cannot be read: {error.strerror}") from error
-    with file:
-        yield from _steps(file, path)
+    for _, step in read_dated_steps(path):
+        yield step
 
 
-def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
-    schemas: dict[int, Schema] = {}
-    step_channel, types, tells_sources = -1, type_store(), True
-    for record in _records(file, path):
-        if isinstance(record, Schema):
-            schemas[record.id] = record
-        elif isinstance(record, Channel) and record.topic == STEP_CHANNEL:
-            types = _types_of(schemas.get(record.schema_id), path)
-            tells_sources = "source" in dict(types.fielddefs[ros_name("Order")][1])
-            step_channel = record.id
-        elif isinstance(record, Message) and record.channel_id == step_channel:
-            try:
-                step = from_cdr(PilotStep, record.data, types)
-            except WireError as error:
-                raise RecordingError(f"{path} is damaged: {error}") from error
-            yield step if tells_sources else _with_sources(step)
-
-
-def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
-    """Yield the records of an MCAP file; ends quietly after the last complete one."""
-    if file.read(len(MCAP0_MAGIC)) != MCAP0_MAGIC:
-        raise RecordingError(f"{path} is not a recording")
-    while len(head := file.read(_HEAD.size)) == _HEAD.size:
-        opcode, length = _HEAD.unpack(head)
-        if length > _RECORD_LIMIT:
-            raise RecordingError(f"{path} is damaged: a record of {length} bytes")
-        body = file.read(length)
-        if len(body) < length or opcode == Opcode.FOOTER:
-            return
-        try:
-            yield from StreamReader(
-                BytesIO(head + body), skip_magic=True, validate_crcs=True
-            ).records
-        except EndOfFile:
-            # The end of this one record, which is whole.
+def read_dated_steps(path: Path) -> Iterator[tuple[float, PilotStep]]:
+    """Yield the steps as ``read_steps``, each with the Unix time of its recording [s]."""
+    path = flight_file(path)
+    types, schema, tells_sources = type_store(), None, True
+    for message in read_messages(path):
+        if message.topic != STEP_CHANNEL:
             continue
-        except (
-            McapError,
-            ZstdError,
-            struct.error,
-            ValueError,
-            OverflowError,
-            MemoryError,
-        ) as error:
-            if _is_torn_end(file):
-                return
+        if message.schema is not schema:
+            types, schema = _types_of(message, path), message.schema
+            tells_sources = "source" in dict(types.fielddefs[ros_name("Order")][1])
+        try:
+            step = from_cdr(PilotStep, message.data, types)
+        except WireError as error:
             raise RecordingError(f"{path} is damaged: {error}") from error
-
-
-def _is_torn_end(file: BinaryIO) -> bool:
-    """Return whether nothing follows a record that cannot be read, or what a power cut leaves.
-
-    Some file systems know how long a file is before they have what is in it: that reads as zeros.
-    """
-    return not any(piece.strip(b"\0") for piece in iter(lambda: file.read(_PIECE), b""))
+        yield message.at, step if tells_sources else _with_sources(step)
 
 
 def _with_sources(step: PilotStep) -> PilotStep:
@@ -119,12 +63,12 @@ def _with_sources(step: PilotStep) -> PilotStep:
     return step if orders == given else replace(step, inputs=replace(step.inputs, orders=orders))
 
 
-def _types_of(schema: Schema | None, path: Path) -> Typestore:
+def _types_of(message: RecordedMessage, path: Path) -> Typestore:
     """Return the types of the recorded steps: ours, or older ones that lack newer fields."""
     try:
-        if schema is None or schema.name != _STEP_TYPE:
+        if message.type_name != _STEP_TYPE:
             raise WireError("no steps")
-        types = recorded_store(_STEP_TYPE, schema.data.decode(errors="replace"))
+        types = recorded_store(_STEP_TYPE, message.schema)
         check_types(PilotStep, types)
     except WireError as error:
         raise RecordingError(

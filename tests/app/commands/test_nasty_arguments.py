@@ -55,6 +55,7 @@ LINES: dict[str, tuple[str, ...]] = {
     "history": ("shelf",),
     "watch": (),
     "sensors": (),
+    "report": ("hover.csv", "--out=hover.html"),
     "export": ("events.csv",),
     "memory forget": ("person-1",),
     "memory import-tms": ("dump.json",),
@@ -75,7 +76,13 @@ and options the nasty ones are put in turn.
 NO_NEED_TO_REFUSE = {
     # Names of files and folders, and words for people: these may be anything that can be written.
     *{("demo", "record"), ("run", "record"), ("fly", "out"), ("identify", "out"), ("cert", "out")},
-    *{("gains", "out"), ("plan", "png"), ("room show", "png"), ("room import", "out")},
+    *{
+        ("gains", "out"),
+        ("report", "out"),
+        ("plan", "png"),
+        ("room show", "png"),
+        ("room import", "out"),
+    },
     *{("clips export", "out"), ("reproduce", "out"), ("safety", "out"), ("campaign", "out")},
     *{("memory export-tms", "file"), ("task import-rpn", "out"), ("task import-rpn", "title")},
     *{("new", "name"), ("new", "port"), ("history", "kind"), ("export", "kind")},
@@ -115,6 +122,10 @@ FILES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("x.toml", ("doctor", "--site=x.toml")),
     ("x.mcap", ("replay", "x.mcap", "--site=bsen")),
     ("site.json", ("replay", ".")),
+    ("x.mcap", ("report", "x.mcap")),
+    ("x.bag", ("report", "x.bag")),
+    ("x.csv", ("report", "x.csv")),
+    ("x.mcap", ("export", "x.csv", "--flight=x.mcap")),
     ("out/site.json", ("identify", "--from=out")),
     ("out/flights.jsonl", ("safety", "--seeds=0", "--out=out")),
     ("out/wired_flights.jsonl", ("safety", "--seeds=0", "--out=out")),

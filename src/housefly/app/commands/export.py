@@ -22,10 +22,16 @@ if TYPE_CHECKING:
 
 _EVERY = (0.0, 86_400.0)
 """Allowed values of ``--every`` [s]."""
+_TABLES = ("steps", "sightings", "events")
+_OF_MEMORY = ("ways", "thing", "kind", "pseudonyms")
 
 
 def _add_arguments(parser: ArgumentParser) -> None:
-    parser.add_argument("file", metavar="FILE", help="events.csv or events.parquet")
+    parser.add_argument(
+        "file",
+        metavar="FILE",
+        help="events.csv or events.parquet; with --flight also the new folder of a rosbag2",
+    )
     add_asked_site(parser)
     parser.add_argument(
         "--since", default="30d", metavar="TIME", help=f"from then on: {TIME_FORMS} (default: 30d)"
@@ -44,6 +50,22 @@ def _add_arguments(parser: ArgumentParser) -> None:
         help="of --ways: one row in so many seconds (default: 1; 0 for all that is kept)",
     )
     parser.add_argument(
+        "--flight",
+        metavar="LOG",
+        help="a recorded flight, or a log as `housefly report` reads it, instead of the memory",
+    )
+    parser.add_argument(
+        "--table",
+        choices=_TABLES,
+        default=_TABLES[0],
+        help="of --flight: one row for each step, sighting or event (default: steps)",
+    )
+    parser.add_argument(
+        "--own",
+        action="store_true",
+        help="of --flight: into the rosbag2 also what is of Housefly's own types",
+    )
+    parser.add_argument(
         "--pseudonyms",
         metavar="KEY.json",
         help="people as P01, P02 ...; who is who stands in this file alone, which you keep apart",
@@ -52,6 +74,8 @@ def _add_arguments(parser: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Write the table; 0 when it has a row."""
+    if options.flight:
+        return _export_flight(options)
     from housefly.app.event_table import EVENT_HEADINGS, WAY_HEADINGS, write_table
     from housefly.hub.store.open import open_site_store
     from housefly.hub.things_of_room import catalogue_of
@@ -75,6 +99,52 @@ def _run(options: Namespace) -> int:
         store.close()
     console.print(f"{count} rows written: {options.file}", markup=False)
     return 0 if count else 1
+
+
+def _export_flight(options: Namespace) -> int:
+    """Write a recorded flight; 0 when it has a row or a message."""
+    for name in _OF_MEMORY:
+        if getattr(options, name):
+            raise ConfigError(f"--{name}", "is of what the room remembers, not of --flight")
+    from housefly.app.event_table import write_table
+    from housefly.app.flight_logs.read_log import is_own_recording
+
+    recording, file = Path(options.flight), Path(options.file)
+    if not is_own_recording(recording):
+        count = _export_log(recording, file)
+    elif not file.suffix:
+        return _write_bag(recording, file, with_own=options.own)
+    else:
+        from housefly.app.flight_tables import TABLE_FORMS, FlightTable, flight_rows
+
+        table = FlightTable(options.table)
+        count = write_table(file, TABLE_FORMS[table].headings, flight_rows(recording, table))
+    console.print(f"{count} rows written: {options.file}", markup=False)
+    return 0 if count else 1
+
+
+def _export_log(recording: Path, file: Path) -> int:
+    """Write a log of others as a table; return its number of rows."""
+    from housefly.app.event_table import write_table
+    from housefly.app.flight_logs.log_table import LOG_HEADINGS, log_rows
+    from housefly.app.flight_logs.read_log import read_flight_log
+
+    log = read_flight_log(recording)
+    for problem in log.problems:
+        console.print(problem, markup=False)
+    return write_table(file, LOG_HEADINGS, log_rows(log))
+
+
+def _write_bag(recording: Path, folder: Path, *, with_own: bool) -> int:
+    from housefly.record.rosbag import write_rosbag
+
+    counts = write_rosbag(recording, folder, with_own=with_own)
+    total = sum(counts.messages.values())
+    console.print(f"{total} messages of {len(counts.messages)} topics written: {folder}")
+    if counts.left_out:
+        named = ", ".join(sorted(counts.left_out))
+        console.print(f"of Housefly's own types, left out without --own: {named}")
+    return 0 if total else 1
 
 
 def _pseudonyms(options: Namespace, things: Iterable[Thing]) -> Pseudonyms | None:
@@ -140,10 +210,11 @@ def _id(words: str, things: tuple[Thing, ...]) -> str:
 
 EXPORT_COMMAND = Subcommand(
     name="export",
-    help="what happened as a table: CSV or Parquet",
+    help="what happened, or a flight, as a table: CSV, Parquet; a flight as rosbag2",
     description=(
-        "Write what a room remembers as a table: events, or with --ways where things were. The"
-        " room may run or not. CSV needs nothing more, Parquet the extra lab."
+        "Write what a room remembers as a table: events, or with --ways where things were; or"
+        " with --flight a recorded flight, as a table or as a rosbag2 folder. The room may run or"
+        " not. CSV needs nothing more, Parquet the extra lab."
     ),
     add_arguments=_add_arguments,
     run=_run,
@@ -152,5 +223,8 @@ EXPORT_COMMAND = Subcommand(
         "  housefly export events.csv --since 7d\n"
         "  housefly export ways.parquet --ways --thing resident --every 10\n"
         "  housefly export events.csv --pseudonyms ../apart/who-is-who.json\n"
+        "  housefly export flight.parquet --flight mine\n"
+        "  housefly export seen.csv --flight mine --table sightings\n"
+        "  housefly export mine_bag --flight mine           a rosbag2 folder\n"
     ),
 )

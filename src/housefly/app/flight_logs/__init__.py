@@ -1,0 +1,1 @@
+"""Logs of others, as one form: ROS bags, PX4 ulog, ArduPilot dataflash, Crazyflie CSV."""

@@ -1,0 +1,1 @@
+"""The room live in Foxglove: one WebSocket that anybody on this machine may watch."""
