@@ -47,7 +47,7 @@ class HomeLink(ReconnectingClient[None]):
         view: what is shown.
         requests: does what is asked.
         clock: for ages.
-        on_birth: called when Home Assistant is there anew, on the loop; must be quick.
+        on_birth: called when the broker or Home Assistant is there anew, on the loop.
     """
 
     def __init__(
@@ -105,6 +105,7 @@ class HomeLink(ReconnectingClient[None]):
                 was_connected = True
                 self._problem = UNSAID
                 self._data_arrived(self._clock.now())
+                self._on_birth()
                 working = [
                     asyncio.create_task(self._show(link)),
                     asyncio.create_task(self._tell(link)),

@@ -52,16 +52,11 @@ def room_entities(room: HomeDevice, topics: HomeTopics, *, may_ask: bool) -> tup
         for kind in SituationKind
     ]
     texts = {QUESTION: "Question", REPLY: "Reply", MODE: "Mode"}
-    told += [
-        HomeEntity(
-            "sensor",
-            key,
-            room,
-            name,
-            {"state_topic": topics.state(key), "json_attributes_topic": topics.attributes(key)},
+    for key, name in texts.items():
+        more = {} if key == REPLY else {"json_attributes_topic": topics.attributes(key)}
+        told.append(
+            HomeEntity("sensor", key, room, name, {"state_topic": topics.state(key), **more})
         )
-        for key, name in texts.items()
-    ]
     if may_ask:
         told += [
             HomeEntity(
