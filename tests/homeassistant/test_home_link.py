@@ -114,7 +114,7 @@ async def test_what_a_task_asks_is_shown_and_a_no_from_there_counts(broker: Brok
         task = house.tasks.ring()
         await screen.holds(TOPICS.state("room-question"), b"Someone is at the entrance. Look?")
         told = json.loads(screen.held[TOPICS.attributes("room-question")])
-        assert (told["task"], told["question"]) == (task.id, "confirm")
+        assert told["asks"] == f"{task.id}|confirm" and told["words"].endswith("Look?")
         await screen.client.publish(TOPICS.answer_command, b"no", qos=1)
         await screen.holds(TOPICS.state("room-question"), b"none")
         assert house.tasks.tasks[task.id].words == "Home Assistant said ignore"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from concurrent.futures import Future
 from typing import Any
@@ -66,7 +65,7 @@ def room() -> Iterator[Room]:
 
 
 def answered(task: int, choice: str, question: str = "confirm") -> bytes:
-    return json.dumps({"task": task, "question": question, "choice": choice}).encode()
+    return f"{task}|{question}|{choice}".encode()
 
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=200)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+import re
 from dataclasses import dataclass
 from enum import Enum
 
@@ -10,7 +10,7 @@ from housefly.errors import WireError
 
 MAX_COMMAND = 1024
 """Longest command [bytes]."""
-_TASK_MAX = 2**53
+_TASK = re.compile(r"[1-9][0-9]{0,14}", re.ASCII)
 _TEXT_MAX = 80
 
 
@@ -66,29 +66,22 @@ def drone_command(payload: bytes) -> DroneCommand:
 
 
 def answer_command(payload: bytes) -> AnswerCommand:
-    """Return what a message answers: ``yes``, ``no``, or JSON; raises WireError.
+    """Return what a message answers: ``yes``, ``no``, ``12|confirm|yes``; raises WireError.
 
-    ``{"task": 12, "question": "confirm", "choice": "yes"}`` means that question and no later one.
+    The last means one question of one task, and no later one.
     """
-    text = _text(payload)
-    if text in {one.value for one in YesOrNo}:
-        return AnswerCommand(YesOrNo(text))
-    try:
-        tree = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise WireError(f"{payload[:40]!a} is no answer; known: yes, no, JSON") from error
-    match tree:
-        case {"task": int(task), "question": str(question), "choice": str(choice)} if (
-            tree.keys() == {"task", "question", "choice"}
-            and not isinstance(task, bool)
-            and 1 <= task <= _TASK_MAX
-            and all(
-                0 < len(word) <= _TEXT_MAX and word.isprintable() for word in (question, choice)
-            )
+    said = _text(payload)
+    known = {one.value: one for one in YesOrNo}
+    if said in known:
+        return AnswerCommand(known[said])
+    match said.split("|", 2):
+        case [task, question, choice] if (
+            _TASK.fullmatch(task)
+            and 0 < len(question) <= _TEXT_MAX
+            and 0 < len(choice) <= _TEXT_MAX
         ):
-            known = {one.value: one for one in YesOrNo}
-            return AnswerCommand(known.get(choice, choice), task, question)
-    raise WireError('an answer is {"task": number, "question": text, "choice": text}')
+            return AnswerCommand(known.get(choice, choice), int(task), question)
+    raise WireError(f"{payload[:40]!a} is no answer; known: yes, no, TASK|QUESTION|CHOICE")
 
 
 def _text(payload: bytes) -> str:

@@ -101,8 +101,8 @@ def board_states(board: TaskBoard | None, topics: HomeTopics) -> dict[str, bytes
     asked: dict[str, Any] = {}
     if task is not None and question is not None:
         asked = {
-            "task": task.id,
-            "question": question.id,
+            "asks": f"{task.id}|{question.id}",
+            "words": question.words,
             "choices": list(question.choices),
             "until": question.until,
             "service": task.service,
