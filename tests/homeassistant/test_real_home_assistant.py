@@ -17,26 +17,33 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from datetime import datetime
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 from urllib.error import URLError
 from urllib.parse import urlencode
 from urllib.request import Request, urlopen
 
+import numpy as np
 import pytest
 from fake_pilot import FakePilot
 from fake_room import example_room
+from filming import RATE_HZ, SIZE, striped
 from mqtt_broker import Broker, running_broker, until
+from PIL import Image
 
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.new_runtime import new_runtime
+from housefly.bus.bus import Bus
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site, site_from_tree
+from housefly.evidence.frame_blanker import BLANK
 from housefly.hub.situations.kinds import SituationKind
-from housefly.messages import OrderKind
+from housefly.messages import DroneStatus, OrderKind, Phase, VideoFrame
 from housefly.room.files import load_room
 from housefly.room.model import Place
+from housefly.twin.camera.encoder import Encoder
 
 ROOT = Path(__file__).resolve().parents[2]
 HASS = Path(os.environ.get("HASS", ROOT / ".venv" / "homeassistant" / "bin" / "hass"))
@@ -48,6 +55,13 @@ DEVICES = {
     "doorbell/doorbell": b"{}",
     "power/stove": b'{"power": 1420.0}',
 }
+WINDOW = {
+    "id": "kitchen-window",
+    "kind": "contact",
+    "state_topic": "statestream/input_boolean/kitchen_window/state",
+    "heartbeat": 86400.0,
+}
+"""A contact of Home Assistant's own, as a device of the room."""
 NAME, PASSWORD = "house", "a long password"
 
 pytestmark = [
@@ -108,6 +122,16 @@ class HomeAssistant:
         except URLError:
             return ""
 
+    def picture(self, entity: str) -> bytes:
+        """Return the picture of a camera, b"" while there is none."""
+        headers = {"Authorization": f"Bearer {self._token}"}
+        try:
+            path = f"{self.address}/api/camera_proxy/{entity}"
+            with urlopen(Request(path, headers=headers), timeout=30.0) as answer:
+                return bytes(answer.read())
+        except URLError:
+            return b""
+
     def call(self, service: str, entity: str) -> None:
         self.ask(f"/api/services/{service.replace('.', '/')}", {"entity_id": entity})
 
@@ -152,6 +176,8 @@ async def home_assistant(folder: Path, broker: Broker) -> AsyncIterator[HomeAssi
         f" [{folder}]\nhttp:\n  server_host: 127.0.0.1\n  server_port: {port}\nfrontend:\n"
         "notify:\n  - platform: file\n    name: mobile_app_phone\n"
         f"    filename: {folder / 'phone.txt'}\n"
+        "input_boolean:\n  kitchen_window:\nmqtt_statestream:\n  base_topic: statestream\n"
+        "  include:\n    domains: [input_boolean]\n"
         "automation: !include automations.yaml\nlogger:\n  default: warning\n"
     )
     folder.joinpath("automations.yaml").write_text(automations_of_the_page())
@@ -171,7 +197,9 @@ async def home_assistant(folder: Path, broker: Broker) -> AsyncIterator[HomeAssi
         stored = {"version": version, "minor_version": 1, "key": key, "data": data}
         folder.joinpath(".storage", key).write_text(json.dumps(stored))
     with folder.joinpath("hass.log").open("wb") as log:
-        process = subprocess.Popen([HASS, "-c", folder], stdout=log, stderr=subprocess.STDOUT)
+        process = subprocess.Popen(
+            [HASS, "--skip-pip", "-c", folder], stdout=log, stderr=subprocess.STDOUT
+        )
         home = HomeAssistant(port)
         try:
             await until(lambda: asyncio.to_thread(home.is_up), 240.0)
@@ -191,7 +219,7 @@ def shown_site(broker: Broker, folder: Path) -> Site:
     mqtt = {"broker": "127.0.0.1", "port": broker.port, "username": NAME}
     return site_from_tree(
         {
-            "mqtt": {**mqtt, "password_file": str(password)},
+            "mqtt": {**mqtt, "password_file": str(password), "sensors": [WINDOW]},
             "homeassistant": {"enabled": True, "answers": True, "pictures": True},
         }
     )
@@ -266,9 +294,11 @@ async def test_it_sees_everything_presses_everything_and_the_doorbell_asks_the_p
                 async with client as device:
                     working.append(asyncio.create_task(spoken(device)))
                     await _sees_everything(home, room.places)
+                    await _is_read_by_the_room(home)
                     await _presses_everything(home, pilot, stops)
                     print(f"bell to state: {await _bell_times(home, device)} s")
                     await _rings(home, phone)
+                    await _shows_a_picture(home, pilot, bus)
                 if PICTURE:
                     await pictured(home, tokens, Path(PICTURE))
             finally:
@@ -295,6 +325,14 @@ async def _sees_everything(home: HomeAssistant, places: tuple[Place, ...]) -> No
     tracker = seen["device_tracker.drone_place"]["attributes"]
     assert {"x", "y", "z"} <= tracker.keys()
     assert seen["sensor.drone_battery"]["state"] == "86"
+
+
+async def _is_read_by_the_room(home: HomeAssistant) -> None:
+    """What Home Assistant knows is a device of the room, and comes back as one."""
+    shown, own = "binary_sensor.contact_kitchen_window_open", "input_boolean.kitchen_window"
+    for service, state in (("turn_on", "on"), ("turn_off", "off")):
+        await asyncio.to_thread(home.call, f"input_boolean.{service}", own)
+        await home.shows(shown, state)
 
 
 async def _presses_everything(home: HomeAssistant, pilot: FakePilot, stops: list[float]) -> None:
@@ -342,3 +380,27 @@ async def _rings(home: HomeAssistant, phone: Path) -> None:
     await asyncio.to_thread(home.ask, "/api/events/mobile_app_notification_action", told)
     await home.shows("sensor.b_sen_reply", lambda state: "queued" in state or "running" in state)
     assert "emplate" not in phone.with_name("hass.log").read_text(), "the page's automations"
+
+
+async def _shows_a_picture(home: HomeAssistant, pilot: FakePilot, bus: Bus) -> None:
+    """In flight there is a picture of the camera, afterwards a blank one."""
+    encoder, pictures = Encoder(*SIZE, RATE_HZ, group=5), []
+    pilot.phase, pilot.status = Phase.HOLDING, DroneStatus.FLYING
+    for number in range(600):
+        data, keyframe = encoder.encode(striped(number % 1000))
+        at = pilot.clock.now()
+        bus.publish(pilot.topics.video, VideoFrame(data, keyframe, *SIZE, number, at))
+        await asyncio.sleep(0.1)
+        if number % 10 == 0:
+            pictures.append(await asyncio.to_thread(home.picture, "camera.drone_camera"))
+        if number == 60:
+            pilot.phase, pilot.status = Phase.IDLE, DroneStatus.LANDED
+        if number > 60 and pictures[-1] and is_blank(pictures[-1]):
+            break
+    assert any(picture and not is_blank(picture) for picture in pictures)
+    assert pictures[-1] and is_blank(pictures[-1])
+
+
+def is_blank(jpeg: bytes) -> bool:
+    shown = np.asarray(Image.open(BytesIO(jpeg)).convert("RGB")).astype(int)
+    return bool(np.abs(shown - BLANK).max() < 25)

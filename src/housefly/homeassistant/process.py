@@ -44,7 +44,8 @@ from housefly.homeassistant.room_reader import RoomReader
 from housefly.hub.api.answers import News
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
 from housefly.messages import PilotStep, VideoFrame
-from housefly.sites.loaded_site import LoadedSite, open_site
+from housefly.room.edits import room_of
+from housefly.room.model import Room
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 
 _READ_PERIOD, _CAMERA_PERIOD = 0.2, 0.5
@@ -56,19 +57,20 @@ class HomeProcess:
     """Home Assistant's view of one run.
 
     Args:
-        loaded: the site.
+        site: what is shown, and what may be asked for.
+        room: its places and pads.
         bus: of the run.
         stops: a sender for each drone, by name.
     """
 
-    def __init__(self, loaded: LoadedSite, bus: Bus, stops: dict[str, StopSender]) -> None:
-        site, self._bus, clock = loaded.site, bus, RealClock()
-        self._view = HomeView(site, loaded.room, clock)
+    def __init__(self, site: Site, room: Room, bus: Bus, stops: dict[str, StopSender]) -> None:
+        self._bus, clock = bus, RealClock()
+        self._view = HomeView(site, room, clock)
         self._reader = RoomReader(bus, self._view, clock, has_tasks=site.tasks.enabled)
         self._requests = HomeRequests(
             site.homeassistant,
             self._view.topics,
-            [place.name for place in loaded.room.places],
+            [place.name for place in room.places],
             {name: sender.send for name, sender in stops.items()},
             bus,
             self._view.board,
@@ -181,10 +183,10 @@ def stop_senders() -> dict[str, StopSender]:
         ) from error
 
 
-async def _run(loaded: LoadedSite, endpoint: str) -> None:
-    stops = stop_senders()
+async def _run(site: Site, endpoint: str) -> None:
+    room, stops = room_of(site), stop_senders()
     with ZenohBus(connect=endpoint) as bus:
-        running = asyncio.create_task(HomeProcess(loaded, bus, stops).run())
+        running = asyncio.create_task(HomeProcess(site, room, bus, stops).run())
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, running.cancel)
@@ -208,7 +210,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
     try:
-        asyncio.run(_run(open_site(site_from_file(options.site)), options.bus))
+        asyncio.run(_run(site_from_file(options.site), options.bus))
     except HouseflyError as error:
         log_line(f"homeassistant: {error}", sys.stderr)
         return 1

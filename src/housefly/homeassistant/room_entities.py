@@ -17,7 +17,7 @@ QUESTION, REPLY, MODE, YES, NO = "room-question", "room-reply", "room-mode", "ro
 NO_QUESTION = "none"
 """State of the sensor while no task asks anything."""
 _CLASSES: Mapping[SituationKind, str] = {
-    SituationKind.PERSON_PRESENT: "presence",
+    SituationKind.PERSON_PRESENT: "occupancy",
     SituationKind.PERSON_FALLEN: "safety",
     SituationKind.BED_OCCUPIED: "occupancy",
     SituationKind.DOOR_OPEN_LONG: "problem",
