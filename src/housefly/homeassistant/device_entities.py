@@ -140,4 +140,4 @@ def _payload(value: Fact | None, shown: _Shown) -> str:
         return value[:_TEXT_MAX] or "empty"
     if isinstance(value, bool) or not isinstance(value, int | float):
         return UNKNOWN
-    return f"{100.0 * value:.0f}" if shown is _BATTERY else f"{value:g}"
+    return f"{100.0 * value:.0f}" if shown is _BATTERY else f"{round(value, 1):g}"

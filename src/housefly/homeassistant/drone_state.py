@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from math import degrees, hypot
+from math import degrees, dist, hypot, radians
 
-from housefly.geometry import Vec2
+from housefly.geometry import Vec2, wrap_angle
 from housefly.homeassistant.drone_entities import drone_key
 from housefly.homeassistant.topics import HomeTopics
-from housefly.messages import DroneStatus, Phase, PilotStep, SafetyMode
+from housefly.messages import DroneStatus, Estimate, Phase, PilotStep, SafetyMode
 from housefly.room.model import Place
 
 _ON_PAD = 0.5
 """Who stands no further from the pad is docked [m]."""
 _AT_PLACE = 1.5
 """Who is further from every place is somewhere in the room [m]."""
+_MOVED, _TURNED = 0.1, radians(10.0)
+"""Who has moved or turned by less stands where it stood [m], [rad]."""
 _BY_SAFETY = {
     SafetyMode.CUT: "error",
     SafetyMode.LAND: "error",
@@ -59,9 +61,19 @@ def vacuum_state(step: PilotStep, pad: Vec2) -> str:
     return "docked" if hypot(x - pad[0], y - pad[1]) <= _ON_PAD else "idle"
 
 
+def shown_estimate(before: Estimate | None, step: PilotStep) -> Estimate | None:
+    """Return where a drone is shown: where it was, until it has moved; noise is no news."""
+    now = step.outputs.estimate
+    if before is None or now is None:
+        return now or before
+    is_moved = dist(before.position, now.position) >= _MOVED
+    return now if is_moved or abs(wrap_angle(now.yaw - before.yaw)) >= _TURNED else before
+
+
 def drone_states(
     drone: str,
     step: PilotStep | None,
+    estimate: Estimate | None,
     pad: Vec2,
     places: Iterable[Place],
     topics: HomeTopics,
@@ -80,12 +92,12 @@ def drone_states(
     found[topics.attributes(key)] = _json({**told, "reason": str(out.reason)})
     if report is not None:
         found[topics.state(f"{key}-battery")] = f"{100.0 * report.battery:.0f}".encode()
-    if out.estimate is not None:
-        (x, y, z), yaw = out.estimate.position, out.estimate.yaw
-        where = {"x": round(x, 1), "y": round(y, 1), "z": round(z, 1)}
+    if estimate is not None:
+        (x, y, z), yaw = estimate.position, estimate.yaw
+        where = {"x": round(x, 2), "y": round(y, 2), "z": round(z, 2)}
         found[topics.state(f"{key}-place")] = _place(x, y, places).encode()
         found[topics.attributes(f"{key}-place")] = _json(
-            {**where, "heading_degrees": round(degrees(yaw) / 10.0) * 10}
+            {**where, "heading_degrees": round(degrees(yaw))}
         )
     return found
 

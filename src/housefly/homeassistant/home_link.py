@@ -161,7 +161,7 @@ class HomeLink(ReconnectingClient[None]):
         if topic == self._topics.birth:
             self._is_due |= payload == b"online" and not message.retain
         elif topic.endswith("/config"):
-            if payload and self._topics.announced_key(topic):
+            if message.retain and payload and self._topics.announced_key(topic):
                 self._announced.add(topic)
         elif payload and not message.retain:
             # What the broker kept would fly again at each start.

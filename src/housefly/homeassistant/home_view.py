@@ -16,7 +16,7 @@ from housefly.homeassistant.device_entities import (
     is_device,
 )
 from housefly.homeassistant.drone_entities import drone_entities
-from housefly.homeassistant.drone_state import drone_states
+from housefly.homeassistant.drone_state import drone_states, shown_estimate
 from housefly.homeassistant.entities import HomeEntity
 from housefly.homeassistant.room_entities import (
     REPLY,
@@ -28,7 +28,7 @@ from housefly.homeassistant.room_entities import (
 )
 from housefly.homeassistant.topics import HomeTopics
 from housefly.hub.api.answers import News, SensorAnswer, SituationAnswer, SourceAnswer
-from housefly.messages import PilotStep
+from housefly.messages import Estimate, PilotStep
 from housefly.room.model import Place, Room
 from housefly.tasks.api.answers import TaskBoard
 
@@ -62,6 +62,7 @@ class HomeView:
         self._pads = {name: pad_of(site, room, name) for name in site.drone_names}
         self.places: tuple[Place, ...] = room.places
         self._steps: dict[str, tuple[float, PilotStep]] = {}
+        self._shown_at: dict[str, Estimate | None] = {}
         self._board: tuple[float, TaskBoard] | None = None
         self._situations: tuple[SituationAnswer, ...] = ()
         self._sensors: dict[str, SensorAnswer] = {}
@@ -151,9 +152,12 @@ class HomeView:
         now = self._clock.now()
         for name, pad in self._pads.items():
             heard = self._steps.get(name)
+            if heard is not None:
+                self._shown_at[name] = shown_estimate(self._shown_at.get(name), heard[1])
             found |= drone_states(
                 name,
                 heard[1] if heard else None,
+                self._shown_at.get(name),
                 pad,
                 self.places,
                 self.topics,

@@ -23,6 +23,8 @@ _SENSORS_PERIOD, _REPORTS_PERIOD = 2.0, 10.0
 """How often sensors and unchanged devices are asked about [s]."""
 _TOUCHED_PERIOD = 0.5
 """A device that reports all the time is asked about at most so often [s]."""
+_AT_ONCE = 20
+"""So many devices are asked about at a time; who has waited longest goes first."""
 
 
 class RoomReader:
@@ -37,7 +39,7 @@ class RoomReader:
 
     def __init__(self, bus: Bus, view: HomeView, clock: Clock, *, has_tasks: bool) -> None:
         self._bus, self._view, self._clock, self._has_tasks = bus, view, clock, has_tasks
-        self._sensors_at = float("-inf")
+        self._sensors_at = self._picture_at = float("-inf")
         self._asked_at: dict[str, float] = {}
         self._lock = threading.Lock()
         self._touched: set[str] = set()
@@ -55,6 +57,8 @@ class RoomReader:
             self._read_board()
             found: SensorsAnswer = self._ask(SensorsQuestion())
             self._view.hear_sensors(found.sensors)
+        if now - self._picture_at >= _REPORTS_PERIOD:
+            self._picture_at = now
             self._view.hear_situations(self._ask(PictureQuestion()).situations)
         for device in self._due(now):
             self._asked_at[device] = now
@@ -66,9 +70,9 @@ class RoomReader:
         with self._lock:
             due = [
                 one
-                for one, age in ages.items()
+                for one, age in sorted(ages.items(), key=lambda known: -known[1])
                 if age >= (_TOUCHED_PERIOD if one in self._touched else _REPORTS_PERIOD)
-            ]
+            ][:_AT_ONCE]
             self._touched = (self._touched & ages.keys()) - set(due)
         return due
 
