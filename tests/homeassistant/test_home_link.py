@@ -181,3 +181,23 @@ async def test_what_an_earlier_site_announced_is_withdrawn(broker: Broker, disco
             await until(lambda: all(screen.held[topic] == b"" for topic in (*old, *before)))
             for topic in (*of_others, silent):
                 assert screen.held[topic] == b"{}", "a device may only be silent still"
+
+
+async def test_a_bell_that_rang_while_the_broker_was_away_does_not_ring_later(
+    broker: Broker,
+) -> None:
+    async with shown(site_at(broker.port)) as house:
+        async with watching(broker) as screen:
+            await announced(screen)
+        await broker.kill()
+        await until(lambda: house.link.problem)
+        house.link.send(TOPICS.event("device-doorbell"), b'{"event_type": "press"}')
+        await asyncio.sleep(0.0)
+        await broker.start()
+        async with watching(broker) as screen:
+            await announced(screen)
+            house.link.send(TOPICS.event("device-doorbell"), b"later")
+            await until(lambda: TOPICS.event("device-doorbell") in screen.held)
+            bell = TOPICS.event("device-doorbell")
+            assert [payload for topic, payload in screen.once if topic == bell] == [b"later"]
+            assert not house.link.problem

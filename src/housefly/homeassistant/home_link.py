@@ -17,13 +17,14 @@ from paho.mqtt.subscribeoptions import SubscribeOptions
 from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem
 from housefly.bus.reconnect import ReconnectingClient
 from housefly.clock import Clock
+from housefly.config.process_log import log_traceback
 from housefly.config.site import Site
 from housefly.errors import ConfigError, LinkError
 from housefly.homeassistant.commands import MAX_COMMAND
 from housefly.homeassistant.entities import discovery_documents
 from housefly.homeassistant.home_requests import HomeRequests
 from housefly.homeassistant.home_view import HomeMessage, HomeView
-from housefly.messages.words import UNSAID
+from housefly.messages.words import UNSAID, Words
 
 _SHOWN_PERIOD = 0.25
 """How often changed states are published [s]; events do not wait for it."""
@@ -32,7 +33,7 @@ _ANNOUNCED_PERIOD = 5.0
 _LARGEST = 64 * 1024
 """Longer messages are not handed over by the broker [bytes]."""
 _MAX_WAITING = 64
-"""Events and pictures that wait while the broker is away; the oldest are dropped."""
+"""Events and pictures that wait to be published; the oldest are dropped."""
 _MAX_WORKING = 8
 """Commands that are worked on at once; what is more is dropped, but for STOP."""
 _OWN = ("drone-", "room", "situation-")
@@ -73,6 +74,11 @@ class HomeLink(ReconnectingClient[None]):
         self._due_at = -math.inf
         self._is_due = False
 
+    @property
+    def problem(self) -> Words:
+        """Why there is no connection; UNSAID while there is one, however quiet."""
+        return self._problem
+
     async def run_for_ever(self) -> NoReturn:
         """Connect, show and listen; ends only when cancelled."""
         self._loop = asyncio.get_running_loop()
@@ -99,6 +105,8 @@ class HomeLink(ReconnectingClient[None]):
         try:
             async with mqtt_client(self._mqtt, will, _LARGEST) as link:
                 self._published.clear()
+                while not self._outgoing.empty():  # a bell that rang while the broker was away
+                    self._outgoing.get_nowait()
                 options = SubscribeOptions(qos=1, noLocal=True)
                 for topic in (topics.commands, topics.birth, *topics.announcements):
                     await link.subscribe(topic, options=options)
@@ -132,8 +140,12 @@ class HomeLink(ReconnectingClient[None]):
                 self._is_due, self._due_at = False, now
                 self._published.clear()
                 self._on_birth()
-            with suppress(aiomqtt.MqttError):  # who reads the connection says that it is gone
+            try:
                 await self._publish_changes(link)
+            except aiomqtt.MqttError:  # who reads the connection says that it is gone
+                pass
+            except Exception:  # a defect in one look must not end all others in silence
+                log_traceback()
             await asyncio.sleep(_SHOWN_PERIOD)
 
     async def _publish_changes(self, link: aiomqtt.Client) -> None:

@@ -32,7 +32,7 @@ from housefly.config.process_log import log_line
 from housefly.config.site import Site, site_from_file
 from housefly.config.state import clips_folder
 from housefly.config.text import without_numbers
-from housefly.errors import ConfigError, HouseflyError
+from housefly.errors import ConfigError, HouseflyError, LinkError
 from housefly.evidence.clip_index import ClipIndex
 from housefly.homeassistant.drone_entities import picture_key
 from housefly.homeassistant.home_link import HomeLink
@@ -48,8 +48,8 @@ from housefly.room.edits import room_of
 from housefly.room.model import Room
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 
-_READ_PERIOD, _CAMERA_PERIOD = 0.2, 0.5
-"""How often it is looked what to ask the room, and whether a picture is over [s]."""
+_READ_PERIOD, _CAMERA_PERIOD, _LINK_PERIOD = 0.2, 0.5, 2.0
+"""How often one looks what to ask the room, whether a picture is over, how the broker does [s]."""
 _KEPT = "snapshot kept"
 
 
@@ -95,6 +95,7 @@ class HomeProcess:
                 tasks.create_task(self._link.run_for_ever())
                 tasks.create_task(_every(_READ_PERIOD, self._reader.read))
                 tasks.create_task(_every(_CAMERA_PERIOD, self._end_pictures))
+                tasks.create_task(_every(_LINK_PERIOD, self._check_link))
                 if self._pictures is not None:
                     tasks.create_task(self._show_pictures(self._pictures))
         finally:
@@ -113,6 +114,11 @@ class HomeProcess:
             if name in self._cameras:
                 found.append(self._bus.subscribe(topics.video, partial(self._on_frame, name)))
         return found
+
+    def _check_link(self) -> None:
+        """Raise LinkError while the broker is not there, so that the log says why."""
+        if problem := self._link.problem:
+            raise LinkError(problem)
 
     def _on_news(self, news: News) -> None:
         for topic, payload in self._view.hear_news(news):
