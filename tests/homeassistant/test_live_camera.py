@@ -51,7 +51,9 @@ class Watcher:
         self.mode: HouseMode | None = HouseMode.HOME
         self.clock = SteppedClock(99.0)
         config = TasksConfig(privacy_zones=zones)
-        self.camera = LiveCamera(config, None, lambda: self.mode, self.clock)
+        self.sent: list[bytes] = []
+        show = self.sent.append
+        self.camera = LiveCamera(config, None, lambda: self.mode, show, self.clock)
 
     def watch(
         self,
@@ -59,13 +61,12 @@ class Watcher:
         phase: Phase = Phase.LOOKING,
         pose_age: float = 0.0,
     ) -> list[NDArray[np.uint8]]:
-        sent = []
+        self.sent.clear()
         for frame in frames:
             self.clock.advance(frame.received_at - self.clock.now())
             self.camera.add_step(step_at(frame.received_at, phase, pose_age))
-            picture = self.camera.picture(frame)
-            sent += [picture] if picture is not None else []
-        return [np.asarray(Image.open(BytesIO(picture))) for picture in sent]
+            self.camera.add_frame(frame)
+        return [np.asarray(Image.open(BytesIO(picture))) for picture in self.sent]
 
 
 def is_blank(part: NDArray[np.uint8]) -> bool:
@@ -87,7 +88,8 @@ def test_nothing_is_shown_in_a_mode_that_records_nothing_or_that_nobody_knows(
     watcher = Watcher()
     watcher.mode = mode
     assert watcher.watch() == []
-    assert watcher.camera.ended() is None, "what was never shown needs no blank picture"
+    watcher.camera.look_at_end()
+    assert watcher.sent == [], "what was never shown needs no blank picture"
 
 
 def test_nothing_is_shown_on_the_ground() -> None:
@@ -106,7 +108,9 @@ def test_the_last_picture_of_a_flight_is_replaced_by_a_blank_one_once() -> None:
     for ends in ("landed", "privacy", "silent"):
         watcher = Watcher()
         assert watcher.watch()
-        assert watcher.camera.ended() is None, "it still flies"
+        shown = len(watcher.sent)
+        watcher.camera.look_at_end()
+        assert len(watcher.sent) == shown, "it still flies"
         match ends:
             case "landed":
                 watcher.camera.add_step(step_at(105.0, Phase.IDLE))
@@ -114,9 +118,10 @@ def test_the_last_picture_of_a_flight_is_replaced_by_a_blank_one_once() -> None:
                 watcher.mode = HouseMode.PRIVACY
             case "silent":
                 watcher.clock.advance(5.0)
-        blank = watcher.camera.ended()
-        assert blank is not None and is_blank(np.asarray(Image.open(BytesIO(blank))))
-        assert watcher.camera.ended() is None
+        for _ in range(3):
+            watcher.camera.look_at_end()
+        assert len(watcher.sent) == shown + 1
+        assert is_blank(np.asarray(Image.open(BytesIO(watcher.sent[-1]))))
 
 
 def test_no_picture_is_longer_than_a_broker_takes() -> None:

@@ -32,6 +32,7 @@ class LiveCamera:
         config: the privacy zones, with the modes in which each counts.
         camera: of the drone.
         mode: tells the mode of the house, None while nobody knows.
+        show: sends a JPEG; must return at once, for no other is sent meanwhile.
         clock: for the rate.
     """
 
@@ -40,10 +41,11 @@ class LiveCamera:
         config: TasksConfig,
         camera: OnboardCamera | None,
         mode: Callable[[], HouseMode | None],
+        show: Callable[[bytes], None],
         clock: Clock,
     ) -> None:
         self._blanker, self._pictures = LiveBlanker(config, camera), FrameBlanker()
-        self._mode, self._clock = mode, clock
+        self._mode, self._show, self._clock = mode, show, clock
         self._lock = threading.Lock()
         self._flew_at = self._shown_at = float("-inf")
         self._shows = False
@@ -53,28 +55,26 @@ class LiveCamera:
         self._blanker.add_step(step)
         self._flew_at = self._clock.now() if is_flying(step) else float("-inf")
 
-    def picture(self, frame: VideoFrame) -> bytes | None:
-        """Return a frame as JPEG; None when it is not to be shown. Frames come in order."""
+    def add_frame(self, frame: VideoFrame) -> None:
+        """Show a frame where that is allowed; frames come in order, each of them."""
         mode, now = self._mode(), self._clock.now()
         with self._lock:
             self._blanker.set_mode(mode)
             mask = self._blanker.mask(frame)
             is_due = frame.keyframe and now - self._shown_at >= PICTURE_PERIOD
             if not is_due or not self._may_show(mode):
-                return None
+                return
             picture = self._pictures.picture(FrameToMask(frame, mask))
-            if picture is None:
-                return None
-            self._shown_at, self._shows = now, True
-            return jpeg_of(picture) or None
+            if picture is not None and (jpeg := jpeg_of(picture)):
+                self._shown_at, self._shows = now, True
+                self._show(jpeg)
 
-    def ended(self) -> bytes | None:
-        """Return a blank picture once, when what was shown last must not be seen any more."""
+    def look_at_end(self) -> None:
+        """Show a blank picture once, when what was shown last must not be seen any more."""
         with self._lock:
-            if not self._shows or self._may_show(self._mode()):
-                return None
-            self._shows = False
-            return blank_jpeg()
+            if self._shows and not self._may_show(self._mode()):
+                self._shows = False
+                self._show(blank_jpeg())
 
     def _may_show(self, mode: HouseMode | None) -> bool:
         flies = self._clock.now() - self._flew_at <= _STEP_AGE_MAX

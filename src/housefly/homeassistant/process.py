@@ -22,7 +22,7 @@ from housefly.bus.bus import Bus, Subscription
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import DroneTopics
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.clock import RealClock
+from housefly.clock import Clock, RealClock
 from housefly.config.environment import (
     SECRET_VARIABLE,
     STOP_PORTS_VARIABLE,
@@ -43,7 +43,7 @@ from housefly.homeassistant.live_camera import LiveCamera
 from housefly.homeassistant.room_reader import RoomReader
 from housefly.hub.api.answers import News
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
-from housefly.messages import PilotStep, VideoFrame
+from housefly.messages import PilotStep
 from housefly.room.edits import room_of
 from housefly.room.model import Room
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
@@ -80,9 +80,9 @@ class HomeProcess:
         self._wants_pictures = asyncio.Event()
         self._link = HomeLink(site, self._view, self._requests, clock, self._wants_pictures.set)
         self._cameras = {
-            name: LiveCamera(site.tasks, drone.airframe.capabilities.camera, self._view.mode, clock)
+            name: self._camera_of(site, name, clock)
             for name in site.drone_names
-            if site.homeassistant.pictures and (drone := site.for_drone(name).drone).has_camera
+            if site.homeassistant.pictures and site.for_drone(name).drone.has_camera
         }
         self._drones = site.drone_names
 
@@ -112,7 +112,7 @@ class HomeProcess:
             topics = DroneTopics(name)
             found.append(self._bus.subscribe(topics.step, partial(self._on_step, name)))
             if name in self._cameras:
-                found.append(self._bus.subscribe(topics.video, partial(self._on_frame, name)))
+                found.append(self._bus.subscribe(topics.video, self._cameras[name].add_frame))
         return found
 
     def _check_link(self) -> None:
@@ -132,15 +132,15 @@ class HomeProcess:
         if drone in self._cameras:
             self._cameras[drone].add_step(step)
 
-    def _on_frame(self, drone: str, frame: VideoFrame) -> None:
-        picture = self._cameras[drone].picture(frame)
-        if picture is not None:
-            self._link.send(self._view.topics.picture(picture_key(drone, "camera")), picture)
+    def _camera_of(self, site: Site, name: str, clock: Clock) -> LiveCamera:
+        topic = self._view.topics.picture(picture_key(name, "camera"))
+        camera = site.for_drone(name).drone.airframe.capabilities.camera
+        show = partial(self._link.send, topic)
+        return LiveCamera(site.tasks, camera, self._view.mode, show, clock)
 
     def _end_pictures(self) -> None:
-        for name, camera in self._cameras.items():
-            if (blank := camera.ended()) is not None:
-                self._link.send(self._view.topics.picture(picture_key(name, "camera")), blank)
+        for camera in self._cameras.values():
+            camera.look_at_end()
 
     async def _show_pictures(self, pictures: LastPictures) -> None:
         """Send the last pictures when there is a new one, and when Home Assistant is there anew."""
