@@ -14,7 +14,9 @@ from home_screen import site_at, watching
 from mqtt_broker import running_broker, until
 from stand_in_tasks import StandInTasks
 
+from housefly.app.launcher import processes_of
 from housefly.app.new_runtime import new_runtime
+from housefly.app.room_renewal import ROOM_READERS
 from housefly.app.runtime import Runtime
 from housefly.bus.stop import StopListener
 from housefly.bus.topics import DroneTopics
@@ -40,6 +42,14 @@ def started(runtime: Runtime, log: Path) -> subprocess.Popen[bytes]:
 def state_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     yield tmp_path
+
+
+@pytest.mark.parametrize("enabled", [True, False])
+def test_it_is_started_where_the_site_wants_it(tmp_path: Path, enabled: bool) -> None:
+    runtime = new_runtime(site_at(1883, enabled=enabled), tmp_path)
+    names = [one.name for one in processes_of(runtime)]
+    assert names.count("homeassistant") == enabled
+    assert "homeassistant" in ROOM_READERS, "places that were edited become its buttons"
 
 
 async def test_a_killed_process_is_offline_by_its_last_will_and_stop_has_its_own_path(

@@ -16,7 +16,7 @@ from housefly.config.site import Site, site_from_tree
 def site_at(port: int, **home: Any) -> Site:
     """Return a site that is shown in Home Assistant by a broker on a port of loopback."""
     mqtt = {"broker": "127.0.0.1", "port": port, "site": "home"}
-    return site_from_tree({"mqtt": mqtt, "homeassistant": {"enabled": True, **home}})
+    return site_from_tree({"mqtt": mqtt, "homeassistant": {"enabled": True} | home})
 
 
 class Screen:
