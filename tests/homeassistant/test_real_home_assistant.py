@@ -48,6 +48,8 @@ from housefly.twin.camera.encoder import Encoder
 ROOT = Path(__file__).resolve().parents[2]
 HASS = Path(os.environ.get("HASS", ROOT / ".venv" / "homeassistant" / "bin" / "hass"))
 PARTS = ("room", "hub", "tasks", "homeassistant")
+DISCOVERY = os.environ.get("HASS_DISCOVERY", "entity")
+"""How it discovers; 2024.11 and later take "device", too."""
 PICTURE = os.environ.get("HASS_PICTURE", "")
 """Where a picture of its overview is kept, as PNG."""
 DEVICES = {
@@ -172,10 +174,10 @@ async def home_assistant(folder: Path, broker: Broker) -> AsyncIterator[HomeAssi
     port = free_port()
     folder.joinpath(".storage").mkdir(parents=True)
     folder.joinpath("configuration.yaml").write_text(
-        "homeassistant:\n  name: Home\n  time_zone: UTC\n  allowlist_external_dirs:"
-        f" [{folder}]\nhttp:\n  server_host: 127.0.0.1\n  server_port: {port}\nfrontend:\n"
-        "notify:\n  - platform: file\n    name: mobile_app_phone\n"
-        f"    filename: {folder / 'phone.txt'}\n"
+        "homeassistant:\n  name: Home\n  time_zone: UTC\n"
+        f"http:\n  server_host: 127.0.0.1\n  server_port: {port}\nfrontend:\n"
+        "command_line:\n  - notify:\n      name: mobile_app_phone\n"
+        f"      command: cat >> {folder / 'phone.txt'}\n"
         "input_boolean:\n  kitchen_window:\nmqtt_statestream:\n  base_topic: statestream\n"
         "  include:\n    domains: [input_boolean]\n"
         "automation: !include automations.yaml\nlogger:\n  default: warning\n"
@@ -220,7 +222,10 @@ def shown_site(broker: Broker, folder: Path) -> Site:
     return site_from_tree(
         {
             "mqtt": {**mqtt, "password_file": str(password), "sensors": [WINDOW]},
-            "homeassistant": {"enabled": True, "answers": True, "pictures": True},
+            "homeassistant": {
+                **{"enabled": True, "answers": True, "pictures": True},
+                "discovery": DISCOVERY,
+            },
         }
     )
 
