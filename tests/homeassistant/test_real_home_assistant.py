@@ -49,7 +49,7 @@ ROOT = Path(__file__).resolve().parents[2]
 HASS = Path(os.environ.get("HASS", ROOT / ".venv" / "homeassistant" / "bin" / "hass"))
 PARTS = ("room", "hub", "tasks", "homeassistant")
 DISCOVERY = os.environ.get("HASS_DISCOVERY", "entity")
-"""How it discovers; 2024.11 and later take "device", too."""
+"""How it discovers; newer ones take "device", too."""
 PICTURE = os.environ.get("HASS_PICTURE", "")
 """Where a picture of its overview is kept, as PNG."""
 DEVICES = {

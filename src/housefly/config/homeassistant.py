@@ -20,7 +20,7 @@ class HomeAssistantConfig(Section):
     )
     discovery: Literal["entity", "device"] = Field(
         default="entity",
-        description="one message an entity, or one a device, which it reads from 2024.11 on",
+        description="one message an entity, or one a device, which 2024.3 does not read yet",
     )
     requests: Literal["off", "ask", "auto"] = Field(
         default="ask",
