@@ -9,6 +9,8 @@ TELLOPY := $(VENV)/djitellopy
 CFLIB := $(VENV)/cflib
 # An MSP library flies the simulated Betaflight: GPL, so it lives apart.
 YAMSPY := $(VENV)/yamspy
+# Home Assistant is shown the room: it pins a hundred packages, so it lives apart.
+HOME_ASSISTANT := $(VENV)/homeassistant
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
@@ -63,7 +65,7 @@ test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
 	$(call run_tests,1,'realtime and not interop and not safety',$(call marked,realtime))
 
-interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready
+interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready $(HOME_ASSISTANT)/ready
 	$(PYTEST) -n 2 -m 'interop and not realtime' $(call marked,interop)
 	$(REALTIME) -m 'interop and realtime' $(call marked,interop)
 
@@ -123,6 +125,12 @@ $(CFLIB)/ready: requirements/cflib.txt
 $(YAMSPY)/ready: requirements/yamspy.txt
 	@$(PYTHON) -m venv $(YAMSPY)
 	@$(YAMSPY)/bin/python -m pip install -q --require-hashes -r requirements/yamspy.txt
+	@touch $@
+
+$(HOME_ASSISTANT)/ready: requirements/homeassistant.txt
+	@$(PYTHON) -m venv $(HOME_ASSISTANT)
+	@$(HOME_ASSISTANT)/bin/python -m pip install -q --require-hashes -r requirements/homeassistant.txt \
+		|| echo "Home Assistant 2024.3.3 needs Python 3.11 or 3.12: its test is skipped"
 	@touch $@
 
 lock: $(TOOLS)/ready

@@ -15,7 +15,9 @@ import pytest
 from housefly._compiled_function import CompiledFunction
 
 
-@pytest.mark.parametrize("package", ["bus", "drones", "evidence", "hub", "web", "wires"])
+@pytest.mark.parametrize(
+    "package", ["bus", "drones", "evidence", "homeassistant", "hub", "web", "wires"]
+)
 def test_no_module_calls_a_compiled_function(package: str) -> None:
     root = importlib.import_module(f"housefly.{package}")
     names = [found.name for found in pkgutil.walk_packages(root.__path__, f"{root.__name__}.")]

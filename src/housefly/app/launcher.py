@@ -9,6 +9,7 @@ hub         the room's memory
 broker      an MQTT broker; absent where the devices have their own
 perception  finds obstacles in scans and depth images; absent without such sensors
 tasks       services: queue, rules, clips; gives the pilot orders as people do
+homeassistant  shows the room in Home Assistant; absent unless the site wants it
 web         the console
 ros2        the room as a ROS 2 node
 foxglove    the live view in Foxglove; absent where the site does not ask for it
@@ -134,6 +135,11 @@ def processes_of(runtime: Runtime, *, truth_file: Path | None = None) -> tuple[P
     if site.ros2.enabled:
         joins = (*site_argument, "--bus", runtime.bus)
         processes.append(ProcessSpec("ros2", "housefly.ros2.process", joins, niceness=5))
+    if site.homeassistant.enabled:
+        shown_by = (*site_argument, "--bus", runtime.bus)
+        processes.append(
+            ProcessSpec("homeassistant", "housefly.homeassistant.process", shown_by, niceness=5)
+        )
     if (port := runtime.console_port) is not None:
         listens_at = ("--bus", runtime.bus, "--listener", str(port.descriptor))
         processes.append(

@@ -26,7 +26,7 @@ from housefly.sites.loaded_site import open_site, with_newest_edits
 
 _LOG = logging.getLogger(__name__)
 
-ROOM_READERS = ("hub", "perception", "tasks", "ros2")
+ROOM_READERS = ("hub", "perception", "tasks", "ros2", "homeassistant")
 """They keep places, zones or the map; after the pilots, in this order, they start again. The room's
 own solids, which the twin has, and what the console shows, which the pilot tells, are not among
 them."""

@@ -28,6 +28,7 @@ from housefly.config.estimation import EstimationConfig
 from housefly.config.faults import FaultConfig
 from housefly.config.foxglove import FoxgloveConfig
 from housefly.config.furniture import FurnitureConfig, check_furniture
+from housefly.config.homeassistant import HomeAssistantConfig
 from housefly.config.hub import HubConfig
 from housefly.config.laser import LaserConfig, check_lasers
 from housefly.config.limits import LimitsConfig
@@ -101,6 +102,7 @@ class Site(Section):
     hub: HubConfig = HubConfig()
     tasks: TasksConfig = TasksConfig()
     ros2: Ros2Config = Ros2Config()
+    homeassistant: HomeAssistantConfig = HomeAssistantConfig()
     edits: Edits = Edits()
 
     def __hash__(self) -> int:
@@ -251,6 +253,7 @@ class Site(Section):
             )
         self._check_filter()
         self._check_who_flies_over_mqtt()
+        self._check_home_assistant()
         return self
 
     def _check_drones(self) -> None:
@@ -282,6 +285,26 @@ class Site(Section):
                 " are, so whoever reaches it flies without a person's yes; allowed: mqtt.start ="
                 " false with a broker that guards the topics of tasks.mqtt_clients and asks for"
                 ' mqtt.username, or tasks.mqtt_requests = "ask"'
+            )
+
+    def _check_home_assistant(self) -> None:
+        """Raise ValueError where it has no broker, or flies through one that asks nobody."""
+        mqtt, home = self.mqtt, self.homeassistant
+        if not home.enabled:
+            return
+        if not mqtt.broker:
+            raise ValueError(
+                "homeassistant.enabled = true without mqtt.broker; allowed: with the broker that"
+                " Home Assistant uses, too"
+            )
+        given = {'requests = "auto"': home.requests == "auto", "answers = true": home.answers}
+        flies = next((words for words, holds in given.items() if holds), "")
+        if flies and (mqtt.start or not mqtt.username):
+            which = "mqtt.start = true" if mqtt.start else 'mqtt.username = ""'
+            raise ValueError(
+                f"homeassistant.{flies} with {which}: whoever reaches such a broker flies without a"
+                " person's yes; allowed: mqtt.start = false with a broker that asks for"
+                ' mqtt.username, or requests = "ask" and answers = false'
             )
 
     def _check_volumes(self) -> None:

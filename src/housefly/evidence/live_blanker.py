@@ -10,7 +10,7 @@ from housefly.config.tasks import TasksConfig
 from housefly.evidence.camera_pose import CameraTrack, camera_pose_of
 from housefly.evidence.frame_blanker import FrameBlanker
 from housefly.evidence.picture_lateness import PictureLateness
-from housefly.evidence.privacy_mask import FrameToMask
+from housefly.evidence.privacy_mask import FrameToMask, PrivacyMask
 from housefly.evidence.zone_projection import zone_projectors
 from housefly.messages import PilotStep, VideoFrame
 from housefly.room.level_camera import LevelCamera
@@ -63,8 +63,14 @@ class LiveBlanker:
         """
         if not self.is_needed:
             return frame
+        return self._blanker.filtered(FrameToMask(frame, self.mask(frame)))
+
+    def mask(self, frame: VideoFrame) -> PrivacyMask:
+        """Return what must be blank in a frame, for whoever decodes it by themselves.
+
+        Every frame of a stream is to be asked for: how late one comes is seen from the others.
+        """
         with self._lock:
             late, zones = self._lateness.of(frame), self._zones[self._mode]
             poses = self._track.poses(frame.received_at, late)
-        mask = zones.mask(poses, frame.width, frame.height)
-        return self._blanker.filtered(FrameToMask(frame, mask))
+        return zones.mask(poses, frame.width, frame.height)
