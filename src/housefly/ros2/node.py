@@ -16,7 +16,7 @@ from housefly.config.text import without_numbers
 from housefly.errors import LinkError, MissingPartError
 from housefly.ros2.topic_table import Quality, RosTopic
 
-_SPIN_PERIOD = 0.2
+_SPIN_PERIOD = 1.0
 """How often the end of the process is looked for [s]."""
 _THREADS = 6
 """Requests that are answered at once; who waits for a pilot holds up no STOP."""
@@ -52,6 +52,7 @@ class RosNode:
         self._group = group.ReentrantCallbackGroup()
         self._publishers: dict[str, Any] = {}
         self._ended = threading.Event()
+        self._executor: Any = None
         self._lock = threading.Lock()
         self._said: dict[str, float] = {}
 
@@ -115,6 +116,7 @@ class RosNode:
         executors = importlib.import_module("rclpy.executors")
         executor = executors.MultiThreadedExecutor(num_threads=_THREADS)
         executor.add_node(self._node)
+        self._executor = executor
         while not self._ended.is_set():
             try:
                 executor.spin_once(timeout_sec=_SPIN_PERIOD)
@@ -127,6 +129,8 @@ class RosNode:
     def end(self) -> None:
         """Let ``spin`` return; may be called from a signal."""
         self._ended.set()
+        if self._executor is not None:
+            self._executor.wake()
 
     def close(self) -> None:
         """Leave ROS."""

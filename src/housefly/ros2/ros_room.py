@@ -15,6 +15,7 @@ from housefly.clock import RealClock
 from housefly.config.house_mode import HouseMode
 from housefly.config.process_log import log_traceback
 from housefly.errors import LinkError
+from housefly.geometry import Vec3
 from housefly.hub.api.answers import (
     News,
     PictureAnswer,
@@ -98,6 +99,7 @@ class RosRoom:
         )
         self._things: dict[str, PlacedThing] = {}
         self._obstacles: dict[tuple[str, str], Obstacle] = {}
+        self._places: dict[str, tuple[Vec3 | None, str]] = {}
         self._situations: tuple[SituationAnswer, ...] | None = None
         self._lock = threading.Lock()
 
@@ -163,14 +165,18 @@ class RosRoom:
             self._tell(SITUATIONS, partial(text_message, room_messages.json_text(situations)))
 
     def _tell_things(self) -> None:
+        """Tell where people are, and things where one of them has moved."""
         with self._lock:
             things = tuple(one for one in self._things.values() if one.kind != _STRUCTURE)
         at, frame = self._wall.now(), self._site.ros2.frame
         people = [one for one in things if one.kind == _PERSON]
-        others = [one for one in things if one.kind != _PERSON]
         self._tell(PEOPLE, partial(room_messages.people_message, at, frame, people))
-        self._tell(THING_MARKERS, partial(room_messages.thing_markers, at, frame, others))
-        self._tell(THINGS, partial(text_message, room_messages.json_text(things)))
+        others = tuple(one for one in things if one.kind != _PERSON)
+        places = {one.thing: (_rounded(one.position), one.inside) for one in others}
+        if places != self._places:
+            self._places = places
+            self._tell(THING_MARKERS, partial(room_messages.thing_markers, at, frame, others))
+            self._tell(THINGS, partial(text_message, room_messages.json_text(others)))
 
     def _on_obstacle(self, seen: Obstacle) -> None:
         with self._lock:
@@ -246,3 +252,11 @@ class RosRoom:
 
     def _name(self, topic: RosTopic) -> str:
         return full_name(topic, self._room)
+
+
+def _rounded(position: Vec3 | None) -> Vec3 | None:
+    """Return a place to the centimetre: noise is no news."""
+    if position is None:
+        return None
+    x, y, z = position
+    return round(x, 2), round(y, 2), round(z, 2)
