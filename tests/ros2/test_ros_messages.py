@@ -150,8 +150,8 @@ def test_things_people_and_obstacles_have_their_places() -> None:
     assert [one.text for one in markers] == ["", "", "the cup"]
     assert len(by_ros(room_messages.people_message(1.0, "map", (cup, lost))).poses) == 1
     person = Obstacle("p1", (3.0, 4.0), radius=0.3, top=1.8, kind=ObstacleKind.PERSON)
-    seen = by_ros(room_messages.obstacle_markers(1.0, "map", (person,))).markers[1]
-    assert (seen.ns, seen.scale.x, seen.pose.position.z) == ("person", 0.6, 0.9)
+    seen = by_ros(room_messages.obstacle_markers(1.0, "map", (person,))).markers[0]
+    assert (seen.ns, seen.scale.x, seen.pose.position.z) == ("obstacles", 0.6, 0.9)
 
 
 def test_diagnostics_say_what_is_wrong_by_their_level() -> None:

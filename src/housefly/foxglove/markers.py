@@ -3,72 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import cos, sin
 from typing import Any
-from zlib import crc32
 
-import numpy as np
-
-from housefly.bus.interfaces import type_store
 from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
-from housefly.geometry import IDENTITY, Quaternion, Vec3
 from housefly.messages import Obstacle, ObstacleKind, Sighting
-from housefly.record.ros_messages import nanoseconds
-from housefly.room.model import Colour, Room, Shape, Solid
+from housefly.record.ros_markers import (
+    KIND_COLOURS,
+    LABEL_COLOUR,
+    MarkerShape,
+    marker,
+    marker_array,
+    marker_number,
+    obstacle_marker,
+    solid_marker,
+)
+from housefly.record.ros_messages import about_z
+from housefly.room.model import Colour, Room
 from housefly.room.tracked import footprint_of
 
-WORLD = "world"
-_CUBE, _CYLINDER, _TEXT = 1, 3, 9
-_ADD, _DELETE = 0, 2
-_FOREVER = 0.0
-_NO_BYTES = np.zeros(0, dtype=np.uint8)
 _OBSTACLE_LIFE, _BODY_LIFE = 2.0, 2.0
 """A thing that nobody sees any longer leaves the picture after this [s]."""
 _TALL = 1.7
 """Height at which a person is drawn [m]."""
-_COLOURS: dict[ObstacleKind, Colour] = {
-    ObstacleKind.PERSON: (0.85, 0.25, 0.55, 0.8),
-    ObstacleKind.DRONE: (0.2, 0.5, 0.9, 0.8),
-    ObstacleKind.THING: (0.9, 0.6, 0.2, 0.7),
-    ObstacleKind.UNKNOWN: (0.6, 0.6, 0.6, 0.7),
-}
 _FURNITURE: Colour = (0.75, 0.6, 0.4, 0.9)
 _DRONE: Colour = (0.15, 0.45, 0.85, 0.9)
-_LABEL: Colour = (1.0, 1.0, 1.0, 1.0)
 
 
 def solid_markers(at: float, room: Room) -> Any:
     """Return the walls and the furniture that stand, and the names of the places."""
-    solids = [_solid(at, number, solid) for number, solid in enumerate(room.solids)]
+    solids = [solid_marker(at, number, solid) for number, solid in enumerate(room.solids)]
     labels = [
-        _marker(
-            at, "places", number, _TEXT, (*place.viewpoint, 0.1), (0.0, 0.0, 0.2), _LABEL,
+        marker(
+            at,
+            "places",
+            number,
+            MarkerShape.TEXT,
+            (*place.viewpoint, 0.1),
+            (0.0, 0.0, 0.2),
+            LABEL_COLOUR,
             text=place.title or place.name,
         )
         for number, place in enumerate(room.places)
-    ]  # fmt: skip
-    return _array([*solids, *labels])
+    ]
+    return marker_array([*solids, *labels])
 
 
 def obstacle_markers(at: float, obstacle: Obstacle) -> Any:
     """Return an obstacle as it was seen at a time [s]; one that is gone is taken away."""
-    height = max(obstacle.top - obstacle.bottom, 0.01)
-    size = tuple(side + 2.0 * obstacle.radius for side in obstacle.size)
-    is_disc = obstacle.size == (0.0, 0.0)
-    marker = _marker(
-        at,
-        obstacle.source or "obstacles",
-        _number(obstacle.id),
-        _CYLINDER if is_disc else _CUBE,
-        (*obstacle.position, obstacle.bottom + height / 2.0),
-        (max(size[0], 0.02), max(size[1], 0.02), height),
-        _COLOURS[obstacle.kind],
-        _about_z(obstacle.yaw),
-        life=_OBSTACLE_LIFE,
-        action=_ADD if obstacle.confidence > 0.0 else _DELETE,
-    )
-    return _array([marker])
+    return marker_array([obstacle_marker(at, obstacle, _OBSTACLE_LIFE)])
 
 
 def tracked_markers(
@@ -85,7 +68,7 @@ def tracked_markers(
         furniture: by the names of their bodies.
         people: radius [m] by the names of their bodies.
     """
-    return _array(
+    return marker_array(
         [
             _furniture(at, furniture[one.body], one)
             if one.body in furniture
@@ -99,107 +82,43 @@ def tracked_markers(
 def drone_markers(at: float, drone: DroneConfig, frame: str) -> Any:
     """Return the hull of a drone, fixed to its frame."""
     size = (drone.hull_length, drone.hull_width, drone.hull_height)
-    hull = _marker(at, frame, 0, _CUBE, (0.0, 0.0, 0.0), size, _DRONE, frame=frame)
-    name = _marker(
-        at, frame, 1, _TEXT, (0.0, 0.0, 0.3), (0.0, 0.0, 0.15), _LABEL, text=drone.name, frame=frame
+    middle, above, letters = (0.0, 0.0, 0.0), (0.0, 0.0, 0.3), (0.0, 0.0, 0.15)
+    cube, text = MarkerShape.CUBE, MarkerShape.TEXT
+    hull = marker(at, frame, 0, cube, middle, size, _DRONE, frame=frame, is_locked=True)
+    name = marker(
+        at,
+        frame,
+        1,
+        text,
+        above,
+        letters,
+        LABEL_COLOUR,
+        text=drone.name,
+        frame=frame,
+        is_locked=True,
     )
-    return _array([hull, name])
-
-
-def _solid(at: float, number: int, solid: Solid) -> Any:
-    shape = _CYLINDER if solid.shape is Shape.CYLINDER else _CUBE
-    turn = _about_z(solid.yaw)
-    return _marker(at, solid.thing, number, shape, solid.position, solid.size, solid.colour, turn)
+    return marker_array([hull, name])
 
 
 def _furniture(at: float, piece: FurnitureConfig, seen: Sighting) -> Any:
     (x, y), yaw = footprint_of(piece, seen.pose)
     height = piece.top - piece.bottom
-    return _marker(
+    return marker(
         at,
         "furniture",
-        _number(piece.body),
-        _CUBE,
+        marker_number(piece.body),
+        MarkerShape.CUBE,
         (x, y, piece.bottom + height / 2.0),
         (piece.length, piece.width, height),
         _FURNITURE,
-        _about_z(yaw),
+        about_z(yaw),
         life=_BODY_LIFE,
     )
 
 
 def _person(at: float, seen: Sighting, radius: float) -> Any:
     x, y, _ = seen.pose.position
-    size, colour = (2.0 * radius, 2.0 * radius, _TALL), _COLOURS[ObstacleKind.PERSON]
+    size, colour = (2.0 * radius, 2.0 * radius, _TALL), KIND_COLOURS[ObstacleKind.PERSON]
     place = (x, y, _TALL / 2.0)
-    number = _number(seen.body)
-    return _marker(at, "people", number, _CYLINDER, place, size, colour, life=_BODY_LIFE)
-
-
-def _number(name: str) -> int:
-    """Return a name as a marker's number, the same in each message."""
-    return crc32(name.encode()) & 0x7FFFFFFF
-
-
-def _about_z(yaw: float) -> Quaternion:
-    return cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)
-
-
-def _marker(
-    at: float,
-    namespace: str,
-    number: int,
-    shape: int,
-    position: Vec3,
-    size: Vec3,
-    colour: Colour,
-    turn: Quaternion = IDENTITY,
-    *,
-    text: str = "",
-    life: float = _FOREVER,
-    action: int = _ADD,
-    frame: str = WORLD,
-) -> Any:
-    w, x, y, z = turn
-    stamp = _new("builtin_interfaces/msg/Time", *divmod(nanoseconds(at), 1_000_000_000))
-    epoch = _new("builtin_interfaces/msg/Time", 0, 0)
-    no_image = _new(
-        "sensor_msgs/msg/CompressedImage",
-        _new("std_msgs/msg/Header", epoch, ""),
-        "",
-        _NO_BYTES,
-    )
-    return _new(
-        "visualization_msgs/msg/Marker",
-        _new("std_msgs/msg/Header", stamp, frame),
-        namespace,
-        number,
-        shape,
-        action,
-        _new(
-            "geometry_msgs/msg/Pose",
-            _new("geometry_msgs/msg/Point", *position),
-            _new("geometry_msgs/msg/Quaternion", x, y, z, w),
-        ),
-        _new("geometry_msgs/msg/Vector3", *size),
-        _new("std_msgs/msg/ColorRGBA", *colour),
-        _new("builtin_interfaces/msg/Duration", *divmod(nanoseconds(life), 1_000_000_000)),
-        frame != WORLD,
-        [],
-        [],
-        "",
-        no_image,
-        [],
-        text,
-        "",
-        _new("visualization_msgs/msg/MeshFile", "", _NO_BYTES),
-        False,
-    )
-
-
-def _array(markers: list[Any]) -> Any:
-    return _new("visualization_msgs/msg/MarkerArray", markers)
-
-
-def _new(name: str, *values: Any) -> Any:
-    return type_store().types[name](*values)
+    number = marker_number(seen.body)
+    return marker(at, "people", number, MarkerShape.CYLINDER, place, size, colour, life=_BODY_LIFE)

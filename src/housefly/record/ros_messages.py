@@ -203,3 +203,22 @@ def _twist(linear: Vec3, angular: Vec3) -> Any:
 def about_z(yaw: float) -> Quaternion:
     """Return the turn by a heading [rad]."""
     return cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)
+
+
+def transform_message(
+    at: float, parent: str, child: str, position: Vec3, orientation: Quaternion = IDENTITY
+) -> Any:
+    """Return tf2_msgs/TFMessage: a frame in another."""
+    moved = transform(position, orientation)
+    stamped = message("geometry_msgs/msg/TransformStamped", header(at, parent), child, moved)
+    return message("tf2_msgs/msg/TFMessage", [stamped])
+
+
+def transform(position: Vec3, orientation: Quaternion = IDENTITY) -> Any:
+    """Return geometry_msgs/Transform."""
+    w, x, y, z = orientation
+    return message(
+        "geometry_msgs/msg/Transform",
+        message("geometry_msgs/msg/Vector3", *position),
+        message("geometry_msgs/msg/Quaternion", x, y, z, w),
+    )

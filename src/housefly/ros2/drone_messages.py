@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from housefly.config.capabilities import OnboardCamera
-from housefly.geometry import IDENTITY, Quaternion, Vec3
+from housefly.geometry import Quaternion
 from housefly.messages import (
     Path,
     Phase,
@@ -21,7 +21,13 @@ from housefly.messages import (
     VideoFrame,
 )
 from housefly.record import ros_messages
-from housefly.record.ros_messages import header, message, nanoseconds
+from housefly.record.ros_messages import (
+    header,
+    message,
+    nanoseconds,
+    transform,
+    transform_message,
+)
 from housefly.ros2.topic_table import (
     BATTERY,
     DRONE_EVENTS,
@@ -90,7 +96,14 @@ class DroneMessages:
                 yield POSE, partial(ros_messages.pose_stamped, at, pose, frames.world)
                 yield (
                     TRANSFORMS,
-                    partial(transform_message, at, frames, pose.position, pose.orientation),
+                    partial(
+                        transform_message,
+                        at,
+                        frames.world,
+                        frames.body,
+                        pose.position,
+                        pose.orientation,
+                    ),
                 )
         if (estimate := outputs.estimate) is not None:
             moved = replace(estimate, at=estimate.at + offset)
@@ -122,7 +135,7 @@ def trajectory_message(planned: PlannedTrajectory, offset: float, frames: RosFra
     points = [
         message(
             "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint",
-            [_transform(point.position)],
+            [transform(point.position)],
             [],
             [],
             message(
@@ -139,16 +152,10 @@ def trajectory_message(planned: PlannedTrajectory, offset: float, frames: RosFra
     )
 
 
-def transform_message(
-    at: float, frames: RosFrames, position: Vec3, orientation: Quaternion = IDENTITY
-) -> Any:
-    """Return tf2_msgs/TFMessage: the drone in the world."""
-    return _tf(at, frames.world, frames.body, _transform(position, orientation))
-
-
 def camera_transform(at: float, frames: RosFrames, camera: OnboardCamera) -> Any:
     """Return tf2_msgs/TFMessage: the camera's optical frame on the drone."""
-    return _tf(at, frames.body, frames.optical, _transform((camera.ahead, 0.0, 0.0), _OPTICAL))
+    place = (camera.ahead, 0.0, 0.0)
+    return transform_message(at, frames.body, frames.optical, place, _OPTICAL)
 
 
 def camera_info(at: float, frames: RosFrames, camera: OnboardCamera, frame: VideoFrame) -> Any:
@@ -188,17 +195,3 @@ def compressed_image(at: float, frames: RosFrames, form: str, data: bytes) -> An
 def text_message(text: str) -> Any:
     """Return std_msgs/String."""
     return message("std_msgs/msg/String", text)
-
-
-def _tf(at: float, parent: str, child: str, transform: Any) -> Any:
-    stamped = message("geometry_msgs/msg/TransformStamped", header(at, parent), child, transform)
-    return message("tf2_msgs/msg/TFMessage", [stamped])
-
-
-def _transform(position: Vec3, orientation: Quaternion = IDENTITY) -> Any:
-    w, x, y, z = orientation
-    return message(
-        "geometry_msgs/msg/Transform",
-        message("geometry_msgs/msg/Vector3", *position),
-        message("geometry_msgs/msg/Quaternion", x, y, z, w),
-    )
