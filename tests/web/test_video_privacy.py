@@ -107,6 +107,21 @@ async def test_a_zone_of_one_mode_counts_then_and_while_the_mode_is_unknown(
     assert all(is_blank(picture[IN_ZONE]) is blank for picture in shown)
 
 
+async def test_in_mode_privacy_nothing_is_shown_until_another_mode_is_told() -> None:
+    """That nobody tells the mode while the tasks are started again opens nothing."""
+    told = iter(
+        [HouseMode.HOME] * 3 + [HouseMode.PRIVACY] * 5 + [None] * 10 + [HouseMode.HOME] * 12
+    )
+    shown = await watched((), lambda: next(told))
+    assert [number_of(picture) for picture in shown] == [0, 1, 2]
+
+
+async def test_after_privacy_the_picture_goes_on_with_a_key_frame() -> None:
+    told = iter([HouseMode.PRIVACY] * 5 + [HouseMode.HOME] * 25)
+    shown = await watched((), lambda: next(told))
+    assert [number_of(picture) for picture in shown] == list(range(15, 30))
+
+
 async def test_after_a_lost_frame_nothing_is_shown_until_the_next_key_frame() -> None:
     """What is decoded after a gap shows parts of an older picture, where no zone was."""
     frames = tuple(frame for frame in video(2.0) if frame.sequence != 4)

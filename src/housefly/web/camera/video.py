@@ -86,6 +86,7 @@ class VideoRelay:
         bus: where the frames come from.
         privacy: blanks the privacy zones; None where there are none.
         mode: tells the mode of the house, None while nobody knows; it decides which zones count.
+            In mode privacy, and until another is told, nothing is shown.
         topics: of the drone; None for those of the only one.
     """
 
@@ -99,6 +100,7 @@ class VideoRelay:
         self._topics = topics or DroneTopics()
         self._bus, self._mode = bus, mode
         self._privacy = privacy if privacy is not None and privacy.is_needed else None
+        self._is_private = False
         self._group: list[bytes] = []
         self._queues: set[FrameQueue] = set()
 
@@ -106,9 +108,14 @@ class VideoRelay:
         """Subscribe to the drone's frames; the bus closes the subscription."""
 
         def received(frame: VideoFrame) -> None:
-            if (shown := self._shown(frame)) is not None:
-                with suppress(RuntimeError):  # the loop may be closed while the bus still delivers
+            mode = self._mode()
+            self._is_private = self._is_private if mode is None else mode is HouseMode.PRIVACY
+            shown = None if self._is_private else self._shown(frame, mode)
+            with suppress(RuntimeError):  # the loop may be closed while the bus still delivers
+                if shown is not None:
                     loop.call_soon_threadsafe(self._relay, shown)
+                elif self._is_private:
+                    loop.call_soon_threadsafe(self._forget)
 
         if self._privacy is not None:
             self._bus.subscribe(self._topics.step, self._privacy.add_step)
@@ -125,12 +132,19 @@ class VideoRelay:
         finally:
             self._queues.discard(queue)
 
-    def _shown(self, frame: VideoFrame) -> VideoFrame | None:
+    def _shown(self, frame: VideoFrame, mode: HouseMode | None) -> VideoFrame | None:
         """Return what may be seen of a frame; takes some milliseconds where there are zones."""
         if self._privacy is None:
             return frame
-        self._privacy.set_mode(self._mode())
+        self._privacy.set_mode(mode)
         return self._privacy.blanked_frame(frame)
+
+    def _forget(self) -> None:
+        """Drop what waits; the next picture that is shown is a key frame."""
+        self._group.clear()
+        for queue in self._queues:
+            queue.waiting.clear()
+            queue.skipping = True
 
     def _relay(self, frame: VideoFrame) -> None:
         message = pack_frame(frame)

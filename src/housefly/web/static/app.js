@@ -1,1 +1,1 @@
-import"./chunk-chunk-YAZ4PERO.js";
+import"./chunk-chunk-PVYBGDIB.js";

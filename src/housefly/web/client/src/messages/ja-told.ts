@@ -92,10 +92,10 @@ export const JA_TOLD: Templates = {
     "最後の応答では地上にいました。自動操縦がなければ動きません",
   ["it was in the air when it was last heard; landing is asked on, and a drone that hears " +
     "nobody brakes and lands by itself"]:
-    "最後の応答では空中でした。着陸を指示し続けています。通信が切れたドローンは自動で着陸します",
+    "最後の応答では空中でした。着陸を指示しています。通信が切れると自動で着陸します",
   ["if the pilot has ended, the drone brakes and lands by itself within seconds; if only its " +
     "word is lost, {then}"]:
-    "自動操縦が止まった場合、ドローンは数秒で自動で止まり、着陸します。通信だけが切れた場合、{then}",
+    "自動操縦が止まると、ドローンは数秒で止まり、着陸します。通信だけが切れると、{then}",
   "it goes on taking off, flies on to {goal}, then comes home and lands by itself within {n} s":
     "離陸を続け、{goal}へ飛び、{n}秒以内に自動で帰還し着陸します",
   "it goes on taking off, hovers, then comes home and lands by itself within {n} s":
@@ -286,7 +286,7 @@ export const JA_TOLD: Templates = {
   "moving": "変化あり",
   "nobody knows how much charge is left": "残量が分かりません",
   "change the battery or restart the drone: take off once it shows another number":
-    "バッテリーを交換するか、ドローンの電源を入れ直し、別の値が出てから離陸してください",
+    "バッテリーを交換するか電源を入れ直し、別の値が出てから離陸してください",
   "tracking sees it": "位置計測で見えています",
   "it flies by where tracking sees it": "位置計測をもとに飛びます",
   ["look at the tracking system: is it running, does it stream the body under this name? if " +
@@ -427,7 +427,7 @@ export const JA_TOLD: Templates = {
     "ドローンが制限値をまだ確認していません。待つか、電源を入れ直してください",
   ["tracking sees the drone {d} m from where it stands (limit {m} m): check the tracking " +
     "system's origin and the drone's body"]:
-    "計測位置が実際と {d} m ずれています（限度 {m} m）。位置計測の原点とドローンの登録を見てください",
+    "計測位置が実際と {d} m ずれています（限度 {m} m）。原点とドローンの登録を見てください",
   "the battery is too low: {p}%, take-off needs {q}%": "バッテリー残量が足りません：{p}%、離陸には {q}% 必要です",
   ["tracking shows the drone as it was {n} s ago (limits.pose_age_level: {m} s); housefly " +
     "gains says which limit slow tracking needs"]:

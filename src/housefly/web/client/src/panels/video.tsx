@@ -5,12 +5,16 @@ import { RecordedPicture } from "../replay/recorded";
 import { replaying } from "../replay/replay";
 import { PictureClip } from "../scene/picture-clip";
 import { freshness, swapped } from "../store";
+import { board } from "../tasks/board";
 import { soundRecording } from "../tasks/recording-tone";
 import { now } from "../wire/clock";
 import { proof } from "../wire/session";
 import { decodesVideo, picture, watch } from "../wire/video";
 import { milliseconds } from "../format";
 import { t } from "../messages/language";
+
+/** Whether the mode of the house lets nobody see the picture. */
+const isPrivate = computed(() => board.value?.mode === "privacy");
 
 /** The drone's picture. */
 export function VideoView() {
@@ -21,8 +25,13 @@ export function VideoView() {
 
 function JpegVideo() {
   return (
-    <section class="view video" aria-label={t("Picture from the drone")}>
+    <section
+      class="view video"
+      aria-label={t("Picture from the drone")}
+      data-private={isPrivate.value || undefined}
+    >
       <img src={`/video.mjpeg?proof=${proof()}`} alt={t("Picture from the drone")} />
+      <p class="veil">{isPrivate.value && t("Privacy")}</p>
       <PictureClip />
       <SwapButton to="picture" />
     </section>
@@ -44,6 +53,7 @@ function LiveVideo() {
       class="view video"
       aria-label={t("Picture from the drone")}
       data-age={freshness(age.value)}
+      data-private={isPrivate.value || undefined}
     >
       <canvas ref={canvas} width={640} height={360} />
       <p class="veil">{veil(age.value)}</p>
@@ -54,6 +64,7 @@ function LiveVideo() {
 }
 
 function veil(age: number): string {
+  if (isPrivate.value) return t("Privacy");
   if (!Number.isFinite(age)) return t("No picture yet");
   if (freshness(age) !== "dead") return "";
   return t("No new picture for {time}", { time: milliseconds(age) });
