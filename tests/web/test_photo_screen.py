@@ -136,6 +136,23 @@ async def test_what_may_not_be_kept_is_not_and_it_says_why(page: Page, darkroom:
     await expect(kept).to_have_count(0)
 
 
+async def test_in_mode_privacy_the_picture_is_hidden_and_the_page_says_why(
+    page: Page, darkroom: Darkroom
+) -> None:
+    picture, veil = page.locator(".video canvas"), page.locator(".video .veil")
+    darkroom.tasks.mode = HouseMode.PRIVACY
+    darkroom.tasks.tell()
+    await expect(veil).to_have_text("Privacy")
+    await expect(picture).to_be_hidden()
+    last = await picture.get_attribute("data-picture")
+    await asyncio.sleep(0.5)
+    assert await picture.get_attribute("data-picture") == last
+    darkroom.tasks.mode = HouseMode.HOME
+    darkroom.tasks.tell()
+    await expect(picture).to_be_visible()
+    await expect(picture).not_to_have_attribute("data-picture", last or "")
+
+
 async def test_without_services_it_says_that_nothing_was_kept(
     serving: Any, loopback: str, chromium: Browser
 ) -> None:
