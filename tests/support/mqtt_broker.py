@@ -106,7 +106,7 @@ async def running_broker(folder: Path) -> AsyncIterator[Broker]:
         await broker.kill()
 
 
-async def until(condition: Callable[[], object], seconds: float = 15.0) -> None:
+async def until(condition: Callable[[], object], seconds: float = 60.0) -> None:
     """Wait until a condition, which may be a coroutine, holds."""
     end = time.monotonic() + seconds
     while True:
