@@ -14,4 +14,5 @@ def test_every_kind_has_a_client_that_says_what_it_waits_for() -> None:
     for kind in get_args(TrackingKind):
         tracker = tracker_of(TrackingConfig(kind=kind), RealClock())
         assert not tracker.connected
-        assert "127.0.0.1" in tracker.problem
+        where = "/{body}/pose" if kind == "ros2" else "127.0.0.1"
+        assert where in tracker.problem

@@ -28,10 +28,8 @@ class Ros2Tracker(ChildTracker):
 
     def _no_data_problem(self) -> Words:
         if not self._lines.topics:
-            return Words(
-                "{name}: nobody publishes there; allowed: topics with poses, in this ROS domain",
-                name=self._where,
-            )
+            where = f"{self._where} (nobody publishes there)"
+            return Words("not connected to {name} yet", name=where)
         return Words(
             "connected to {name}, but nothing new arrives; is {what} live, not paused?",
             name=self._where,

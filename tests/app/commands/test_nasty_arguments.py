@@ -48,6 +48,7 @@ LINES: dict[str, tuple[str, ...]] = {
     "clips export": ("1", "--out=clips"),
     "clips tidy": (),
     "mcp": ("--http=0",),
+    "ros2": ("--domain=300",),
     "where": ("shelf",),
     "is": ("door", "open"),
     "who": ("somebody",),

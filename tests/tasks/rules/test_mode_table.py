@@ -15,6 +15,7 @@ UNATTENDED = (
     RequestSurface.WEBHOOK,
     RequestSurface.MQTT,
     RequestSurface.ASSISTANT,
+    RequestSurface.ROS,
 )
 PEOPLE = (RequestSurface.CONSOLE, RequestSurface.COMMAND_LINE, RequestSurface.HTTP)
 ANY = {

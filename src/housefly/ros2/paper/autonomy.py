@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from math import degrees, isfinite
+from math import cos, degrees, isfinite, sin
 from typing import Any
 
 import numpy as np
@@ -158,7 +158,7 @@ def world_velocity(stick: Vec3, yaw: float, speed: float) -> Vec3:
         speed: of full deflection [m/s].
     """
     forward, left, up = (speed * max(-1.0, min(1.0, part)) for part in stick)
-    cosine, sine = float(np.cos(yaw)), float(np.sin(yaw))
+    cosine, sine = cos(yaw), sin(yaw)
     return cosine * forward - sine * left, sine * forward + cosine * left, up
 
 
