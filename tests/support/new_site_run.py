@@ -66,7 +66,7 @@ def typed_site(folder: Path, *lines: str, arguments: tuple[str, ...] = ()) -> Ty
                     process.send_signal(signal.SIGINT)
                 else:
                     os.write(master, line.encode() if line == _END else f"{line}\n".encode())
-        status = process.wait(5.0)
+        status = process.wait(60.0)
     finally:
         process.kill()
         process.wait()
