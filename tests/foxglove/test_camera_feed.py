@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from housefly.config.house_mode import HouseMode
 from housefly.config.tasks import PrivacyZone, TasksConfig
 from housefly.evidence.live_blanker import LiveBlanker
-from housefly.foxglove.camera_feed import PictureFilter
+from housefly.evidence.picture_filter import PictureFilter
 
 ZONE = PrivacyZone(name="bed", polygon=((5, -2), (7, -2), (7, 2), (5, 2)), z_min=0.0, z_max=1.0)
 FRAMES = tuple(video(3.0))

@@ -8,6 +8,8 @@ from enum import Enum
 from math import hypot, nan
 from pathlib import Path
 
+import numpy as np
+
 from housefly.app.event_table import CellType, Row, dated
 from housefly.geometry import euler_from_quaternion
 from housefly.messages import (
@@ -16,6 +18,7 @@ from housefly.messages import (
     Setpoint,
     VelocitySetpoint,
 )
+from housefly.record.flight_log import FlightLog
 from housefly.record.replay import read_dated_steps
 
 DatedStep = tuple[float, PilotStep]
@@ -33,6 +36,14 @@ _STEP_HEADINGS: Mapping[str, CellType] = {
     "battery": float, "phi_rad": float, "theta_rad": float, "psi_rad": float,
     "height_m": float, "telemetry_age_s": float, "late_s": float,
 }  # fmt: skip
+LOG_HEADINGS: Mapping[str, CellType] = {
+    "time": str, "unix": float, "t_s": float, "x_m": float, "y_m": float, "z_m": float,
+    "vx_m_s": float, "vy_m_s": float, "vz_m_s": float, "phi_rad": float, "theta_rad": float,
+    "yaw_rad": float, "ref_x_m": float, "ref_y_m": float, "ref_z_m": float,
+    "ref_yaw_rad": float, "cmd_vx_m_s": float, "cmd_vy_m_s": float, "cmd_vz_m_s": float,
+    "cmd_yaw_rate_rad_s": float, "battery": float,
+}  # fmt: skip
+"""Of a log of others; ``time`` and ``unix`` are empty where the log does not say when."""
 _SIGHTING_HEADINGS: Mapping[str, CellType] = {
     **_WHEN, "body": str, "x_m": float, "y_m": float, "z_m": float, "roll_rad": float,
     "pitch_rad": float, "yaw_rad": float, "latency_s": float,
@@ -150,3 +161,21 @@ TABLE_FORMS: Mapping[FlightTable, TableForm] = {
     FlightTable.SIGHTINGS: TableForm(_SIGHTING_HEADINGS, _sighting_rows),
     FlightTable.EVENTS: TableForm(_EVENT_HEADINGS, _event_rows),
 }
+
+
+def log_rows(log: FlightLog) -> Iterator[Row]:
+    """Yield a row for each time of a log."""
+    numbers = np.column_stack(
+        [
+            log.time,
+            log.position,
+            log.velocity,
+            log.attitude,
+            log.wanted,
+            log.wanted_velocity,
+            log.battery,
+        ]
+    )
+    for row in numbers.tolist():
+        when = ("", float("nan")) if log.started_at is None else dated(log.started_at + row[0])
+        yield *when, *row

@@ -34,7 +34,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.environment import ROOM_KEY_VARIABLE
 from housefly.config.process_log import log_line
-from housefly.config.text import without_numbers
+from housefly.config.repeated_work import repeat
 from housefly.errors import HouseflyError, LinkError
 from housefly.evidence.camera_pose import camera_pose_of
 from housefly.hub.api.answers import News
@@ -143,10 +143,10 @@ class TasksProcess:
         )
         try:
             async with asyncio.TaskGroup() as tasks:
-                tasks.create_task(_every(_TICK_PERIOD, self._tick))
-                tasks.create_task(_every(_BOARD_PERIOD, self._publish_board))
-                tasks.create_task(_every(_CLOCK_PERIOD, self._look_around))
-                tasks.create_task(_every(0.0, self._take_trigger))
+                tasks.create_task(repeat(_TICK_PERIOD, self._tick, "tasks"))
+                tasks.create_task(repeat(_BOARD_PERIOD, self._publish_board, "tasks"))
+                tasks.create_task(repeat(_CLOCK_PERIOD, self._look_around, "tasks"))
+                tasks.create_task(repeat(0.0, self._take_trigger, "tasks"))
                 if self._mqtt is not None:
                     tasks.create_task(self._mqtt.run(self._enqueue))
         finally:
@@ -207,20 +207,6 @@ class TasksProcess:
 def _film(drone: TaskDrone, frame: VideoFrame) -> None:
     step = drone.inbox.newest
     drone.clips.add(frame, None if step is None else camera_pose_of(step))
-
-
-async def _every(period: float, work: Callable[[], None]) -> None:
-    """Do something again and again on a thread; what it refuses on purpose is told once."""
-    told = ""
-    while True:
-        try:
-            await asyncio.to_thread(work)
-            told = ""
-        except HouseflyError as error:
-            if (reason := without_numbers(str(error))) != told:
-                log_line(f"tasks: {error}")
-            told = reason
-        await asyncio.sleep(period)
 
 
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:

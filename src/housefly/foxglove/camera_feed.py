@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from housefly.bus.bus import Bus, Subscription
@@ -10,6 +10,7 @@ from housefly.bus.topics import DroneTopics
 from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
 from housefly.evidence.live_blanker import LiveBlanker
+from housefly.evidence.picture_filter import PictureFilter
 from housefly.foxglove.channels import drone_topic
 from housefly.foxglove.demand import Feed
 from housefly.foxglove.house_board import HouseBoard
@@ -71,31 +72,3 @@ class CameraFeed:
             return True, None
         mode = self._board.mode()
         return mode not in (None, HouseMode.PRIVACY), mode
-
-
-class PictureFilter:
-    """Lets through what may be seen: whole groups of pictures, with the zones blank.
-
-    Args:
-        blanker: of the site's zones.
-        may_be_seen: whether pictures go out, and the mode of the house.
-    """
-
-    def __init__(
-        self, blanker: LiveBlanker, may_be_seen: Callable[[], tuple[bool, HouseMode | None]]
-    ) -> None:
-        self.blanker, self._may_be_seen = blanker, may_be_seen
-        self._waits_for_key = True
-
-    def shown(self, frame: VideoFrame) -> VideoFrame | None:
-        """Return what may be seen of a frame, or None; some milliseconds where there are zones."""
-        may, mode = self._may_be_seen()
-        self.blanker.set_mode(mode)
-        blanked = self.blanker.blanked_frame(frame)
-        if not may or blanked is None:
-            self._waits_for_key = True
-            return None
-        if self._waits_for_key and not blanked.keyframe:
-            return None
-        self._waits_for_key = False
-        return blanked

@@ -14,11 +14,19 @@ from housefly.foxglove.demand import Feed
 from housefly.foxglove.json_values import DroneNumbers, LinkNumbers, to_json
 from housefly.foxglove.live_server import LiveServer
 from housefly.foxglove.markers import drone_markers
-from housefly.foxglove.transforms import drone_transform
 from housefly.foxglove.unix_time import in_unix_time
+from housefly.geometry import quaternion_from_euler
 from housefly.hub.wall_clock import WallClock
-from housefly.messages import LinkStatus, PilotStep, PlannedTrajectory, Pose
+from housefly.messages import (
+    Estimate,
+    LinkStatus,
+    PilotStep,
+    PlannedTrajectory,
+    Pose,
+    Telemetry,
+)
 from housefly.record import ros_messages
+from housefly.record.ros_messages import WORLD_FRAME, transform_message
 from housefly.record.ros_topics import StepTopics, topic_part
 from housefly.sites.loaded_site import LoadedSite
 
@@ -176,3 +184,16 @@ def _in_frame(message: Any, frame: str) -> Any:
     if header is not None and header.frame_id == _RECORDED_FRAME:
         header.frame_id = frame
     return message
+
+
+def drone_transform(frame: str, estimate: Estimate, telemetry: Telemetry | None) -> Any:
+    """Return where a drone is: place and heading of the estimate, the tilt that the drone reports.
+
+    Args:
+        frame: of the drone.
+        estimate: its time is Unix time [s].
+        telemetry: None draws it level.
+    """
+    phi, theta = (telemetry.phi, telemetry.theta) if telemetry else (0.0, 0.0)
+    turn = quaternion_from_euler(phi, theta, estimate.yaw)
+    return transform_message(estimate.at, WORLD_FRAME, frame, estimate.position, turn)

@@ -14,7 +14,7 @@ import logging
 import os
 import signal
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -29,9 +29,9 @@ from housefly.config.environment import (
     stop_ports_of_text,
 )
 from housefly.config.process_log import log_line
+from housefly.config.repeated_work import repeat
 from housefly.config.site import Site, site_from_file
 from housefly.config.state import clips_folder
-from housefly.config.text import without_numbers
 from housefly.errors import ConfigError, HouseflyError, LinkError
 from housefly.evidence.clip_index import ClipIndex
 from housefly.homeassistant.drone_entities import picture_key
@@ -93,9 +93,9 @@ class HomeProcess:
         try:
             async with asyncio.TaskGroup() as tasks:
                 tasks.create_task(self._link.run_for_ever())
-                tasks.create_task(_every(_READ_PERIOD, self._reader.read))
-                tasks.create_task(_every(_CAMERA_PERIOD, self._end_pictures))
-                tasks.create_task(_every(_LINK_PERIOD, self._check_link))
+                tasks.create_task(repeat(_READ_PERIOD, self._reader.read, "homeassistant"))
+                tasks.create_task(repeat(_CAMERA_PERIOD, self._end_pictures, "homeassistant"))
+                tasks.create_task(repeat(_LINK_PERIOD, self._check_link, "homeassistant"))
                 if self._pictures is not None:
                     tasks.create_task(self._show_pictures(self._pictures))
         finally:
@@ -161,20 +161,6 @@ def _last_pictures(site: Site, view: HomeView) -> LastPictures | None:
         log_line(f"homeassistant: no snapshots are shown: {error}", sys.stderr)
         return None
     return LastPictures(index, site.drone_names, view.topics, view.mode)
-
-
-async def _every(period: float, work: Callable[[], None]) -> None:
-    """Do something again and again on a thread; what it refuses on purpose is told once."""
-    told = ""
-    while True:
-        try:
-            await asyncio.to_thread(work)
-            told = ""
-        except HouseflyError as error:
-            if (reason := without_numbers(str(error))) != told:
-                log_line(f"homeassistant: {error}")
-            told = reason
-        await asyncio.sleep(period)
 
 
 def stop_senders() -> dict[str, StopSender]:

@@ -12,6 +12,7 @@ from housefly.config.capabilities import OnboardCamera
 from housefly.config.house_mode import HouseMode
 from housefly.evidence.live_blanker import LiveBlanker
 from housefly.evidence.picture_codec import PictureDecoder
+from housefly.evidence.picture_filter import PictureFilter
 from housefly.messages import PilotStep, VideoFrame
 from housefly.ros2.drone_messages import RosFrames, camera_info, compressed_image
 from housefly.ros2.node import RosNode
@@ -40,19 +41,18 @@ class RosCamera:
         names: Mapping[RosTopic, tuple[str, ...]],
     ) -> None:
         self._node, self._camera, self._frames = node, camera, frames
-        self._blanker, self._names = blanker, names
-        self._decoder = PictureDecoder()
+        self._names, self._decoder = names, PictureDecoder()
         self._mode: HouseMode | None = None
+        self._filter = PictureFilter(blanker, self._may_be_seen)
 
     def set_mode(self, mode: HouseMode | None) -> None:
         """Tell the mode of the house; None, not known, shows nothing."""
         self._mode = mode
-        self._blanker.set_mode(mode)
 
     def add_step(self, step: PilotStep) -> None:
         """Tell where the drone is."""
-        if self._blanker.is_needed:
-            self._blanker.add_step(step)
+        if self._filter.blanker.is_needed:
+            self._filter.blanker.add_step(step)
 
     def show(self, frame: VideoFrame, offset: float) -> None:
         """Publish a picture.
@@ -61,9 +61,10 @@ class RosCamera:
             frame: as the drone sent it.
             offset: Unix time at which its clock was zero [s].
         """
-        if self._mode in (None, HouseMode.PRIVACY) or not self._is_watched():
+        if not self._is_watched():
+            self._filter.miss()
             return
-        shown = self._blanker.blanked_frame(frame)
+        shown = self._filter.shown(frame)
         if shown is None:
             return
         at, frames = frame.received_at + offset, self._frames
@@ -71,6 +72,9 @@ class RosCamera:
         self._publish(H264, partial(compressed_image, at, frames, "h264", shown.data))
         if self._is_heard(PICTURES) and (data := self._jpeg(shown)):
             self._publish(PICTURES, partial(compressed_image, at, frames, "jpeg", data))
+
+    def _may_be_seen(self) -> tuple[bool, HouseMode | None]:
+        return self._mode not in (None, HouseMode.PRIVACY), self._mode
 
     def _is_watched(self) -> bool:
         return any(self._is_heard(topic) for topic in self._names)

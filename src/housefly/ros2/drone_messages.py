@@ -115,10 +115,9 @@ class DroneMessages:
         if outputs.phase is not self._phase:
             self._phase = outputs.phase
             yield PHASE, partial(text_message, outputs.phase.value)
-        if outputs.path != self._path or self._path is None:
-            changed, self._path = outputs.path != self._path, outputs.path
-            if changed:
-                yield PATH, partial(self._planned, now + offset, outputs.path)
+        if outputs.path != self._path:
+            self._path = outputs.path
+            yield PATH, partial(self._planned, now + offset, outputs.path)
         for event in outputs.events:
             yield DRONE_EVENTS, partial(ros_messages.log_message, replace(event, at=now + offset))
 

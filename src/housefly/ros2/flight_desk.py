@@ -8,28 +8,35 @@ from dataclasses import dataclass, replace
 from math import cos, isfinite, sin
 from secrets import token_hex
 from threading import BoundedSemaphore, Condition, Lock
+from typing import Any
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import HUB_QUERY, TASKS_QUERY, DroneTopics
 from housefly.clock import Clock
 from housefly.config.ros2 import RosRequests
-from housefly.errors import HouseflyError, LinkError, TaskError, WireError
+from housefly.errors import HouseflyError, TaskError, WireError
 from housefly.geometry import Vec2, Vec3
 from housefly.hub.api.json import question_from_json
 from housefly.messages import Order, OrderAnswer, OrderKind, OrderSource, PilotStep
 from housefly.ros2.flight_lease import FlightLease
+from housefly.tasks.api.answers import TaskBoard, TasksAnswer
 from housefly.tasks.api.json import (
     task_answer_from_json,
     task_question_from_json,
     task_question_to_json,
 )
-from housefly.tasks.api.questions import CancelTask, RequestTask, Sentence
+from housefly.tasks.api.questions import (
+    BoardQuestion,
+    CancelTask,
+    RequestTask,
+    Sentence,
+    TaskQuestion,
+)
 from housefly.tasks.api.values import (
     Confirm,
     ParameterValue,
     ReasonCode,
     RequestSurface,
-    TaskStatus,
 )
 from housefly.tasks.rules.outside_question import outside_question
 
@@ -157,7 +164,7 @@ class FlightDesk:
             return RosReply(False, "the last wish is still being looked at")
         try:
             return self._requested(service, parameters, drone)
-        except (TaskError, LinkError, WireError) as error:
+        except HouseflyError as error:
             return RosReply(False, str(error))
         finally:
             self._asking.release()
@@ -218,19 +225,21 @@ class FlightDesk:
             owner=OWNER,
             drone=drone,
         )
-        answer = self._bus.ask(TASKS_QUERY, task_question_to_json(question), _ASK_PATIENCE)
-        task: TaskStatus = task_answer_from_json(question, answer).tasks[0]
+        answer: TasksAnswer = self._ask_tasks(question, _ASK_PATIENCE)
+        (task,) = answer.tasks
         self._question = task.id if task.question is not None else 0
         waits = ": a person must say yes in the console" if self._question else ""
         return RosReply(True, f"task {task.id}: {task.state.value}{waits}")
 
-    def _take_back(self, task: int) -> None:
-        question = CancelTask(task, SENDER, only_of=OWNER)
+    def _take_back(self, number: int) -> None:
         self._question = 0
-        board = self._bus.ask(TASKS_QUERY, '{"ask": "board"}', _PATIENCE)
-        waiting = [one["id"] for one in json.loads(board).get("tasks", ()) if one.get("question")]
-        if task in waiting:
-            self._bus.ask(TASKS_QUERY, task_question_to_json(question), _PATIENCE)
+        board: TaskBoard = self._ask_tasks(BoardQuestion(), _PATIENCE)
+        if any(one.id == number and one.question is not None for one in board.tasks):
+            self._ask_tasks(CancelTask(number, SENDER, only_of=OWNER), _PATIENCE)
+
+    def _ask_tasks(self, question: TaskQuestion, patience: float) -> Any:
+        text = self._bus.ask(TASKS_QUERY, task_question_to_json(question), patience)
+        return task_answer_from_json(question, text)
 
     def _flown(
         self,

@@ -126,8 +126,8 @@ def _export_flight(options: Namespace) -> int:
 def _export_log(recording: Path, file: Path) -> int:
     """Write a log of others as a table; return its number of rows."""
     from housefly.app.event_table import write_table
-    from housefly.app.flight_logs.log_table import LOG_HEADINGS, log_rows
     from housefly.app.flight_logs.read_log import read_flight_log
+    from housefly.app.flight_tables import LOG_HEADINGS, log_rows
 
     log = read_flight_log(recording)
     for problem in log.problems:
