@@ -8,13 +8,23 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import replace
+from io import BytesIO
 from math import nan
 from pathlib import Path
+from threading import Event
 from typing import Any
 
+import numpy as np
 import pytest
+from filming import number_of, video
+from PIL import Image
 from ros_stage import DRONE, ROOM, RosStage, ros_stage
 
+from housefly.bus.topics import DroneTopics
+from housefly.config.house_mode import HouseMode
 from housefly.messages import OrderKind, OrderOutcome, OrderSource
 from housefly.ros2.topic_table import DRONE_TOPICS, ROOM_TOPICS, Quality, full_name
 from housefly.tasks.api.questions import CancelTask, RequestTask, Sentence
@@ -172,6 +182,50 @@ def test_the_papers_node_is_served_too(stage: RosStage) -> None:
     nudge = stage.pilot.orders[1]
     assert nudge.kind is OrderKind.NUDGE and nudge.velocity is not None
     assert nudge.velocity[0] > 0.0 == nudge.velocity[1]
+
+
+@contextmanager
+def filmed(stage: RosStage) -> Iterator[set[bytes]]:
+    """Send pictures as a drone does; yield the key frames among them."""
+    frames, ended = list(video(2.0, 0.0)), Event()
+
+    def film() -> None:
+        number = 0
+        while not ended.wait(1 / 15):
+            frame = frames[number % len(frames)]
+            now = time.monotonic()
+            sent = replace(frame, sequence=number, received_at=now)
+            stage.pilot.bus.publish(DroneTopics().video, sent)
+            number += 1
+
+    with ThreadPoolExecutor(1) as filming:
+        filming.submit(film)
+        try:
+            yield {frame.data for frame in frames if frame.keyframe}
+        finally:
+            ended.set()
+
+
+def test_pictures_go_out_as_they_came_and_as_jpeg_and_none_in_mode_privacy(stage: RosStage) -> None:
+    client, tasks = stage.client, stage.tasks
+    jpegs = client.heard(f"{DRONE}/camera/image_raw/compressed")
+    raw, info = client.heard(f"{DRONE}/camera/h264"), client.heard(f"{DRONE}/camera/camera_info")
+    with filmed(stage) as keys:
+        assert client.spin(lambda: jpegs and len(raw) > 20 and info)
+        with Image.open(BytesIO(bytes(jpegs[0].data))) as picture:
+            assert number_of(np.asarray(picture)) in range(30)
+        assert bytes(raw[0].data) in keys and raw[0].format == "h264"
+        tasks.mode = HouseMode.PRIVACY
+        tasks.tell()
+        client.spin(lambda: False, 1.0)
+        raw.clear()
+        jpegs.clear()
+        client.spin(lambda: False, 1.0)
+        assert not raw and not jpegs
+        tasks.mode = HouseMode.HOME
+        tasks.tell()
+        assert client.spin(lambda: raw)
+        assert bytes(raw[0].data) in keys, "it goes on with a key frame"
 
 
 FLOOD = """
