@@ -92,7 +92,7 @@ def begin(browser: Browser, address: str) -> dict[str, Page]:
     phone.set_viewport_size(PHONE)
     dark.emulate_media(color_scheme="dark")
     desktop.goto(address)
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=60_000)
+    expect(state(desktop, "Your drone is home")).to_be_visible(timeout=60_000)
     phone.goto(address.split("?")[0] + "#tasks")
     dark.goto(address.split("?")[0])
     pages = {"tasks": desktop, "phone-tasks": phone}
@@ -135,7 +135,7 @@ def fly(pages: dict[str, Page]) -> None:
     expect(state(desktop, "Looking at Entrance")).to_be_visible(timeout=120_000)
     desktop.wait_for_timeout(1500)
     photograph(pages, "arrived")
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=180_000)
+    expect(state(desktop, "Your drone is home")).to_be_visible(timeout=180_000)
 
 
 def ring(page: Page) -> None:
@@ -160,7 +160,7 @@ def look_who_rings(pages: dict[str, Page]) -> None:
     desktop.wait_for_timeout(2500)
     photograph({"": desktop, "phone": phone}, "tasks")
     desktop.get_by_role("button", name="Come home").click(timeout=60_000)
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=180_000)
+    expect(state(desktop, "Your drone is home")).to_be_visible(timeout=180_000)
     expect(desktop.get_by_role("region", name="Now").get_by_role("listitem")).to_have_count(
         0, timeout=60_000
     )

@@ -125,7 +125,7 @@ def send_to_the_entrance(page: Page) -> None:
     page.wait_for_timeout(500)
     hold(page, go, 0.9)
     with suppress(AssertionError):
-        expect(state(page, "Ready on the pad")).not_to_be_visible(timeout=10_000)
+        expect(state(page, "Your drone is home")).not_to_be_visible(timeout=10_000)
         return
     hold(page, go, 3.0)  # a starved browser does not count the first one
 
@@ -138,7 +138,7 @@ def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(
     hosts: set[str] = set()
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(demo.url)
-    expect(state(page, "Ready on the pad")).to_be_visible(timeout=60_000)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
     expect(page.get_by_text("people without markers are unseen")).to_be_visible()
     page.wait_for_timeout(1500)
     on_the_pad = picture(page)
@@ -146,7 +146,7 @@ def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(
     expect(state(page, "Looking at Entrance")).to_be_visible(timeout=60_000)
     at_the_door = picture(page)
     assert at_the_door != on_the_pad
-    expect(state(page, "Ready on the pad")).to_be_visible(timeout=90_000)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=90_000)
     assert picture(page) != at_the_door
     assert hosts == {"127.0.0.1"}
     assert demo.leave() == 0
@@ -159,7 +159,7 @@ def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_bac
     hosts: set[str] = set()
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(demo.url)
-    expect(state(page, "Ready on the pad")).to_be_visible(timeout=60_000)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
     expect(page.get_by_text("people without markers are unseen")).to_be_visible()
     page.wait_for_timeout(1500)
     on_the_pad = picture(page)
@@ -174,7 +174,7 @@ def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_bac
     expect(state(page, "Coming home")).to_be_visible(timeout=30_000)
     page.wait_for_timeout(3000)
     assert picture(page) != at_the_door
-    expect(state(page, "Ready on the pad")).to_be_visible(timeout=90_000)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=90_000)
     assert hosts == {"127.0.0.1"}
     assert demo.leave() == 0
 
@@ -185,7 +185,7 @@ def test_a_killed_pilot_leaves_the_drone_to_its_watchdog_and_the_next_one_moves_
     demo: Demo, page: Page
 ) -> None:
     page.goto(demo.url)
-    expect(state(page, "Ready on the pad")).to_be_visible(timeout=60_000)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
     send_to_the_entrance(page)
     expect(state(page, "Flying to Entrance")).to_be_visible(timeout=30_000)
     page.wait_for_timeout(3000)

@@ -34,7 +34,7 @@ y = 4.9
 z = 0.85
 yaw = -0.2
 """
-ON_THE_PAD = re.compile("Ready on the pad|Not ready|On the pad")
+ON_THE_PAD = re.compile("Your drone is home|Not ready|On the pad")
 """A machine with more to do than it can may see the drone too seldom to be ready."""
 
 REMEMBER_SILENCE = """banner => {

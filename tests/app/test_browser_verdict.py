@@ -35,7 +35,7 @@ pytestmark = [
 
 UNDER_THE_TABLE = (5.7, 1.5)
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
-DOWN = ("Ready on the pad", "Not on the pad", "Not ready", "On the pad", "On the ground")
+DOWN = ("Your drone is home", "Not on the pad", "Not ready", "On the pad", "On the ground")
 UP = ("Taking off", "Flying to", "Looking at", "Coming home", "Hovering", "Landing", "HOLDING")
 
 
@@ -95,7 +95,7 @@ class House:
             return f"{line!r}, and it flies"
         if line.startswith(UP) and not flies:
             return f"{line!r}, and it stands"
-        if line.startswith("Ready on the pad") and away > 0.5:
+        if line.startswith("Your drone is home") and away > 0.5:
             return f"{line!r}, and it is {away:.1f} m from its pad"
         told = re.search(r"([\d.]+) m from the pad", line)
         if told and abs(float(told[1]) - away) > 0.3:
@@ -152,7 +152,7 @@ def send(house: House, place: str) -> None:
 
 
 def test_on_its_pad_it_is_ready_and_without_tracking_it_is_not(house: House) -> None:
-    house.says("Ready on the pad", 60.0)
+    house.says("Your drone is home", 60.0)
     house.hold_against_truth("on the pad", "no fault")
     seen: Callable[[list[Any]], None] = house.room._after_step
     house.room._after_step = lambda tracking: None  # type: ignore[method-assign]
@@ -161,7 +161,7 @@ def test_on_its_pad_it_is_ready_and_without_tracking_it_is_not(house: House) -> 
     expect(house.page.locator(".drone .age")).to_contain_text("seen")
     house.hold_against_truth("on the pad", "tracking lost")
     house.room._after_step = seen  # type: ignore[method-assign]
-    house.says("Ready on the pad")
+    house.says("Your drone is home")
 
 
 def test_a_camera_or_a_memory_that_is_gone_is_said_and_hides_nothing_of_the_drone(
@@ -171,7 +171,7 @@ def test_a_camera_or_a_memory_that_is_gone_is_said_and_hides_nothing_of_the_dron
     expect(picture.locator("canvas[data-picture]")).to_be_visible(timeout=20_000)
     house.room.films = False
     expect(picture).to_contain_text("No new picture", timeout=20_000)
-    house.says("Ready on the pad")
+    house.says("Your drone is home")
     house.hold_against_truth("on the pad", "camera gone")
     house.room.films = True
     expect(picture).not_to_contain_text("No new picture", timeout=20_000)
@@ -179,7 +179,7 @@ def test_a_camera_or_a_memory_that_is_gone_is_said_and_hides_nothing_of_the_dron
     os.kill(hub, signal.SIGSTOP)
     shown = house.page.locator(".view.map")
     expect(shown).to_contain_text("People and things are not shown", timeout=40_000)
-    house.says("Ready on the pad")
+    house.says("Your drone is home")
     house.hold_against_truth("on the pad", "hub gone")
     os.kill(hub, signal.SIGCONT)
     expect(shown).not_to_contain_text("People and things are not shown", timeout=40_000)
@@ -205,7 +205,7 @@ def test_with_a_low_battery_it_is_not_ready_and_in_flight_it_comes_back_or_lands
     house.says("battery")
     house.hold_against_truth("on the pad", "battery low")
     charge(house, 1.0)
-    house.says("Ready on the pad", 60.0)
+    house.says("Your drone is home", 60.0)
     send(house, "Entrance")
     wait_for(lambda: house.away > 0.7, 40.0, "a drone under way")
     charge(house, 0.1)
@@ -216,7 +216,7 @@ def test_with_a_low_battery_it_is_not_ready_and_in_flight_it_comes_back_or_lands
     wait_for(house.room.is_standing, 60.0, "a landing")
     charge(house, 1.0)
     carry(house, house.pad)
-    house.says("Ready on the pad", 60.0)
+    house.says("Your drone is home", 60.0)
 
 
 def test_a_crash_under_furniture_is_said_with_where_it_lies_and_flies_only_after_a_reset(
@@ -231,7 +231,7 @@ def test_a_crash_under_furniture_is_said_with_where_it_lies_and_flies_only_after
     expect(house.page.locator(".headline")).not_to_contain_text("Ready")
     carry(house, house.pad)
     hold(house.page, "Reset")
-    house.says("Ready on the pad", 60.0)
+    house.says("Your drone is home", 60.0)
 
 
 def test_a_dead_console_says_that_the_flight_goes_on_and_comes_back_with_control_and_log(
@@ -262,7 +262,7 @@ def test_a_dead_console_says_that_the_flight_goes_on_and_comes_back_with_control
 def test_a_stop_in_flight_outlives_the_pilot_and_what_lies_away_from_its_pad_is_said_to(
     house: House,
 ) -> None:
-    house.says("Ready on the pad", 90.0)
+    house.says("Your drone is home", 90.0)
     send(house, "Entrance")
     wait_for(lambda: house.away > 1.5, 40.0, "a drone under way")
     house.page.keyboard.press("Space")

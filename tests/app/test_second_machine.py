@@ -80,7 +80,7 @@ def test_a_phone_on_another_machine_opens_the_address_of_the_code_and_flies(
     seen = json.loads(done.stdout.splitlines()[-1])
     assert seen["link"].startswith("https://10.77.0.1:8080/?token=")
     assert seen["address"] == "https://10.77.0.1:8080/" and seen["secure"]
-    assert "Ready on the pad" in seen["said"]
+    assert "Your drone is home" in seen["said"]
     assert len(seen["kept"]) == 1, "the shell is kept: the certificate is trusted, not ignored"
     assert seen["again"] == 403, "the code opens one browser"
     assert "made anew, phones trust it as before" in said and said.endswith("server: 0\n")

@@ -36,7 +36,7 @@ def main(folder: Path) -> None:
             viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True
         )
         page.goto(link[1])
-        expect(headline(page)).to_contain_text("Ready on the pad", timeout=60_000)
+        expect(headline(page)).to_contain_text("Your drone is home", timeout=60_000)
         seen["address"], seen["secure"] = page.url, page.evaluate("isSecureContext")
         fly(page)
         seen["said"] = headline(page).inner_text()
@@ -67,7 +67,7 @@ def fly(page: Page) -> None:
     page.wait_for_timeout(2000)
     finger.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
     expect(headline(page)).to_contain_text("Looking at Entrance", timeout=FLIGHT_MS)
-    expect(headline(page)).to_contain_text("Ready on the pad", timeout=FLIGHT_MS)
+    expect(headline(page)).to_contain_text("Your drone is home", timeout=FLIGHT_MS)
 
 
 if __name__ == "__main__":

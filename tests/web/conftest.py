@@ -188,7 +188,7 @@ async def ready_page(chromium: Browser, console: Any, **options: Any) -> AsyncIt
     troubles: list[str] = []
     page.on("pageerror", lambda error: troubles.append(str(error)))
     await page.goto(console.link)
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     try:
         yield page
     finally:

@@ -50,7 +50,7 @@ async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
         ),
     )
     await page.goto(console.link)
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     yield page
     await context.close()
     assert troubles == []
@@ -95,7 +95,7 @@ async def test_the_token_is_gone_from_the_address_and_a_reload_still_works(
 ) -> None:
     assert page.url == f"{console.origin}/"
     await page.reload()
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
 
 
 async def test_a_place_is_chosen_previewed_held_and_flown_to(
@@ -280,7 +280,7 @@ async def test_a_whole_mission_is_flown_by_keyboard_alone(
     await until(lambda: kinds(console)[-1] is OrderKind.HOME)
     await page.keyboard.press("l")
     await until(lambda: kinds(console)[-1] is OrderKind.LAND)
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad", timeout=10_000)
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home", timeout=10_000)
     await page.keyboard.press("?")
     await expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
     await page.keyboard.press("Escape")
@@ -414,7 +414,7 @@ async def test_a_browser_that_cannot_decode_video_gets_jpeg_pictures(
         await page.reload()
         picture = page.locator(".video img")
         await expect(picture).to_have_js_property("naturalWidth", 320, timeout=10_000)
-        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+        await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     finally:
         feeding.cancel()
 
@@ -427,11 +427,11 @@ async def test_the_console_comes_back_by_itself_after_the_server_was_started_aga
     async with serving(loopback) as first:
         port = first.port
         await page.goto(first.link)
-        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+        await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     await expect(page.locator(".headline")).to_contain_text("No contact")
     await expect(page.locator(".banner")).to_be_visible()
     async with serving(loopback, port) as second:
-        await expect(page.locator(".headline")).to_contain_text("Ready on the pad", timeout=10_000)
+        await expect(page.locator(".headline")).to_contain_text("Your drone is home", timeout=10_000)
         await expect(page.locator(".banner")).to_be_hidden()
         await page.keyboard.press("Space")
         await expect(page.locator(".stop")).to_contain_text("STOPPED")

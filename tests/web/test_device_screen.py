@@ -56,7 +56,7 @@ async def context(chromium: Browser) -> AsyncIterator[BrowserContext]:
 async def opened(context: BrowserContext, address: str) -> Page:
     page = await context.new_page()
     await page.goto(address)
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     return page
 
 

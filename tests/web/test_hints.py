@@ -28,7 +28,7 @@ async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
     await context.add_init_script(FIRST_TIME)
     page = await context.new_page()
     await page.goto(console.link)
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     yield page
     await context.close()
 
@@ -53,7 +53,7 @@ async def test_three_hints_are_shown_one_after_another_and_never_again(page: Pag
     await expect(hint).to_have_count(0)
     assert await seen(page)
     await page.reload()
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     await expect(page.locator(".places button").first).to_be_visible()
     await expect(hint).to_have_count(0)
 

@@ -136,6 +136,6 @@ async def test_a_link_in_a_message_on_a_page_of_another_site_opens_the_console_t
     await page.goto("http://127.0.0.99/")
     await page.get_by_role("link", name="come in").click()
     await page.get_by_role("link", name="Show the console").click()
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     assert page.url == f"{console.origin}/"
     await page.close()

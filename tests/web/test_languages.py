@@ -20,7 +20,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 OTHERS = ("ja", "de")
 SIZES = [(390, 844), (844, 390), (1440, 900)]
 LOCALES = {"en": "en-GB", "ja": "ja-JP", "de": "de-DE"}
-READY = {"en": "Ready on the pad", "ja": "準備完了", "de": "Bereit auf dem Landeplatz"}
+READY = {"en": "Your drone is home", "ja": "ホームで待機", "de": "Die Drohne ist zu Hause"}
 STOP_WORDS = {"en": "hover at once", "ja": "停止", "de": "Halt"}
 
 

@@ -98,7 +98,7 @@ async def test_a_low_battery_is_told_and_refuses_the_take_off_until_it_is_mended
     )
     assert console.pilot.orders == []
     console.pilot.checks = checks()
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     await expect(page.locator(".plan .why")).not_to_contain_text("Not ready")
     await hold_take_off(page)
     await until(lambda: [one.kind for one in console.pilot.orders] == [OrderKind.TAKE_OFF])

@@ -76,7 +76,7 @@ async def kept(
         troubles: list[str] = []
         page.on("pageerror", lambda error: troubles.append(str(error)))
         await page.goto(console.link)
-        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+        await expect(page.locator(".headline")).to_contain_text("Your drone is home")
         yield page, console
         await context.close()
         assert troubles == []
@@ -119,7 +119,7 @@ async def test_a_flight_is_looked_at_again_in_place_and_says_that_it_is_recorded
     await expect(log).to_contain_text("The middle of the flight")
     await expect(there).not_to_have_attribute("transform", first or "")
     # The headline, the orders and STOP are those of now.
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     await page.locator(".time-bar").get_by_role("button", name="Back to live").click()
     await is_live(page)
 

@@ -64,7 +64,7 @@ async def desk(
         tasks.tell()
         page = await chromium.new_page(viewport={"width": 1440, "height": 900})
         await page.goto(console.link)
-        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+        await expect(page.locator(".headline")).to_contain_text("Your drone is home")
         (kept,) = await page.context.cookies()
         cookie = f"{kept['name']}={kept['value']}"
         console.proofs[cookie] = await page.evaluate("localStorage['housefly proof']")

@@ -70,7 +70,7 @@ async def test_a_drone_that_is_not_well_on_its_pad_is_not_said_to_be(
     await expect(page.locator(".said")).to_contain_text("Not ready")
     assert console.pilot.orders == []
     console.pilot.position = (1.0, 1.0)
-    await expect(line).to_contain_text("Ready on the pad")
+    await expect(line).to_contain_text("Your drone is home")
 
 
 async def test_the_reason_of_a_fault_is_on_the_screen_at_every_size(
@@ -114,7 +114,7 @@ async def test_what_ends_a_hold_is_told_although_it_is_over_at_once(
     console.pilot.pose_age = 9.8
     await expect(page.locator(".headline")).to_contain_text("Not ready")
     console.pilot.pose_age = 0.02
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     await page.mouse.up()
     await expect(said).to_contain_text("Not ready")
     assert console.pilot.orders == []
@@ -202,7 +202,7 @@ async def test_a_watcher_that_is_left_alone_does_not_get_control_by_chance(
     await page.close()
     await expect(watcher.locator(".who")).to_contain_text("Take control", timeout=10_000)
     await watcher.reload()
-    await expect(watcher.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(watcher.locator(".headline")).to_contain_text("Your drone is home")
     await expect(watcher.locator(".who")).to_contain_text("Take control")
 
 
@@ -226,7 +226,7 @@ async def test_single_letters_can_be_switched_off_and_stop_can_not(
     await page.keyboard.press("?")
     await page.get_by_role("checkbox", name="Letters and ? are keys").uncheck()
     await page.reload()
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
     for key in ("m", "r", "?"):
         await page.keyboard.press(key)
     await expect(page.locator(".app")).to_have_attribute("data-swapped", "false")
@@ -254,7 +254,7 @@ async def test_a_page_without_its_server_says_what_held_and_no_more(
     page = await context.new_page()
     async with serving(loopback) as served:
         await page.goto(served.link)
-        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+        await expect(page.locator(".headline")).to_contain_text("Your drone is home")
         await page.get_by_role("button", name="Entrance", exact=True).click()
         await hold(page, "and come back")
         await expect(page.locator(".headline")).to_contain_text("Flying to", timeout=10_000)

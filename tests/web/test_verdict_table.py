@@ -149,7 +149,7 @@ async def restore(pilot: Any, page: Page) -> None:
     on_pad(pilot)
     await page.set_viewport_size({"width": 1280, "height": 800})
     await expect(page.locator(".stop")).to_have_attribute("data-progress", "none")
-    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home")
 
 
 def hold_against(pilot: Any, fault: str, line: str, bar: str) -> None:
@@ -159,7 +159,7 @@ def hold_against(pilot: Any, fault: str, line: str, bar: str) -> None:
     is_heard = pilot.publishing and pilot.telemetry_age < 1.0
     is_well = is_heard and pilot.pose_age < 0.5 and pilot.battery > 0.2
     is_free = is_well and not pilot.stopped and pilot.status is DroneStatus.LANDED
-    assert ("Ready on the pad" in line) == (is_free and at_home), line
+    assert ("Your drone is home" in line) == (is_free and at_home), line
     assert ("Not on the pad" in line) == (is_free and not at_home), line
     assert ("No contact with the pilot" in line) == (not pilot.publishing), line
     assert is_heard or not line.startswith(("Flying", "Hovering", "Stopped")), line

@@ -103,7 +103,7 @@ knowledge = st.builds(
 @given(knowledge)
 def test_ready_on_the_pad_is_said_only_of_a_drone_that_is(known: ConsoleKnowledge) -> None:
     verdict = console_verdict(known)
-    if verdict.shape is HeadlineShape.READY or verdict.headline == "Ready on the pad":
+    if verdict.shape is HeadlineShape.READY or verdict.headline == "Your drone is home":
         assert known.step is not None and known.step.inputs.telemetry is not None
         assert known.step_age <= 2.0 and known.telemetry_age <= 1.0
         assert known.step.inputs.telemetry.status is DroneStatus.LANDED
@@ -180,7 +180,7 @@ TABLE = [
     ("twin gone", {"telemetry_age": 5.0, "pose_age": 5.0}, "Waiting for the drone", ""),
     ("never heard", {"status": None, "step_age": 5.0}, "No contact with the pilot", "nobody has t"),
     ("no checks", {"checks": PreflightView()}, "On the pad", "looking"),
-    ("all well", {}, "Ready on the pad", "motors are off"),
+    ("all well", {}, "Your drone is home", "motors are off"),
 ]
 
 
@@ -192,7 +192,7 @@ def test_on_the_ground_each_fault_has_its_own_words(
 ) -> None:
     verdict = console_verdict(knowing(**change))  # type: ignore[arg-type]
     assert verdict.headline == headline and detail in verdict.detail
-    assert (verdict.shape is HeadlineShape.READY) == (headline == "Ready on the pad")
+    assert (verdict.shape is HeadlineShape.READY) == (headline == "Your drone is home")
 
 
 IN_FLIGHT = [

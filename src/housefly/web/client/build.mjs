@@ -5,9 +5,12 @@ import { createHash } from "node:crypto";
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { relative } from "node:path";
 import { brotliCompressSync } from "node:zlib";
+import { minify } from "terser";
 
 const target = process.argv[2] ?? "../static";
 const bundled = ["preact", "@preact/signals", "@preact/signals-core", "three"];
+/** The page's own letters: digits of one width, and the same on every machine. */
+const letters = "@fontsource-variable/inter";
 
 await mkdir(target, { recursive: true });
 const options = {
@@ -21,6 +24,7 @@ const options = {
   jsxImportSource: "preact",
   legalComments: "none",
   logLevel: "warning",
+  external: ["/static/*"],
 };
 /** The templates of a language are known by short names there: `short`. */
 const shortNames = {
@@ -72,6 +76,15 @@ const firstTogether = {
 // The screens beside the first are chunks of their own, fetched when there is time or need.
 for (const old of await readdir(target))
   if (/^(chunk|new)-.*\.(js|css)$|\.br$/.test(old)) await rm(`${target}/${old}`);
+/** A twentieth less on its way; the view in space is too large to be worth the time. */
+async function smaller(file) {
+  const { code } = await minify(await readFile(file, "utf8"), {
+    module: true,
+    ecma: 2020,
+    compress: { passes: 3, unsafe_arrows: true },
+  });
+  await writeFile(file, code);
+}
 await build({
   ...options,
   entryPoints: { app: "src/main.tsx" },
@@ -94,11 +107,18 @@ await copyFile("src/index.html", `${target}/index.html`);
 await copyFile("src/new.html", `${target}/new.html`);
 for (const name of ["favicon.svg", "icon-192.png", "icon-512.png", "manifest.json"])
   await copyFile(`src/${name}`, `${target}/${name}`);
+await copyFile(
+  `node_modules/${letters}/files/inter-latin-wght-normal.woff2`,
+  `${target}/inter.woff2`,
+);
+for (const name of await readdir(target))
+  if (name.endsWith(".js") && !name.startsWith("chunk-room-in-space"))
+    await smaller(`${target}/${name}`);
 // What the service worker keeps, and which build it is of.
 const shell = (await readdir(target))
   .filter((name) => /^(app|chunk-.*)\.(js|css)$/.test(name))
   .filter((name) => !name.startsWith("chunk-room-in-space"));
-shell.push("favicon.svg");
+shell.push("favicon.svg", "inter.woff2");
 const hash = createHash("sha256");
 for (const name of shell.sort()) hash.update(await readFile(`${target}/${name}`));
 await build({
@@ -114,11 +134,11 @@ for (const name of await readdir(target))
   if (/\.(js|css)$/.test(name))
     await writeFile(`${target}/${name}.br`, brotliCompressSync(await readFile(`${target}/${name}`)));
 const licences = await Promise.all(
-  bundled.map(
+  [...bundled, letters].map(
     async (name) => `${name}\n\n${await readFile(`node_modules/${name}/LICENSE`, "utf8")}`,
   ),
 );
 await writeFile(
   `${target}/LICENSES.txt`,
-  `app.js, its chunks and new.js contain these libraries.\n\n${licences.join("\n---\n\n")}`,
+  `app.js, its chunks and new.js contain these libraries; the last are the letters of inter.woff2.\n\n${licences.join("\n---\n\n")}`,
 );

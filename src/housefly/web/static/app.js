@@ -1,1 +1,1 @@
-import"./chunk-chunk-PVYBGDIB.js";
+import"./chunk-chunk-N5YCGKXN.js";

@@ -120,7 +120,7 @@ def _on_the_ground(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]
         detail = joined("; ", (reasons[0].words, *more))
         return Headline(HeadlineShape.WARNING, Words("Not ready"), detail)
     if known.standing is Standing.ON_PAD:
-        return Headline(HeadlineShape.READY, Words("Ready on the pad"), Words("motors are off"))
+        return Headline(HeadlineShape.READY, Words("Your drone is home"), Words("motors are off"))
     detail = Words("{place}; may take off from there", place=place)
     return Headline(HeadlineShape.WARNING, Words("Not on the pad"), detail)
 

@@ -4,7 +4,7 @@ import { Announcer } from "./panels/announcer";
 import { Control } from "./panels/control";
 import { Checks } from "./panels/preflight";
 import { Help } from "./panels/help";
-import { SaidBubble } from "./panels/said";
+import { Said } from "./panels/said";
 import { Top } from "./panels/top";
 import { lazyScreen } from "./lazy-screen";
 import { banner } from "./headline";
@@ -43,7 +43,7 @@ export function App() {
       <Control />
       {panel.value === "invite" && <Invite />}
       <Hints />
-      <SaidBubble />
+      <Said />
       <Announcer />
     </div>
   );

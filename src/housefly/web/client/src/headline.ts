@@ -1,5 +1,7 @@
 // The line at the top: the server's verdict, or what this page can say without its server.
 import { computed } from "@preact/signals";
+import { nameOf, situations, things, trouble } from "./live/store";
+import { isWorry, worthSaying } from "./live/words";
 import { contact, lineLives, silence, verdict } from "./store";
 import type { HeadlineShape } from "./wire/messages";
 import { t, translated } from "./messages/language";
@@ -34,9 +36,18 @@ export const headline = computed<Headline>(() => {
   return {
     shape: told.shape,
     text: translated(told.headline),
-    detail: translated(told.detail),
+    detail: (told.shape === "ready" && household()) || translated(told.detail),
   };
 });
+
+/** How the people and things at home are, while the drone rests; "" where nobody knows. */
+function household(): string {
+  if (things.value.size === 0 || trouble.value) return "";
+  const worry = worthSaying(situations.value).find((one) => isWorry(one.kind));
+  return worry
+    ? `${nameOf(worry.thing)}: ${translated(worry.words)}`
+    : t("Everything is quiet.");
+}
 
 /** What must be read before anything else on the screen, or "". */
 export const banner = computed(() => {

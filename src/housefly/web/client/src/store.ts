@@ -59,7 +59,8 @@ export function open(name: Screen): void {
   history.replaceState(null, "", name === "live" ? location.pathname : `#${name}`);
 }
 
-export type Panel = "" | "help" | "control" | "invite" | "checks" | "more" | "side" | "ask";
+export type Panel =
+  "" | "help" | "control" | "invite" | "checks" | "more" | "side" | "ask" | "fly" | "past";
 export const panel = signal<Panel>("");
 
 export function toggle(name: Panel): void {

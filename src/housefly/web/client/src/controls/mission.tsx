@@ -1,7 +1,7 @@
 import { hint } from "../commands";
 import { choosePlace, forgetGoal, goal, POINT } from "../goal";
 import { said } from "../said";
-import { notice, room } from "../store";
+import { notice, panel, room } from "../store";
 import { decimal, t } from "../messages/language";
 
 /** What may be looked at, each one tap. */
@@ -16,7 +16,10 @@ export function Places() {
           class="place"
           key={place.name}
           aria-pressed={goal.value?.place === place.name}
-          onClick={() => choosePlace(place)}
+          onClick={() => {
+            choosePlace(place);
+            panel.value = "";
+          }}
         >
           {place.title}
         </button>

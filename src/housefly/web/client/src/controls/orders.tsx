@@ -14,11 +14,11 @@ import {
 import { goal, POINT } from "../goal";
 import { headline } from "../headline";
 import type { Hold } from "../hold";
-import { flying, iFly, lineLives, me, panel, toggle, verdict } from "../store";
+import { flying, iFly, lineLives, me, panel, toggle, verdict, type Panel } from "../store";
 import { Drawer } from "./drawer";
 import { HoldButton } from "./hold-button";
-import { HomeIcon, HoverIcon, LandIcon, MoreIcon, ResetIcon, ResumeIcon } from "./icons";
-import { Places, Plan } from "./mission";
+import { HomeIcon, HoverIcon, LandIcon, MoreIcon, PlaceIcon, ResetIcon, ResumeIcon } from "./icons";
+import { Plan, Places } from "./mission";
 import { NudgeHere } from "./nudge-here";
 import { t } from "../messages/language";
 
@@ -26,7 +26,7 @@ import { t } from "../messages/language";
 export function Orders() {
   return (
     <section class="command card" aria-label={t("Orders")}>
-      <Places />
+      {panel.value === "fly" && <Places />}
       <Plan />
       <div class="acts">
         <Next />
@@ -40,21 +40,36 @@ export function Orders() {
             <span>{t("Hover")}</span>
           </PressButton>
         )}
-        <button
-          type="button"
-          class="action"
-          aria-expanded={panel.value === "more"}
-          onClick={() => toggle("more")}
-        >
+        <Opens name="fly" words={t("Fly to …")}>
+          <PlaceIcon />
+        </Opens>
+        <Opens name="more" words={t("More")}>
           <MoreIcon />
-          <span>{t("More")}</span>
-        </button>
+        </Opens>
       </div>
       <Drawer />
       <NudgeHere />
     </section>
   );
 }
+
+interface OpensProps {
+  name: Panel;
+  words: string;
+  children: ComponentChildren;
+}
+
+const Opens = ({ name, words, children }: OpensProps) => (
+  <button
+    type="button"
+    class="action"
+    aria-expanded={panel.value === name}
+    onClick={() => toggle(name)}
+  >
+    {children}
+    <span>{words}</span>
+  </button>
+);
 
 interface Press {
   label: string;

@@ -1,5 +1,5 @@
 import { resume, stop } from "../commands";
-import { iFly, lineLives, screen, stopPress, verdict } from "../store";
+import { flying, iFly, lineLives, screen, stopPress, verdict } from "../store";
 import { sentence } from "../format";
 import { HoldButton } from "./hold-button";
 import { ResumeIcon, StopIcon } from "./icons";
@@ -24,12 +24,15 @@ function progress(): { state: string; name: string; then: string } {
   return { state: "none", name: "STOP", then: t("hover at once and stay") };
 }
 
-/** STOP: always there, one press, for everybody; Resume beside it where no larger one is. */
+/**
+ * STOP: always in its corner, one press, for everybody; a whole bar when motors may turn.
+ * Resume is beside it where no larger one is.
+ */
 export function StopBar() {
   const { state, name, then } = progress();
   const holds = (verdict.value?.stop.progress ?? "none") !== "none";
   return (
-    <footer class="stopbar">
+    <footer class="stopbar" data-whole={flying.value || !lineLives.value || state !== "none"}>
       <button
         type="button"
         class="stop"

@@ -1,7 +1,7 @@
 // What the live map shows beside the room itself; kept over a reload.
 import { effect, signal } from "@preact/signals";
 import { open } from "../store";
-import { SpaceButton } from "../view3d/space-button";
+import { EarlierButton, SpaceButton } from "../view3d/space-button";
 import { toggleCoverage } from "./room-client";
 import { showsCoverage } from "./store";
 import { t } from "../messages/language";
@@ -51,6 +51,7 @@ export function Layers() {
         </button>
         <CoverageButton />
         <SpaceButton />
+        <EarlierButton />
         <button type="button" onClick={() => open("edit")}>
           {t("Edit the room")}
         </button>

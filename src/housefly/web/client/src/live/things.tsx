@@ -13,6 +13,8 @@ const FADES: [number, number][] = [
   [300, 0.6],
 ];
 const FAINTEST = 0.45;
+/** Head and shoulders, in a circle of 12. */
+const PERSON = "M0-7a3.2 3.2 0 1 1 0 6.4a3.2 3.2 0 1 1 0-6.4zM-6 6.5a6 5.2 0 0 1 12 0z";
 
 /** What moves, at its place; what is inside something, beside it; faded by age. */
 export function ThingsLayer({ to }: { to: Projection }) {
@@ -119,7 +121,7 @@ function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: 
     return (
       <g class="person">
         <circle class="body" r={personRadius(scale)} />
-        <circle r={0.42 * personRadius(scale)} />
+        <path d={PERSON} transform={`scale(${(personRadius(scale) / 12).toFixed(2)})`} />
       </g>
     );
   }

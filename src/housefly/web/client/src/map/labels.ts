@@ -1,4 +1,4 @@
-// Where names go on the map: places always get one, things only where there is room for it.
+// Where names go on the map: only where there is room for them, places before things.
 import type { PlaceView, RoomView } from "../wire/messages";
 import { around, boxOf, overlap, type Box } from "./label-spots";
 import type { Projection } from "./projection";
@@ -14,13 +14,15 @@ const LINE = 14;
 const FILLED = 0.35;
 const MARK = 6;
 const OUTSIDE_COST = 1e4;
+/** A name that would cover more of others [px²] is left out; the mark stays, and the list. */
+const CROWDED = 60;
 export const WALLS = /wall|partition|pillar|column/;
 
 export function labels(view: RoomView, to: Projection): Label[] {
   const taken: Box[] = marks(view, to);
   const places = view.places
     .filter((place) => place.name !== "home")
-    .map((place) => besideMark(place, to, taken));
+    .flatMap((place) => besideMark(place, to, taken));
   const things = thingBoxes(view, to).flatMap(({ text, box }) =>
     inside(text, shown(box, to), taken),
   );
@@ -33,7 +35,7 @@ export function namesOf(view: RoomView, to: Projection): Box[] {
 }
 
 /** The name of a place stands below, above, right or left of its mark: where it covers least. */
-function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
+function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label[] {
   const [u, v] = to.at(place.viewpoint);
   const side = boxOf(place.title, 0, 0).x1 + 9;
   const spots: [number, number][] = [
@@ -47,9 +49,11 @@ function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
     const fits = box.x0 > 0 && box.x1 < to.width && box.y0 > 0 && box.y1 < to.height;
     return overlap(box, taken) + (fits ? 0 : OUTSIDE_COST);
   });
-  const [x, y] = spots[costs.indexOf(Math.min(...costs))]!;
+  const least = Math.min(...costs);
+  if (least > CROWDED) return [];
+  const [x, y] = spots[costs.indexOf(least)]!;
   taken.push(boxOf(place.title, x, y));
-  return { kind: "spot", text: place.title, x, y };
+  return [{ kind: "spot", text: place.title, x, y }];
 }
 
 /** The part of a box that is in view: there its name stands. */

@@ -21,7 +21,7 @@ import { SwapButton } from "../panels/video";
 import { RecordedBanner } from "../replay/recorded";
 import { replaying } from "../replay/replay";
 import { hasDrone, screen } from "../store";
-import { inSpace, RoomInSpace, SpaceButton } from "../view3d/space-button";
+import { EarlierButton, inSpace, RoomInSpace, SpaceButton } from "../view3d/space-button";
 import { DroneLayer } from "./drone";
 import { GoalLayer, PathLayer } from "./goal-layer";
 import { listenToHands } from "./gestures";
@@ -131,11 +131,14 @@ export function MapView() {
           )}
         </PlanFrame>
       )}
-      {!past.value && hasDrone.value && <HeightStrip />}
-      {!past.value && hasDrone.value && <HeightProfile />}
+      {!past.value && hasDrone.value && !inSpace.value && <HeightStrip />}
+      {!past.value && hasDrone.value && !inSpace.value && <HeightProfile />}
       <Notes />
       <Layers />
-      <SpaceButton />
+      <div class="turns">
+        <EarlierButton />
+        <SpaceButton />
+      </div>
       {recorded ? <RecordedBanner /> : <PastBanner />}
       {hasDrone.value && <SwapButton to="map" />}
     </section>

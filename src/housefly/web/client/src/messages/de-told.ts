@@ -15,7 +15,7 @@ export const DE_TOLD: Templates = {
   "Landing for safety": "Landet zur Sicherheit",
   "Sinking for safety": "Sinkt zur Sicherheit",
   "Cutting motors": "Motoren werden abgeschaltet",
-  "Ready on the pad": "Bereit auf dem Landeplatz",
+  "Your drone is home": "Die Drohne ist zu Hause",
   "Not ready": "Nicht bereit",
   "Not on the pad": "Nicht auf dem Landeplatz",
   "On the pad": "Auf dem Landeplatz",

@@ -15,7 +15,7 @@ export const JA_TOLD: Templates = {
   "Landing for safety": "安全のため着陸中",
   "Sinking for safety": "安全のため降下中",
   "Cutting motors": "モーターを遮断中",
-  "Ready on the pad": "準備完了・パッド上",
+  "Your drone is home": "ドローンはホームで待機中",
   "Not ready": "準備できていません",
   "Not on the pad": "パッドの外です",
   "On the pad": "パッド上",

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { freshness, link, poseAge, state, stateAge } from "../store";
-import { now } from "../wire/clock";
+import { lag, now } from "../wire/clock";
 import { picture } from "../wire/video";
 import { milliseconds, percent } from "../format";
 import { decimal, t } from "../messages/language";
@@ -44,6 +44,11 @@ export function Readings() {
   const speed = s?.velocity ? Math.hypot(s.velocity[0], s.velocity[1]) : null;
   return (
     <dl class="card readings">
+      <Reading name={t("Lag")} age={0}>
+        <span title={t("Round trip between this browser and the server")}>
+          {lag.value === null ? "–" : milliseconds(lag.value)}
+        </span>
+      </Reading>
       <Reading
         name={t("Tracking")}
         age={Math.max(linkAge, age)}

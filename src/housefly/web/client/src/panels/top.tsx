@@ -1,10 +1,12 @@
 import { computed } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { AskIcon, ListIcon, ShapeIcon } from "../controls/icons";
 import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
 import { hasDrone, iFly, open, panel, room, screen, state, toggle, verdict } from "../store";
-import { lag } from "../wire/clock";
-import { milliseconds, percent } from "../format";
+import type { Panel } from "../store";
+import { ordering } from "../scene/dock";
+import { percent } from "../format";
 import { banner, headline } from "../headline";
 import { t, tongue } from "../messages/language";
 
@@ -50,45 +52,32 @@ export function Top() {
             </button>
           ))}
         </nav>
-        <div class="facts">
-          <House />
-          <span class="charge">{charge.value}</span>
-          <span class="lag" title={t("Round trip between this browser and the server")}>
-            {t("lag {time}", { time: lag.value === null ? "–" : milliseconds(lag.value) })}
-          </span>
-        </div>
         {screen.value === "live" && (
           <>
-            <button
-              type="button"
-              class="quiet-button to-ask"
-              aria-label={t("Ask")}
-              aria-expanded={panel.value === "ask"}
-              onClick={() => toggle("ask")}
-            >
-              <AskIcon />
-            </button>
-            <button
-              type="button"
-              class="quiet-button to-side"
-              aria-label={t("Details")}
-              aria-expanded={panel.value === "side"}
-              onClick={() => toggle("side")}
-            >
+            {ordering.value && (
+              <Opens name="ask" words={t("Ask")} class="to-ask">
+                <AskIcon />
+              </Opens>
+            )}
+            <Opens name="side" words={t("What happened")} class="to-side">
               <ListIcon />
-            </button>
+            </Opens>
           </>
         )}
-        {hasDrone.value && (
-          <button
-            type="button"
-            class="quiet-button control"
-            aria-expanded={panel.value === "control"}
-            onClick={() => toggle("control")}
-          >
-            {who()}
-          </button>
-        )}
+        <div class="pill">
+          <House />
+          {charge.value && <span class="charge">{charge.value}</span>}
+          {hasDrone.value && (
+            <button
+              type="button"
+              class="control"
+              aria-expanded={panel.value === "control"}
+              onClick={() => toggle("control")}
+            >
+              {who()}
+            </button>
+          )}
+        </div>
         <button
           type="button"
           class="quiet-button key"
@@ -104,15 +93,36 @@ export function Top() {
   );
 }
 
+interface OpensProps {
+  name: Panel;
+  words: string;
+  class: string;
+  children: ComponentChildren;
+}
+
+const Opens = ({ name, words, class: kind, children }: OpensProps) => (
+  <button
+    type="button"
+    class={`quiet-button ${kind}`}
+    aria-label={words}
+    aria-expanded={panel.value === name}
+    onClick={() => toggle(name)}
+  >
+    {children}
+  </button>
+);
+
 const Banner = () => (
   <p class="banner" role="alert" lang={tongue(banner.value)} hidden={!banner.value}>
     {banner.value}
   </p>
 );
 
+/** How long it may still fly, or what its battery holds. */
 const charge = computed(() => {
-  const share = state.value?.battery;
-  return share == null ? "" : t("battery {p}", { p: percent(share) });
+  const { battery, flight_s } = state.value ?? {};
+  if (flight_s != null) return t("{n} min", { n: Math.floor(flight_s / 60) });
+  return battery == null ? "" : percent(battery);
 });
 
 /** The site's name, and its mode when it is not the usual one. */

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { computed } from "@preact/signals";
 import { HoldButton } from "../controls/hold-button";
+import { AskIcon } from "../controls/icons";
 import { sentence } from "../format";
 import { createHold } from "../hold";
 import { at, found, nameOf } from "../live/store";
@@ -29,66 +30,71 @@ const look = createHold(HOLD, nowhere, (from) => {
     );
 });
 
-/** Where is it, go there, or whatever else one may ask; the answer lies over the map. */
+async function go(words: string): Promise<void> {
+  if (panel.value === "ask") panel.value = "";
+  await askFor(words);
+}
+
+/** Where is it, go there, or whatever else one may ask. */
 export function Ask() {
   const field = useRef<HTMLInputElement>(null);
   useEffect(learnNames, []);
   useEffect(() => {
     if (panel.value === "ask") field.current?.focus();
   }, [panel.value]);
-  const go = (words: string): void => {
-    if (field.current) field.current.value = words;
-    if (panel.value === "ask") panel.value = "";
-    void askFor(words);
-  };
-  const shown = found.value.answer || found.value.problem || said.value || trouble.value;
   return (
-    <section class="ask-line find" aria-label={t("Ask")}>
-      <form
-        role="search"
-        onSubmit={(event) => {
-          event.preventDefault();
-          go(field.current!.value);
-        }}
-      >
-        <input
-          ref={field}
-          type="search"
-          enterkeyhint="go"
-          aria-label={t("Where is, go to")}
-          placeholder={t("Where is … / go to …")}
-          list="names"
-          maxLength={200}
-          autocomplete="off"
-          onInput={(event) => event.currentTarget.value === "" && unask()}
-        />
-        <button type="submit">{t("Ask")}</button>
-        <datalist id="names">
-          {ideasFor().map((one) => (
-            <option key={one} value={one} />
-          ))}
-        </datalist>
-      </form>
-      {shown && (
-        <div class="answer card" role="status">
-          <button type="button" class="shut" aria-label={t("Close the answer")} onClick={unask}>
-            ×
-          </button>
-          {said.value || answer.value ? <SentenceAnswerView go={go} /> : <Whereabouts go={go} />}
-        </div>
-      )}
-    </section>
+    <form
+      class="ask-line find"
+      role="search"
+      aria-label={t("Ask")}
+      onSubmit={(event) => {
+        event.preventDefault();
+        void go(field.current!.value);
+      }}
+    >
+      <AskIcon />
+      <input
+        ref={field}
+        type="search"
+        enterkeyhint="go"
+        aria-label={t("Where is, go to")}
+        placeholder={t("What would you like?")}
+        list="names"
+        maxLength={200}
+        autocomplete="off"
+        onInput={(event) => event.currentTarget.value === "" && unask()}
+      />
+      <button type="submit">{t("Ask")}</button>
+      <datalist id="names">
+        {ideasFor().map((one) => (
+          <option key={one} value={one} />
+        ))}
+      </datalist>
+    </form>
+  );
+}
+
+/** What came of it, above the field, until somebody puts it away. */
+export function Answer() {
+  if (!(found.value.answer || found.value.problem || said.value || trouble.value)) return null;
+  return (
+    <div class="answer card" role="status">
+      <button type="button" class="shut" aria-label={t("Close the answer")} onClick={unask}>
+        ×
+      </button>
+      {said.value || answer.value ? <SentenceAnswerView go={go} /> : <Whereabouts />}
+    </div>
   );
 }
 
 /** A thing or person: what is known of it, what is in it, and the way there. */
-function Whereabouts({ go }: { go: (words: string) => void }) {
+function Whereabouts() {
   const { answer: known, problem, meant } = found.value;
   if (!known)
     return (
       <>
         <p lang={tongue(translated(problem))}>△ {sentence(translated(problem))}</p>
-        <Names names={meant} go={go} />
+        <Names names={meant} />
       </>
     );
   const perhaps = known.alternatives.map((one) => one.thing).filter((id) => id);
@@ -101,7 +107,7 @@ function Whereabouts({ go }: { go: (words: string) => void }) {
       <p class="words" lang={tongue(translated(known.words))}>
         {translated(known.words)}
       </p>
-      <Names names={around.map(nameOf)} go={go} />
+      <Names names={around.map(nameOf)} />
       {at.value === null && hasDrone.value && (
         <HoldButton
           hold={look}
@@ -116,12 +122,12 @@ function Whereabouts({ go }: { go: (words: string) => void }) {
   );
 }
 
-function Names({ names, go }: { names: string[]; go: (words: string) => void }) {
+function Names({ names }: { names: string[] }) {
   if (names.length === 0) return null;
   return (
     <p class="chips">
       {names.map((name) => (
-        <button type="button" key={name} onClick={() => go(name)}>
+        <button type="button" key={name} onClick={() => void go(name)}>
           {name}
         </button>
       ))}

@@ -10,19 +10,23 @@ import { t, translated } from "../messages/language";
 
 const details = signal(false);
 
-/** What a person should know beside the scene; the engineer's figures behind Details. */
+/** What happened, beside the scene; battery, figures and the raw log behind Details. */
 export function Side() {
   return (
     <aside class="side" aria-label={t("Drone and house")}>
       {hasDrone.value && <Reasons />}
-      {hasDrone.value && <Battery />}
       {details.value ? (
         <section class="card details" aria-label={t("Details")} tabIndex={0} data-scrolls>
           <div class="row">
             <h2>{t("Details")}</h2>
             <Turn />
           </div>
-          {hasDrone.value && <Readings />}
+          {hasDrone.value && (
+            <>
+              <Battery />
+              <Readings />
+            </>
+          )}
           <Sensors />
         </section>
       ) : (

@@ -1,5 +1,6 @@
 import { effect, signal } from "@preact/signals";
 import { sentence } from "../format";
+import { hint } from "../said";
 import { contact } from "../store";
 import { bell, pressBell } from "./tasks-client";
 import { t, translated } from "../messages/language";
@@ -45,6 +46,27 @@ export function Bell() {
             : t("This room is simulated: press, and a visitor comes to the door.")}
       </p>
     </section>
+  );
+}
+
+/** The same as one button beside STOP; what the house does is said above it. */
+export function RingButton() {
+  const ring = async (from: Element): Promise<void> => {
+    await press();
+    hint(sentence(translated(words.value)), from);
+  };
+  if (!simulated.value) return null;
+  return (
+    <button
+      type="button"
+      class="ring"
+      title={t("This room is simulated: press, and a visitor comes to the door.")}
+      aria-disabled={pressing.value}
+      onClick={(event) => void ring(event.currentTarget)}
+    >
+      <BellIcon />
+      <span>{t("Ring the doorbell")}</span>
+    </button>
   );
 }
 

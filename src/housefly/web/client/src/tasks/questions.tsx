@@ -3,7 +3,7 @@ import { useMemo } from "preact/hooks";
 import { HoldButton } from "../controls/hold-button";
 import { capital, minutes, sentence } from "../format";
 import { createHold } from "../hold";
-import { bellAsks } from "../scene/bell";
+import { bellAsks, bellRings } from "../scene/bell";
 import { BellCard } from "../scene/bell-card";
 import { Told } from "../messages/told";
 import { open } from "../store";
@@ -34,7 +34,11 @@ export function Questions({ over }: { over: boolean }) {
   const rings = over && bellAsks.value;
   if (waiting.length + ended.length === 0 && !rings) return null;
   return (
-    <section class={`questions ${over ? "over" : ""}`} aria-label={t("Questions")}>
+    <section
+      class={`questions ${over ? "over" : ""}`}
+      aria-label={t("Questions")}
+      data-event={bellRings.value}
+    >
       {rings && <BellCard />}
       {(over ? waiting.slice(0, SHOWN) : waiting).map((one) => (
         <Card key={`${one.task.id} ${one.question.id}`} one={one} />

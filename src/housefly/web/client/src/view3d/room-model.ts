@@ -8,14 +8,15 @@ import {
   ExtrudeGeometry,
   Float32BufferAttribute,
   Group,
+  Line,
   LineBasicMaterial,
   LineSegments,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
   type Object3D,
+  RingGeometry,
   Shape,
-  ShapeGeometry,
   SphereGeometry,
   TorusGeometry,
   TubeGeometry,
@@ -23,10 +24,13 @@ import {
 } from "three";
 import { WALLS } from "../map/labels";
 import { speedClass, type Curve } from "../map/curve-values";
-import type { OutlineView, RoomView } from "../wire/messages";
+import { runs } from "../map/grid";
+import type { Point } from "../store";
+import type { GridView, OutlineView, RoomView } from "../wire/messages";
 import type { CameraCone } from "../wire/room-messages";
 
 const THIN = 0.02;
+const PAD = { inside: 0.3, outside: 0.36 };
 const TUBE = { way: 0.05, hull: 0.29 };
 /** Cones are drawn so long [m]: whole ones would fill the room. */
 const CONE = 0.7;
@@ -44,56 +48,88 @@ function shapeOf(corners: [number, number][]): Shape {
   return shape;
 }
 
+/** Walls are glass on a base, so that one looks into the room from every side. */
+const GLASS = { opacity: 0.13, base: 0.14 };
+
+function extruded(outline: OutlineView, top: number, skin: MeshLambertMaterial): Mesh {
+  const depth = Math.max(THIN, top);
+  const geometry = new ExtrudeGeometry(shapeOf(outline.corners), { depth, bevelEnabled: false });
+  return new Mesh(geometry, skin);
+}
+
 /** A solid from the floor to its top: so the planner keeps away from it. */
 function solid(outline: OutlineView): Object3D {
-  const isWall = WALLS.test(outline.thing);
-  const depth = Math.max(THIN, outline.top);
-  const shape = new ExtrudeGeometry(shapeOf(outline.corners), { depth, bevelEnabled: false });
-  const colour = isWall ? themed("--wall") : new Color(outline.colour);
-  const body = new Mesh(
-    shape,
-    new MeshLambertMaterial({
-      color: colour,
-      transparent: isWall,
-      opacity: isWall ? 0.16 : 1,
-      depthWrite: !isWall,
-    }),
-  );
+  if (WALLS.test(outline.thing)) return wall(outline);
+  const skin = new MeshLambertMaterial({ color: new Color(outline.colour) });
+  const body = extruded(outline, outline.top, skin);
+  body.castShadow = body.receiveShadow = true;
   const edges = new LineSegments(
-    new EdgesGeometry(shape),
-    new LineBasicMaterial({
-      color: themed(isWall ? "--wall" : "--thing-edge"),
-      transparent: true,
-      opacity: isWall ? 0.35 : 1,
-    }),
+    new EdgesGeometry(body.geometry),
+    new LineBasicMaterial({ color: themed("--ink"), transparent: true, opacity: 0.12 }),
   );
   return new Group().add(body, edges);
 }
 
-/** Floor, furniture and walls. */
+function wall(outline: OutlineView): Object3D {
+  const colour = themed("--wall");
+  const { opacity, base } = GLASS;
+  const glass = { color: colour, transparent: true, opacity, depthWrite: false };
+  return new Group().add(
+    extruded(outline, outline.top, new MeshLambertMaterial(glass)),
+    extruded(outline, Math.min(base, outline.top), new MeshLambertMaterial({ color: colour })),
+  );
+}
+
+/** The floor of the room itself, not of the box around it. */
+function floor(grid: GridView): Object3D {
+  const cell = grid.resolution;
+  const [x0, y0] = grid.origin;
+  const corners = runs(grid, ".#vi").flatMap(({ i, j, width }) => {
+    const [left, low, right, high] = [x0 + i * cell, y0 + j * cell, 0, y0 + (j + 1) * cell];
+    const end = right + left + width * cell;
+    return [left, low, 0, end, low, 0, end, high, 0, left, low, 0, end, high, 0, left, high, 0];
+  });
+  const up = corners.map((_, k) => (k % 3 === 2 ? 1 : 0));
+  const mesh = new Mesh(
+    new BufferGeometry()
+      .setAttribute("position", new Float32BufferAttribute(corners, 3))
+      .setAttribute("normal", new Float32BufferAttribute(up, 3)),
+    new MeshLambertMaterial({ color: themed("--floor-in-space"), side: DoubleSide }),
+  );
+  mesh.position.z = -THIN;
+  mesh.receiveShadow = true;
+  return mesh;
+}
+
+/** Where the drone starts and lands. */
+function pad([x, y]: readonly number[]): Object3D {
+  const ring = new Mesh(
+    new RingGeometry(PAD.inside, PAD.outside, 48),
+    new MeshBasicMaterial({ color: themed("--accent"), transparent: true, opacity: 0.7 }),
+  );
+  ring.position.set(x!, y!, THIN);
+  return ring;
+}
+
+/** Floor, furniture, walls and pad. */
 export function roomModel(view: RoomView): Object3D {
-  const [x0, y0, x1, y1] = view.bounds;
-  const floor = new Mesh(
-    new ShapeGeometry(
-      shapeOf([
-        [x0, y0],
-        [x1, y0],
-        [x1, y1],
-        [x0, y1],
-      ]),
-    ),
-    new MeshBasicMaterial({ color: themed("--floor"), side: DoubleSide }),
+  const solids = view.outlines.filter((one) => !one.tracked).map(solid);
+  return new Group().add(floor(view.grid), pad(view.home), ...solids);
+}
+
+/** Where the drone would fly: the way as a line, and a ring on the floor below its end. */
+export function goalModel(point: Point, way: readonly Point[], height: number): Object3D {
+  const colour = themed("--accent");
+  const ring = new Mesh(
+    new RingGeometry(PAD.inside - 0.08, PAD.inside, 48),
+    new MeshBasicMaterial({ color: colour, side: DoubleSide }),
   );
-  floor.position.z = -THIN;
-  const lines: number[] = [];
-  for (let x = Math.ceil(x0); x <= x1; x++) lines.push(x, y0, 0, x, y1, 0);
-  for (let y = Math.ceil(y0); y <= y1; y++) lines.push(x0, y, 0, x1, y, 0);
-  const grid = new LineSegments(
-    new BufferGeometry().setAttribute("position", new Float32BufferAttribute(lines, 3)),
-    new LineBasicMaterial({ color: themed("--line") }),
-  );
-  grid.position.z = -THIN / 2;
-  return new Group().add(floor, grid, ...view.outlines.filter((one) => !one.tracked).map(solid));
+  ring.position.set(point[0], point[1], THIN);
+  const stem = [new Vector3(point[0], point[1], 0), new Vector3(point[0], point[1], height)];
+  const line = (points: Vector3[]): Line =>
+    new Line(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: colour }));
+  const along = way.map(([x, y]) => new Vector3(x, y, height));
+  return new Group().add(ring, line(stem), line(along));
 }
 
 /** What each tracking camera sees first: its place and the beginning of its cone. */
@@ -174,6 +210,7 @@ export function droneModel(): { body: Object3D; paint(colour: Color, solid: bool
   const white = new MeshLambertMaterial({ color: "#fff" });
   const nose = new Mesh(new SphereGeometry(0.05, 12, 8), white);
   nose.position.x = 0.15;
+  hull.castShadow = true;
   body.add(hull, nose);
   for (const [x, y] of [
     [ROTOR, ROTOR],
@@ -183,6 +220,7 @@ export function droneModel(): { body: Object3D; paint(colour: Color, solid: bool
   ] as const) {
     const ring = new Mesh(new TorusGeometry(0.1, 0.018, 8, 24), skin);
     ring.position.set(x, y, 0.02);
+    ring.castShadow = true;
     body.add(ring);
   }
   return {

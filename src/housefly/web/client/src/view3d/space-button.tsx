@@ -1,10 +1,28 @@
 import { signal } from "@preact/signals";
 import type { ComponentChild } from "preact";
 import { useEffect } from "preact/hooks";
+import { panel, toggle } from "../store";
 import { t } from "../messages/language";
 
-/** Whether the room is shown in space, in place of the plan. */
-export const inSpace = signal(false);
+const KEY = "housefly space";
+
+/** Whether a graphics card draws in space here: without one the processor would be kept busy. */
+function drawsEasily(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = names && context!.getParameter(names.UNMASKED_RENDERER_WEBGL);
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return !!name && !/swiftshader|llvmpipe|software|basic render/i.test(name as string);
+}
+
+/** Whether the room is shown in space, in place of the plan: as somebody chose, or if it can. */
+export const inSpace = signal((localStorage.getItem(KEY) ?? String(drawsEasily())) === "true");
+
+function turn(): void {
+  inSpace.value = !inSpace.value;
+  localStorage.setItem(KEY, String(inSpace.value));
+}
+
 const loaded = signal<(() => ComponentChild) | null>(null);
 const failed = signal("");
 
@@ -26,6 +44,18 @@ export function RoomInSpace() {
   );
 }
 
+/** The past of the room and its flights, at the foot of the stage. */
+export const EarlierButton = () => (
+  <button
+    type="button"
+    class="earlier"
+    aria-expanded={panel.value === "past"}
+    onClick={() => toggle("past")}
+  >
+    {t("Earlier")}
+  </button>
+);
+
 /** From the plan to the view in space, and back. */
 export function SpaceButton() {
   return (
@@ -33,7 +63,7 @@ export function SpaceButton() {
       type="button"
       class="to-space"
       aria-pressed={inSpace.value}
-      onClick={() => (inSpace.value = !inSpace.value)}
+      onClick={turn}
     >
       {inSpace.value ? t("Plan") : t("3-D")}
     </button>

@@ -1,0 +1,26 @@
+import { computed } from "@preact/signals";
+import { Orders } from "../controls/orders";
+import { goal } from "../goal";
+import { flying, hasDrone, lineLives, panel, verdict } from "../store";
+import { Answer, Ask } from "./ask";
+import { NoDrone } from "./no-drone";
+
+/** Whether orders are what a person needs now; else it rests, and one asks. */
+export const ordering = computed(() => {
+  const open = panel.value;
+  if (!hasDrone.value || open === "ask") return false;
+  const next = verdict.value?.next_order ?? "service";
+  const rests = lineLives.value && !flying.value && next === "service" && goal.value === null;
+  return !rests || open === "fly" || open === "more";
+});
+
+/** Beneath the stage, always as high: a question, or orders; an answer lies above it. */
+export function Dock() {
+  return (
+    <div class="dock">
+      {ordering.value ? <Orders /> : <Ask />}
+      <Answer />
+      {!hasDrone.value && <NoDrone />}
+    </div>
+  );
+}
