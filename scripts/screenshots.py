@@ -165,6 +165,7 @@ def look_who_rings(pages: dict[str, Page]) -> None:
         0, timeout=60_000
     )
     for page in (desktop, phone):
+        page.get_by_role("tab", name="History").click()
         page.get_by_role("tabpanel").locator("summary").first.click()
     desktop.wait_for_timeout(1000)
     photograph({"tasks": desktop}, "history")

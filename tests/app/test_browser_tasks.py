@@ -137,6 +137,7 @@ def test_the_demo_tells_its_story_from_the_bell_on_the_page_to_the_clip_that_pla
     bell.get_by_role("button").click()
     expect(bell.get_by_role("status")).to_contain_text("mode privacy", timeout=15_000)
     expect(question).to_have_count(0)
+    page.get_by_role("tab", name="History").click()
     history = page.get_by_role("tabpanel")
     history.locator("summary").first.click()
     expect(history).to_contain_text("because of bell pressed (doorbell)")

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 
 import pytest
 
-from housefly.app.event_words import EventWords, fact_words, worth_reading
+from housefly.app.event_words import EventWords, fact_words
 from housefly.app.room_words import detailed_event_line, event_line
 from housefly.hub.api.answers import EventAnswer
+from housefly.hub.feed.worth_reading import worth_reading
 
 WORDS = EventWords({"person-1": "the resident", "cup": "the cup", "cabinet": "cabinet"})
 FOR_PROGRAMS = {

@@ -10,7 +10,7 @@ from housefly.hub.api.answers import EventsAnswer
 from housefly.hub.api.json import answer_from_json, answer_to_json
 from housefly.hub.api.questions import EventsQuestion
 from housefly.hub.flight_facts import FlightFacts
-from housefly.hub.query_handler import event_answer
+from housefly.hub.said import event_answer
 from housefly.hub.store.open import open_store
 from housefly.messages import (
     Action,

@@ -14,6 +14,7 @@ from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, TaskError
 from housefly.evidence.clip_index import ClipIndex
 from housefly.evidence.clip_values import ClipInfo, ClipsAnswer, ClipsQuestion, DeleteClip, KeepClip
+from housefly.messages.words import Words
 from housefly.tasks.api.answers import (
     FiringsAnswer,
     ModeAnswer,
@@ -35,6 +36,7 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
+    ChangeRule,
     ContinueTask,
     DryRunQuestion,
     PauseTask,
@@ -96,6 +98,15 @@ REHEARSAL = RehearsalReport(
     11.0,
     0.6,
 )
+RULE = RuleStatus(
+    "bell",
+    "when bell pressed: look after a yes",
+    True,
+    when=Words("When the bell rings"),
+    title="Look at a place or a thing",
+    modes=(HouseMode.HOME, HouseMode.AWAY),
+    parameters=(replace(SERVICES[1].parameters[0], default="entrance"),),
+)
 _ENDED_SHOWN = 20
 STEPS = ("Take off", "Fly to the entrance", "Look at the visitor", "Record", "Come home")
 
@@ -108,6 +119,7 @@ class StandInTasks:
         rehearses: not set, rehearsals take long.
         clock_ahead: of the clock of the tasks [s].
         films: whether a photo can be kept.
+        rule: the only one.
     """
 
     def __init__(self, bus: Bus) -> None:
@@ -121,6 +133,7 @@ class StandInTasks:
         self.clips: tuple[ClipInfo, ...] = ()
         self.notices: tuple[str, ...] = ()
         self.clock_ahead = 0.0
+        self.rule = RULE
         self._answers: dict[type, Callable[[Any], TaskAnswer]] = {
             BoardQuestion: lambda _: self.board(),
             ServicesQuestion: lambda _: ServicesAnswer(SERVICES),
@@ -133,9 +146,8 @@ class StandInTasks:
             TaskHistoryQuestion: self._history,
             Sentence: self._sentence,
             SetMode: self._set_mode,
-            RulesQuestion: lambda _: RulesAnswer(
-                (RuleStatus("bell", "When the bell rings, ask whether to look.", True),)
-            ),
+            RulesQuestion: lambda _: RulesAnswer((self.rule,)),
+            ChangeRule: self._change_rule,
             DryRunQuestion: lambda one: FiringsAnswer(
                 (RuleFiring("bell", one.since, "doorbell rang", "visitor", ReasonCode.OK, "asked"),)
             ),
@@ -417,6 +429,17 @@ class StandInTasks:
             return SentenceAnswer(True, "where", "The cup is in the cabinet, seen 3 min ago.")
         meant = ("look at the entrance", "where is the cup")
         return SentenceAnswer(False, "", "I do not understand that.", suggestions=meant)
+
+    def _change_rule(self, asked: ChangeRule) -> RulesAnswer:
+        if asked.parameters.get("what") == "the moon":
+            raise TaskError("what: there is no 'the moon'", ReasonCode.UNKNOWN_THING.value)
+        given = {"enabled": asked.enabled, "confirm": asked.confirm, "modes": asked.mode}
+        changes: dict[str, Any] = {key: one for key, one in given.items() if one is not None}
+        if (what := asked.parameters.get("what")) is not None:
+            changes["parameters"] = (replace(self.rule.parameters[0], default=what),)
+        changed = replace(self.rule, changed_by=asked.by, **changes)
+        self.rule = RULE if asked.as_written else changed
+        return RulesAnswer((self.rule,))
 
     def _set_mode(self, asked: SetMode) -> ModeAnswer:
         self.mode = asked.mode

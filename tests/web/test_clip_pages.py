@@ -81,7 +81,7 @@ async def page(cinema: Cinema, chromium: Browser) -> AsyncIterator[Page]:
     page.on("pageerror", lambda error: troubles.append(str(error)))
     await page.add_init_script(_HEARS)
     await page.goto(cinema.console.link + "#tasks")
-    await expect(page.get_by_role("region", name="What was")).to_be_visible()
+    await page.get_by_role("tab", name="History").click()
     yield page
     await context.close()
     assert troubles == []
@@ -95,7 +95,7 @@ async def test_a_clip_is_played_saved_kept_and_deleted_and_who_did_it_is_known(
     await page.get_by_role("button", name="anna, entrance").click()
     sheet = page.get_by_role("dialog", name="Clip: anna, entrance")
     await expect(sheet).to_contain_text("a crash or a full disk cut it off")
-    await until(page, "document.querySelector('video')?.currentTime > 0.3")
+    await until(page, "document.querySelector('.sheet video')?.currentTime > 0.3")
     await sheet.get_by_role("button", name="Keep", exact=True).click()
     await expect(sheet).to_contain_text("until somebody deletes it")
     async with page.expect_download() as begun:
@@ -110,8 +110,31 @@ async def test_a_clip_is_played_saved_kept_and_deleted_and_who_did_it_is_known(
     assert not (cinema.folder / f"{name}.mp4").exists()
     await expect(page.get_by_role("tabpanel")).to_contain_text("There is no such clip")
     did = [view.what for view in cinema.index.audit_log(name)]
+    assert did.pop(0) == "seen small", "in the list"
     assert did[0] == "watched" and did[-1] == "deleted"
     assert sorted(did[1:-1]) == ["exported", "kept"]
+
+
+async def test_a_picture_in_a_list_plays_while_it_is_pointed_at_and_is_no_watching(
+    page: Page, cinema: Cinema
+) -> None:
+    name = cinema.filmed(place="entrance")
+    await page.get_by_role("tab", name="Clips").click()
+    picture = page.get_by_role("tabpanel").get_by_role("listitem").get_by_role("button")
+    time_of = "document.querySelector('.clips video')?.currentTime"
+    await until(page, "document.querySelector('.clips video')?.readyState > 0")
+    assert await page.evaluate(time_of) == 0.0
+    await picture.hover()
+    await until(page, f"{time_of} > 0.1")
+    await page.get_by_role("tab", name="Clips").hover()
+    await until(page, f"{time_of} === 0")
+    await page.emulate_media(reduced_motion="reduce")
+    await picture.hover()
+    await asyncio.sleep(0.4)
+    assert await page.evaluate(time_of) == 0.0
+    assert [(one.who, one.what) for one in cinema.index.audit_log(name)] == [
+        ("Viewer 1", "seen small")
+    ]
 
 
 async def test_clips_are_found_by_person_place_thing_and_time_and_page_by_page(
@@ -146,6 +169,7 @@ async def test_all_clips_of_an_event_are_taken_away_at_once(page: Page, cinema: 
     names = {cinema.filmed(task=task), cinema.filmed(ago=50.0, task=task)}
     cinema.filmed(ago=40.0, task=task + 1)
     await page.reload()
+    await page.get_by_role("tab", name="History").click()
     await page.get_by_role("tabpanel").get_by_text("See who is at the door").click()
     await expect(page.get_by_role("button", name="Show clip")).to_have_count(2)
     async with page.expect_download() as begun:
@@ -219,7 +243,7 @@ async def test_history_and_clips_are_no_wider_than_the_screen(
     await expect(page.get_by_role("tabpanel").get_by_role("listitem")).to_have_count(1)
     await look(page, tmp_path, f"clips-{viewport['width']}")
     await page.get_by_role("tabpanel").get_by_role("listitem").get_by_role("button").click()
-    await until(page, "document.querySelector('video')?.currentTime > 0.3")
+    await until(page, "document.querySelector('.sheet video')?.currentTime > 0.3")
     await look(page, tmp_path, f"clip-{viewport['width']}")
 
 

@@ -6,6 +6,7 @@ import asyncio
 import re
 import time
 from collections.abc import AsyncIterator, Callable, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,12 +17,17 @@ from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 from stand_in_tasks import REHEARSAL, StandInTasks
 
 from housefly.bus.local import LocalBus
+from housefly.bus.topics import HUB_QUERY
 from housefly.config.house_mode import HouseMode
-from housefly.errors import TaskError
+from housefly.errors import HouseflyError, TaskError
 from housefly.evidence.clip_export import ClipExport
 from housefly.evidence.clip_values import ClipInfo
+from housefly.hub.api.feed_answers import FeedAnswer, FeedEntry
+from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
+from housefly.hub.api.questions import FeedQuestion
+from housefly.messages.words import Words, literal
 from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
-from housefly.tasks.api.values import ReasonCode, TaskStage
+from housefly.tasks.api.values import Confirm, ReasonCode, TaskStage
 from housefly.web.api.simulated_bell import BellView, SimulatedBell
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
@@ -110,6 +116,7 @@ async def page(house: House, chromium: Browser) -> AsyncIterator[Page]:
     await expect(page.get_by_role("region", name="Services").get_by_role("listitem")).to_have_count(
         4
     )
+    await page.get_by_role("tab", name="History").click()
     yield page
     await context.close()
     assert troubles == []
@@ -310,12 +317,82 @@ async def test_history_leads_from_the_trigger_to_the_clip_and_who_watched_is_kno
     await page.get_by_role("tabpanel").get_by_label("person").fill("guest")
     await page.keyboard.press("Enter")
     await expect(page.get_by_role("tabpanel").get_by_role("listitem")).to_have_count(1)
-    await page.get_by_role("tab", name="Rules").click()
-    await page.get_by_role("button", name="What would have happened").click()
-    await expect(page.get_by_role("tabpanel")).to_contain_text("doorbell rang")
     await page.get_by_role("navigation").get_by_role("button", name="Live").click()
     await page.get_by_role("link", name="Clip").click()
     await expect(page.get_by_role("dialog", name="Clip: guest, entrance")).to_be_visible()
+
+
+def happened(question: FeedQuestion) -> FeedAnswer:
+    """Return what a resident and the drone did."""
+    now = time.time()
+    entries = (
+        FeedEntry(
+            *("people", "person-1", literal("the resident")),
+            Words("{first}, then {next}", first="kitchen", next="sofa"),
+            *(now - 100.0, now - 60.0),
+        ),
+        FeedEntry(
+            *("tasks", "", literal("See who is at the door"), literal("the visitor was seen")),
+            *(now - 190.0, now - 130.0, (CLIP,)),
+        ),
+    )
+    of = [one for one in entries if question.of in ("all", one.of)]
+    return FeedAnswer(tuple(of[: question.limit]))
+
+
+async def test_what_happened_lately_is_told_by_person_and_task_with_pictures(
+    page: Page, house: House
+) -> None:
+    def answer(text: str) -> str:
+        question = question_from_json(text)
+        if not isinstance(question, FeedQuestion):
+            return refusal_to_json(HouseflyError("not here"))
+        return answer_to_json(happened(question))
+
+    with closing(house.console.bus.answer(HUB_QUERY, answer)):
+        await page.get_by_role("tab", name="Lately").click()
+        feed = page.get_by_role("region", name="Lately")
+        lines = feed.get_by_role("listitem")
+        await expect(lines).to_have_count(2)
+        await expect(lines.first).to_contain_text("The resident")
+        await expect(lines.first).to_contain_text("kitchen, then sofa")
+        await expect(lines.first.get_by_role("time")).to_have_text(re.compile(r"^[56]\d s ago$"))
+        await feed.get_by_role("button", name="Tasks").click()
+        await expect(lines).to_have_count(1)
+        await expect(lines).to_contain_text("the visitor was seen")
+        await feed.get_by_role("link", name="Clip").click()
+        await expect(page.get_by_role("dialog", name="Clip")).to_be_visible()
+        await page.get_by_role("dialog").get_by_role("button", name="Close").click()
+        await lines.get_by_role("button").click()
+        await expect(page.get_by_text("Back to now")).to_be_visible()
+
+
+async def test_a_rule_is_a_sentence_that_is_switched_and_set_and_taken_back(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    await page.get_by_role("tab", name="Rules").click()
+    rule = page.get_by_role("listitem", name="When the bell rings")
+    await expect(rule).to_contain_text("Look at a place or a thing")
+    await expect(rule).to_contain_text("today: 00:00")
+    await rule.get_by_role("switch").click()
+    await until(lambda: not house.tasks.rule.enabled)
+    await rule.get_by_role("combobox", name="When the bell rings").select_option("at once")
+    await until(lambda: house.tasks.rule.confirm is Confirm.AUTO)
+    await rule.get_by_role("button", name="night").click()
+    await until(lambda: house.tasks.rule.modes[-1] is HouseMode.NIGHT)
+    what = rule.get_by_label("what to look at")
+    await expect(what).to_have_value("entrance")
+    await what.fill("the moon")
+    await what.press("Enter")
+    await expect(rule).to_contain_text("△ What: there is no 'the moon'.")
+    await expect(what).to_have_value("entrance")
+    await what.fill("sofa")
+    await what.press("Enter")
+    await until(lambda: house.tasks.rule.parameters[0].default == "sofa")
+    assert house.tasks.rule.changed_by == "Viewer 1"
+    await rule.get_by_role("button", name="As written").click()
+    await expect(what).to_have_value("entrance")
+    await expect(rule.get_by_role("switch")).to_be_checked()
 
 
 async def test_a_clip_comes_in_parts_and_only_to_who_is_in(house: House, page: Page) -> None:
@@ -435,7 +512,7 @@ async def test_ideas_bell_and_yes_can_be_reached_above_stop_on_every_phone(
 async def test_everything_that_can_be_used_has_a_name(page: Page, house: House) -> None:
     house.tasks.ring()
     await page.get_by_role("button", name="Look at a place or a thing").first.click()
-    for tab in ("Clips", "Rules", "History"):
+    for tab in ("Lately", "Clips", "Rules", "History"):
         await page.get_by_role("tab", name=tab).click()
         nameless = await page.evaluate(
             """() => [...document.querySelectorAll('button, input, select, a, video, section')]

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from housefly.hub.person_status import spoken_name, spoken_seat
-from housefly.hub.situations.kinds import OF_PEOPLE, POSTURES, SituationKind
+from housefly.hub.situations.kinds import OF_PEOPLE
 from housefly.hub.situations.situation import SOURCE_PREFIX
 
 if TYPE_CHECKING:
     from housefly.hub.api.answers import EventAnswer
-
-_SAME_MOMENT = 2.0
-"""A device's word and what was concluded from it come within this time [s]."""
 
 _SENTENCES: dict[str, str] = {
     "object taken": "{who} took {thing}{from}",
@@ -59,7 +56,6 @@ _SENTENCES: dict[str, str] = {
     "rule fired": "the rule {rule}: {words}",
 }
 """One sentence a kind of event; what it has no fact for is said without."""
-_POSTURES_OVER = frozenset(SituationKind(kind).ended for kind in POSTURES)
 _FOR_PROGRAMS = frozenset({
     "noticed_at", "sigma", "lasted", "because", "by_distance", "by_confidence", "evidence",
     "sources", "known", "code", "severity", "speed", "signs", "candidates", "descent",
@@ -144,24 +140,3 @@ def fact_words(key: str, value: str | float | bool) -> str:
     elif isinstance(value, float):
         value = f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"
     return f"{key.replace('_', ' ')} {value}"
-
-
-def worth_reading(events: Sequence[EventAnswer]) -> list[EventAnswer]:
-    """Return events by time without those that say what another says better.
-
-    A device's word that somebody took a thing goes where it was concluded who; the end of a posture
-    goes, because the next one begins.
-    """
-    concluded = [(one.kind, one.thing, one.at) for one in events if "evidence" in one.facts]
-    return [one for one in events if not _is_said_better(one, concluded)]
-
-
-def _is_said_better(event: EventAnswer, concluded: list[tuple[str, str, float]]) -> bool:
-    if event.kind in _POSTURES_OVER:
-        return True
-    if "evidence" in event.facts:
-        return False
-    return any(
-        kind == event.kind and thing == event.thing and abs(at - event.at) <= _SAME_MOMENT
-        for kind, thing, at in concluded
-    )

@@ -25,6 +25,7 @@ from housefly.tasks.engine.task_rehearsals import TaskRehearsals
 from housefly.tasks.engine.task_runs import TaskRuns
 from housefly.tasks.execution.task_run import HOLD_PERIOD
 from housefly.tasks.intents.names import names_of_room
+from housefly.tasks.rules.change_store import ChangeStore
 from housefly.tasks.rules.room_facts import AskedRoomFacts
 from housefly.tasks.rules.rule import Rule
 from housefly.tasks.rules.rule_engine import RuleEngine
@@ -85,6 +86,13 @@ def task_service(
     def ask(question: Question) -> object:
         return room.ask(question, _ASKING_PATIENCE)
 
+    rule_service = RuleService(
+        RuleEngine(rules),
+        rule_store,
+        AskedRoomFacts(room.ask),
+        wrong_rules,
+        ChangeStore(folder),
+    )
     parts = ServiceParts(
         library,
         engine,
@@ -92,7 +100,7 @@ def task_service(
         rehearsals,
         actions,
         drones,
-        RuleService(RuleEngine(rules), rule_store, AskedRoomFacts(room.ask), wrong_rules),
+        rule_service,
         AskedRoom(ask),
         outlet,
         names_of_room(loaded.room),
@@ -105,6 +113,7 @@ def task_service(
         wrong_rules,
         *store.notices,
         rule_store.problem,
+        *rule_service.problems,
         *rule_problems(rules, services),
         _hold_problem(site),
     )

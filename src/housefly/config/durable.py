@@ -47,6 +47,24 @@ def sync_folder(folder: Path) -> None:
     _synced(os.open(folder, os.O_RDONLY | os.O_DIRECTORY))
 
 
+def write_whole(file: Path, content: bytes) -> None:
+    """Write a file for this user only, whole or not at all; may raise OSError.
+
+    Args:
+        file: its folder is made if missing, mode 0700.
+        content: takes the place of what was there.
+    """
+    file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+    new = file.with_suffix(".new")
+    descriptor = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    with os.fdopen(descriptor, "wb") as target:
+        target.write(content)
+        target.flush()
+        os.fsync(target.fileno())
+    new.replace(file)
+    sync_folder(file.parent)
+
+
 def append_lines(file: Path, lines: Iterable[str], *, sync: bool = True) -> int:
     """Append lines to a file for this user only, and return its size [bytes]; may raise OSError.
 

@@ -7,8 +7,9 @@ from collections.abc import Callable
 
 from housefly.hub.api.answers import EventAnswer, News, PlacedThing
 from housefly.hub.memory import RoomMemory
-from housefly.hub.query_handler import event_answer, placed_thing
+from housefly.hub.query_handler import placed_thing
 from housefly.hub.room_status import RoomStatus
+from housefly.hub.said import event_answer
 from housefly.messages import Observation, RoomEvent
 
 CHANGE_FEED_PERIOD = 0.2

@@ -17,7 +17,7 @@ from housefly.hub.things.thing import ThingKind
 from housefly.hub.things.words import age_words, lasting_words, seen_words
 from housefly.hub.things.world_model import WorldModel
 
-_SEAT = re.compile(r"\s+(seat|mattress)\b.*$")
+SEAT = re.compile(r"\s+(seat|mattress)\b.*$")
 _CARRIES = 0.5
 """Less sure than this, nobody is said to carry a thing."""
 _BESIDE = 1.0
@@ -190,7 +190,7 @@ def _sentence(
 
 def spoken_seat(on: str) -> str:
     """Return what carries somebody, as people call it: "sofa seat 1" is "the sofa"."""
-    furniture = _SEAT.sub("", on)
+    furniture = SEAT.sub("", on)
     return with_article(furniture or on)
 
 

@@ -11,7 +11,6 @@ from housefly.geometry import yaw_of
 from housefly.hub.api.answers import (
     AlternativePlace,
     Answer,
-    EventAnswer,
     EventsAnswer,
     PictureAnswer,
     PlacedAnswer,
@@ -27,6 +26,7 @@ from housefly.hub.api.questions import (
     CatalogueQuestion,
     ContentsQuestion,
     EventsQuestion,
+    FeedQuestion,
     NearQuestion,
     NightsQuestion,
     PeopleQuestion,
@@ -37,10 +37,11 @@ from housefly.hub.api.questions import (
     TrajectoryQuestion,
     WhereQuestion,
 )
+from housefly.hub.feed.feed_reader import FeedReader
 from housefly.hub.memory import RoomMemory
 from housefly.hub.recall import recall
 from housefly.hub.room_status import RoomStatus
-from housefly.hub.said import event_words
+from housefly.hub.said import event_answer
 from housefly.hub.situations.device_traits import DeviceTraits
 from housefly.hub.state_handler import StateHandler
 from housefly.hub.things.beliefs import Beliefs
@@ -48,7 +49,7 @@ from housefly.hub.things.fused_pose import FusedPose
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.hub.things.words import where_words
 from housefly.hub.things.world_model import WorldModel
-from housefly.messages import Observation, RoomEvent
+from housefly.messages import Observation
 
 _MAX_ROWS = 200_000
 """Most rows of a trajectory in one answer."""
@@ -82,6 +83,7 @@ class QueryHandler:
             ContentsQuestion: self._contents,
             TrajectoryQuestion: self._trajectory,
             EventsQuestion: self._events,
+            FeedQuestion: FeedReader(memory, clock).answer,
             SensorsQuestion: lambda _: self._status.sensors(),
             PictureQuestion: self._picture,
             StateQuestion: states.state,
@@ -227,14 +229,6 @@ def _where_answer(world: WorldModel, beliefs: Beliefs, words: str, now: float) -
             AlternativePlace(one.words, one.thing, one.position, one.confidence)
             for one in belief.alternatives
         ),
-    )
-
-
-def event_answer(event: RoomEvent) -> EventAnswer:
-    """Return an event in the form of an answer."""
-    h, facts = event, dict(event.facts)
-    return EventAnswer(
-        h.kind, h.thing, h.at, h.source, h.cause, h.confidence, facts, event_words(event)
     )
 
 

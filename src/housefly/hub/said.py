@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.hub.api.answers import EventAnswer
 from housefly.hub.flight_facts import PILOT
 from housefly.hub.situations.kinds import SituationKind
 from housefly.messages import RoomEvent
@@ -27,3 +28,11 @@ def event_words(event: RoomEvent) -> Words:
     """Return what happened: of the pilot's events its own words, else the kind."""
     own = dict(event.facts).get("words") if event.source == PILOT else None
     return literal(own if isinstance(own, str) and own else event.kind)
+
+
+def event_answer(event: RoomEvent) -> EventAnswer:
+    """Return an event in the form of an answer."""
+    h, facts = event, dict(event.facts)
+    return EventAnswer(
+        h.kind, h.thing, h.at, h.source, h.cause, h.confidence, facts, event_words(event)
+    )

@@ -9,11 +9,14 @@ import pytest
 
 from housefly.app.commands import rules
 from housefly.cli import main
+from housefly.config.state import tasks_folder
 from housefly.hub.memory import RoomMemory
 from housefly.hub.store.open import open_site_store
 from housefly.messages import RoomEvent
 from housefly.sites.loaded_site import read_site
 from housefly.tasks.api.answers import RuleStatus
+from housefly.tasks.rules.change_store import ChangeStore
+from housefly.tasks.rules.rule_change import RuleChange
 
 Capture = pytest.CaptureFixture[str]
 
@@ -40,6 +43,21 @@ def test_a_file_is_checked_against_the_services_there_are(tmp_path: Path, capsys
     )
     assert main(["rules", "check", str(file)]) == 2
     assert "speed" in capsys.readouterr().err
+
+
+def test_what_the_page_changed_is_listed_and_named_by_the_check(
+    tmp_path: Path, capsys: Capture
+) -> None:
+    store = ChangeStore(tasks_folder(read_site("bsen")))
+    store.keep({"bell": RuleChange(enabled=False, mode=("home",), by="kim")})
+    assert main(["rules", "list"]) == 0
+    out = capsys.readouterr().out
+    assert "bell (off): when bell pressed, if the house is in mode home" in out
+    assert "changed on the page by kim: off, mode home" in out
+    file = tmp_path / "rules.yaml"
+    file.write_text("rules:\n  - {name: a, when: {webhook: parcel}, then: {service: visitor}}\n")
+    assert main(["rules", "check", str(file)]) == 0
+    assert "bell: changed on the page by kim: off, mode home" in capsys.readouterr().out
 
 
 def test_a_dry_run_tells_what_would_have_flown(tmp_path: Path, capsys: Capture) -> None:

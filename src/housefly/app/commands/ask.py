@@ -75,9 +75,9 @@ def _where(options: Namespace) -> int:
 
 def _history(options: Namespace) -> int:
     """List what happened, or where a thing was."""
-    from housefly.app.event_words import worth_reading
     from housefly.hub.api.json import checked_question
     from housefly.hub.api.questions import EventsQuestion, TrajectoryQuestion
+    from housefly.hub.feed.worth_reading import worth_reading
 
     now = time.time()
     since = parse_time(options.since, now, "--since")
@@ -125,7 +125,7 @@ def _watch(options: Namespace) -> int:
 
 
 def _print_news(news: News, words: EventWords, moves: bool) -> None:
-    from housefly.app.event_words import worth_reading
+    from housefly.hub.feed.worth_reading import worth_reading
 
     for event in worth_reading(news.events):
         plain_console.print(event_line(event, news.at, words), soft_wrap=True)

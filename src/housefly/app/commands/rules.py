@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from housefly.tasks.api.answers import RuleFiring, RulesAnswer, RuleStatus
     from housefly.tasks.api.values import ServiceInfo
     from housefly.tasks.rules.rule import Rule
+    from housefly.tasks.rules.rule_change import RuleChange
 
 
 def _add_check_arguments(parser: ArgumentParser) -> None:
@@ -46,9 +47,11 @@ def _list(options: Namespace) -> int:
     """Print each rule of a site in words; while it runs, also what each did last."""
     running = _running_rules(options)
     known = {one.name: one for one in running or ()}
-    rules = _rules_of_site(options.site or DEFAULT_SITE)
+    rules, changes = _rules_of_site(options.site or DEFAULT_SITE)
     for rule in rules if running is None else (one for one in rules if one.name in known):
         plain_console.print(_rule_line(rule), soft_wrap=True)
+        if rule.name in changes:
+            plain_console.print(f"    {_change_line(changes[rule.name])}", soft_wrap=True)
         status = known.get(rule.name)
         if status is not None and status.last_at is not None:
             at = clock_time(status.last_at, time.time())
@@ -66,7 +69,10 @@ def _check(options: Namespace) -> int:
     rules = read_rules(options.file)
     for rule in rules:
         plain_console.print(_rule_line(rule), soft_wrap=True)
-    problems = rule_problems(rules, _services_of(asked_site(options)))
+    site = asked_site(options)
+    for name, change in _changes_of(site).items():
+        plain_console.print(f"{name}: {_change_line(change)}", soft_wrap=True)
+    problems = rule_problems(rules, _services_of(site))
     for problem in problems:
         plain_console.print(problem, soft_wrap=True)
     return 1 if problems else 0
@@ -87,7 +93,7 @@ def _dry_run(options: Namespace) -> int:
     since = parse_time(options.since, now, "--since")
     until = parse_time(options.until, now, "--until") if options.until else now
     site_name = options.site or DEFAULT_SITE
-    rules = read_rules(options.file) if options.file else _rules_of_site(site_name)
+    rules = read_rules(options.file) if options.file else _rules_of_site(site_name)[0]
     site = asked_site(options)
     mode = RuleStore(tasks_folder(site), HouseMode(site.tasks.mode)).load().mode
     with asked_room(options) as room:
@@ -119,12 +125,28 @@ def _running_rules(options: Namespace) -> tuple[RuleStatus, ...] | None:
     return found.rules
 
 
-def _rules_of_site(name: str) -> tuple[Rule, ...]:
+def _rules_of_site(name: str) -> tuple[tuple[Rule, ...], dict[str, RuleChange]]:
+    """Return the rules of a site as they are now, and what of them was changed on the page."""
     from housefly.sites.loaded_site import read_site, site_file
+    from housefly.tasks.rules.rule_change import with_changes
     from housefly.tasks.rules.rule_file import rules_of
 
     site = read_site(name)
-    return rules_of(site_file(name).parent / site.tasks.rules if site.tasks.rules else None)
+    written = rules_of(site_file(name).parent / site.tasks.rules if site.tasks.rules else None)
+    changes = _changes_of(site)
+    return with_changes(written, changes)[0], changes
+
+
+def _changes_of(site: Site) -> dict[str, RuleChange]:
+    """Return what was changed on the page; what cannot be read is told."""
+    from housefly.config.state import tasks_folder
+    from housefly.tasks.rules.change_store import ChangeStore
+
+    store = ChangeStore(tasks_folder(site))
+    changes = store.load()
+    if store.problem:
+        plain_console.print(store.problem, soft_wrap=True)
+    return changes
 
 
 def _services_of(site: Site) -> dict[str, ServiceInfo]:
@@ -136,6 +158,11 @@ def _services_of(site: Site) -> dict[str, ServiceInfo]:
 
 def _rule_line(rule: Rule) -> str:
     return f"{rule.name}{'' if rule.enabled else ' (off)'}: {rule.words()}"
+
+
+def _change_line(change: RuleChange) -> str:
+    by = f" by {change.by}" if change.by else ""
+    return f"changed on the page{by}: {change.words()}"
 
 
 def _firing_line(firing: RuleFiring, now: float) -> str:

@@ -8,10 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from housefly.geometry import Vec3
+from housefly.hub.api.feed_answers import FeedAnswer
 from housefly.hub.api.questions import (
     CatalogueQuestion,
     ContentsQuestion,
     EventsQuestion,
+    FeedQuestion,
     NearQuestion,
     NightsQuestion,
     PeopleQuestion,
@@ -261,6 +263,7 @@ Answer = (
     | PlacedAnswer
     | TrajectoryAnswer
     | EventsAnswer
+    | FeedAnswer
     | SensorsAnswer
     | PictureAnswer
     | StateAnswer
@@ -274,6 +277,7 @@ ANSWER_TYPES: dict[type[Question], type[Answer]] = {
     ContentsQuestion: PlacedAnswer,
     TrajectoryQuestion: TrajectoryAnswer,
     EventsQuestion: EventsAnswer,
+    FeedQuestion: FeedAnswer,
     SensorsQuestion: SensorsAnswer,
     PictureQuestion: PictureAnswer,
     StateQuestion: StateAnswer,

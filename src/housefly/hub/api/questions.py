@@ -88,6 +88,16 @@ class EventsQuestion:
 
 
 @dataclass(frozen=True, slots=True)
+class FeedQuestion:
+    """What happened in the day before a time, grouped by person, thing, flight and task."""
+
+    of: Literal["all", "people", "things", "drone", "tasks"] = "all"
+    until: _Time | None = None
+    limit: Annotated[int, Field(ge=1, le=200)] = 50
+    ask: Literal["feed"] = "feed"
+
+
+@dataclass(frozen=True, slots=True)
 class SensorsQuestion:
     """How every sensor does."""
 
@@ -143,6 +153,7 @@ Question = (
     | ContentsQuestion
     | TrajectoryQuestion
     | EventsQuestion
+    | FeedQuestion
     | SensorsQuestion
     | PictureQuestion
     | StateQuestion

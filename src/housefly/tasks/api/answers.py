@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 from housefly.config.house_mode import HouseMode
 from housefly.evidence.clip_values import ClipsAnswer, ClipsQuestion, DeleteClip, KeepClip
-from housefly.messages.words import Words
+from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
+    ChangeRule,
     ContinueTask,
     DryRunQuestion,
     PauseTask,
@@ -26,6 +27,8 @@ from housefly.tasks.api.questions import (
     Webhook,
 )
 from housefly.tasks.api.values import (
+    Confirm,
+    ParameterInfo,
     ParameterValue,
     ReasonCode,
     RehearsalReport,
@@ -114,7 +117,20 @@ class ModeAnswer:
 
 @dataclass(frozen=True, slots=True)
 class RuleStatus:
-    """One rule: what it says in words, whether it is on, what it last did and because of what."""
+    """One rule.
+
+    Attributes:
+        name: of the rule.
+        words: what it says.
+        enabled: whether it is on.
+        last_at, last_words, last_cause: what it last did, and because of what.
+        when: what it waits for, as people say it; UNSAID of what is no rule.
+        title: of the service that it asks for.
+        confirm: whether it asks first.
+        modes: of the house, in which it counts; () is any.
+        parameters: what a person may set, each with its value as default.
+        changed_by: who changed it on the page; "" while it is as its file says.
+    """
 
     name: str
     words: str
@@ -122,6 +138,12 @@ class RuleStatus:
     last_at: float | None = None
     last_words: str = ""
     last_cause: str = ""
+    when: Words = UNSAID
+    title: str = ""
+    confirm: Confirm = Confirm.ASK
+    modes: tuple[HouseMode, ...] = ()
+    parameters: tuple[ParameterInfo, ...] = ()
+    changed_by: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,6 +196,7 @@ TASK_ANSWER_TYPES: dict[type[TaskQuestion], type[TaskAnswer]] = {
     Sentence: SentenceAnswer,
     SetMode: ModeAnswer,
     RulesQuestion: RulesAnswer,
+    ChangeRule: RulesAnswer,
     DryRunQuestion: FiringsAnswer,
     ClipsQuestion: ClipsAnswer,
     Webhook: FiringsAnswer,

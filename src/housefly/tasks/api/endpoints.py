@@ -9,6 +9,7 @@ from housefly.evidence.clip_values import ClipsQuestion, DeleteClip, KeepClip
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
+    ChangeRule,
     ContinueTask,
     DryRunQuestion,
     PauseTask,
@@ -84,6 +85,9 @@ TASK_ENDPOINTS = (
     TaskEndpoint("GET", "/rules", RulesQuestion, "Which rules there are, what each did last"),
     TaskEndpoint(
         "GET", "/rules/dry-run", DryRunQuestion, "What the rules would have done", Pace.COSTLY
+    ),
+    TaskEndpoint(
+        "POST", "/rules/{rule}/change", ChangeRule, "Change a rule beside its file", Pace.COUNTED
     ),
     TaskEndpoint("GET", "/clips", ClipsQuestion, "Which clips and snapshots there are"),
     TaskEndpoint("POST", "/clips/{clip}/keep", KeepClip, "Keep a clip, or no longer", Pace.COUNTED),

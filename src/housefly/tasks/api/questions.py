@@ -163,11 +163,32 @@ class RulesQuestion:
 
 
 @dataclass(frozen=True, slots=True)
+class ChangeRule:
+    """Change a rule, beside its file; None, and what is not named, stays as it is.
+
+    With ``as_written`` it is again as its file says, and nothing else counts.
+    """
+
+    rule: _Name
+    enabled: bool | None = None
+    confirm: Confirm | None = None
+    mode: Annotated[tuple[HouseMode, ...], Field(max_length=5)] | None = None
+    parameters: _Parameters = field(default_factory=dict)
+    as_written: bool = False
+    by: _Word = ""
+    ask: Literal["change_rule"] = "change_rule"
+
+
+@dataclass(frozen=True, slots=True)
 class DryRunQuestion:
-    """What the rules would have done between two times of the past."""
+    """What the rules would have done between two times of the past.
+
+    With ``off`` also those that are off, as if they had been on.
+    """
 
     since: _Time
     until: _Time | None = None
+    off: bool = False
     ask: Literal["dry_run"] = "dry_run"
 
 
@@ -203,6 +224,7 @@ TaskQuestion = (
     | Sentence
     | SetMode
     | RulesQuestion
+    | ChangeRule
     | DryRunQuestion
     | ClipsQuestion
     | Webhook

@@ -213,7 +213,16 @@ class Rule(Section):
 
     def words(self) -> str:
         """Return the rule as a sentence."""
-        return f"{_when_words(self.when)}{_if_words(self.conditions)}: {self._then_words()}"
+        only = self.if_words()
+        return f"{self.when_words()}{f', if {only}' if only else ''}: {self._then_words()}"
+
+    def when_words(self) -> str:
+        """Return what it waits for."""
+        return _when_words(self.when)
+
+    def if_words(self) -> str:
+        """Return what must hold, "" for nothing."""
+        return _if_words(self.conditions)
 
     def _then_words(self) -> str:
         given = ", ".join(f"{key} {value}" for key, value in self.then.parameters.items())
@@ -291,4 +300,4 @@ def _if_words(conditions: Conditions) -> str:
         *([f"it is {conditions.between}"] if conditions.between else []),
         *([f"{100 * conditions.confidence:.0f} % sure"] if conditions.confidence else []),
     ]
-    return f", if {' and '.join(parts)}" if parts else ""
+    return " and ".join(parts)

@@ -26,6 +26,7 @@ from housefly.tasks.rules.rule_objection import (
     wrong_state,
     wrong_time,
 )
+from housefly.tasks.rules.spoken_rule import spoken_when
 from housefly.tasks.rules.time_slots import last_slot, next_slot
 from housefly.tasks.rules.trigger import TimeTrigger, Trigger, fits
 
@@ -57,6 +58,10 @@ class RuleEngine:
         self.rules = tuple(rules)
         self._zone = zone
         self._enabled = tuple(rule for rule in self.rules if rule.enabled)
+
+    def with_rules(self, rules: Iterable[Rule]) -> RuleEngine:
+        """Return an engine of other rules, with the same local time."""
+        return RuleEngine(rules, self._zone)
 
     def heard(
         self,
@@ -124,7 +129,19 @@ class RuleEngine:
         for rule in self.rules:
             last = memory.last.get(rule.name)
             at, words, cause = (last.at, last.words, last.cause) if last else (None, "", "")
-            found.append(RuleStatus(rule.name, rule.words(), rule.enabled, at, words, cause))
+            status = RuleStatus(
+                rule.name,
+                rule.words(),
+                rule.enabled,
+                at,
+                words,
+                cause,
+                spoken_when(rule),
+                rule.then.service,
+                Confirm(rule.confirm),
+                tuple(map(HouseMode, rule.conditions.mode)),
+            )
+            found.append(status)
         return tuple(found)
 
     def _due(

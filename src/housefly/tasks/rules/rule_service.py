@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from threading import Lock
 from typing import Protocol
 
 from housefly.config.house_mode import HouseMode
 from housefly.messages import RoomEvent
 from housefly.tasks.api.answers import ModeAnswer, RulesAnswer, RuleStatus
+from housefly.tasks.rules.change_store import ChangeStore
 from housefly.tasks.rules.mode_event import mode_event
 from housefly.tasks.rules.mode_table import MODE_TABLE
 from housefly.tasks.rules.room_facts import RoomFacts
+from housefly.tasks.rules.rule_change import RuleChange, asking_first, with_changes
 from housefly.tasks.rules.rule_engine import RuleDecision, RuleEngine
 from housefly.tasks.rules.rule_memory import RuleMemory
 from housefly.tasks.rules.rule_store import KeptRules
@@ -46,13 +48,30 @@ class RuleService:
         store: keeps mode and memory.
         room: answers their conditions.
         problem: what is wrong with one's own rules, which are left aside then; "" for nothing.
+        changes: keeps what people changed on the page; None keeps nothing.
+
+    Attributes:
+        written: the rules as their files say.
+        engine: the rules as they are now.
+        problems: what of the changes is left aside, in words.
     """
 
     def __init__(
-        self, engine: RuleEngine, store: RulesKeeper, room: RoomFacts, problem: str = ""
+        self,
+        engine: RuleEngine,
+        store: RulesKeeper,
+        room: RoomFacts,
+        problem: str = "",
+        changes: ChangeStore | None = None,
     ) -> None:
-        self.engine, self._problem = engine, problem
+        self.written, self._problem = engine.rules, problem
         self._store, self._room, self._lock = store, room, Lock()
+        self._change_store = changes
+        self._changes = changes.load() if changes else {}
+        rules, self.problems = with_changes(self.written, self._changes)
+        if changes and changes.problem:
+            rules, self.problems = asking_first(rules), (changes.problem,)
+        self.engine = engine.with_rules(rules)
         kept = store.load()
         self._mode = kept.mode
         self._memory = kept.memory.of_rules(frozenset(rule.name for rule in engine.rules))
@@ -88,13 +107,34 @@ class RuleService:
         event = mode_event(mode, before, by, now) if mode is not before else None
         return ModeChange(self.mode_answer(), event)
 
+    def change(self, name: str, change: RuleChange | None) -> None:
+        """Change a rule and keep that; None makes it again as its file says.
+
+        Raises:
+            TaskError: it cannot be so.
+            StoreError: it cannot be kept; nothing is changed then.
+        """
+        with self._lock:
+            changes = {one: kept for one, kept in self._changes.items() if one != name}
+            if change is not None:
+                changes[name] = self._changes.get(name, RuleChange()).and_then(change)
+            rules, _ = with_changes(self.written, changes)
+            if self._change_store is not None:
+                self._change_store.keep(changes)
+            self._changes = changes
+            self.engine = self.engine.with_rules(rules)
+
     def mode_answer(self) -> ModeAnswer:
         """Return the mode, and what it allows."""
         return ModeAnswer(self._mode, MODE_TABLE[self._mode].words)
 
     def rules_answer(self) -> RulesAnswer:
         """Return the rules and what each did last; what is wrong with one's own stands first."""
-        rules = self.engine.statuses(self._memory)
+        by = {name: change.by for name, change in self._changes.items()}
+        rules = tuple(
+            replace(one, changed_by=by.get(one.name, ""))
+            for one in self.engine.statuses(self._memory)
+        )
         if not self._problem:
             return RulesAnswer(rules)
         words = f"left aside until the next start: {self._problem}"

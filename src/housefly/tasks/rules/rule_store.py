@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
-from housefly.config.durable import sync_folder
+from housefly.config.durable import write_whole
 from housefly.config.house_mode import HouseMode
 from housefly.errors import StoreError
 from housefly.tasks.rules.rule_memory import RuleMemory
@@ -58,15 +57,7 @@ class RuleStore:
     def keep(self, kept: KeptRules) -> None:
         """Write it; raises StoreError when the disk refuses."""
         try:
-            self._file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            new = self._file.with_suffix(".new")
-            descriptor = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-            with os.fdopen(descriptor, "wb") as file:
-                file.write(_KEPT.dump_json(kept))
-                file.flush()
-                os.fsync(file.fileno())
-            new.replace(self._file)
-            sync_folder(self._file.parent)
+            write_whole(self._file, _KEPT.dump_json(kept))
         except OSError as error:
             raise StoreError(error.strerror or str(error)) from error
 

@@ -45,6 +45,7 @@ from housefly.tasks.api.json import (
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
+    ChangeRule,
     ContinueTask,
     DryRunQuestion,
     PauseTask,
@@ -83,6 +84,7 @@ from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import WebhookTrigger
 from housefly.tasks.scheduler.task_store import TaskStore
 from housefly.tasks.scheduler.values import DroneAvailability
+from housefly.tasks.service.rule_desk import RuleDesk
 from housefly.tasks.service.sentences import SentenceEffects, Sentences
 from housefly.tasks.service.task_desk import TaskDesk
 
@@ -182,6 +184,7 @@ class TaskService:
             has_drone=parts.has_drone,
             drones=parts.drones,
         )
+        rule_desk = RuleDesk(parts.rules, parts.library, parts.room)
         self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
             RequestTask: self._request,
             RehearseTask: self._rehearse,
@@ -194,7 +197,8 @@ class TaskService:
             TaskHistoryQuestion: self._history,
             Sentence: self._sentence,
             SetMode: self._set_mode,
-            RulesQuestion: lambda _: parts.rules.rules_answer(),
+            RulesQuestion: rule_desk.answer,
+            ChangeRule: rule_desk.change,
             DryRunQuestion: self._dry_run,
             ClipsQuestion: parts.clips.index.answer,
             Webhook: self._webhook,
@@ -366,7 +370,11 @@ class TaskService:
         until = self._wall() if question.until is None else question.until
         events = stored_events(room.ask, question.since, until)
         facts = AskedRoomFacts(room.ask, live=False)
-        return dry_run(rules.engine, events, question.since, until, rules.mode, facts)
+        engine = rules.engine
+        if question.off:
+            on = (rule.model_copy(update={"enabled": True}) for rule in engine.rules)
+            engine = engine.with_rules(on)
+        return dry_run(engine, events, question.since, until, rules.mode, facts)
 
     def _photo(self, question: TakePhoto) -> ClipsAnswer:
         self._refuse_without_drone()

@@ -69,6 +69,7 @@ ROLE_OF_PATH: dict[str, Role] = {
     f"{API_PREFIX}/picture": Role.WATCH,
     f"{API_PREFIX}/things": Role.WATCH,
     f"{API_PREFIX}/events": Role.WATCH,
+    f"{API_PREFIX}/feed": Role.WATCH,
     f"{API_PREFIX}/sensors": Role.WATCH,
     f"{API_PREFIX}/near": Role.ASK,
     f"{API_PREFIX}/people": Role.ASK,
@@ -113,9 +114,12 @@ ROLE_OF_TASK_CHANGE: dict[str, Role] = {
 """For ``/tasks/{id}/{change}``; a mere asker ends only what they asked for (``tasks_api``)."""
 ROLE_OF_CLIP_CHANGE: dict[str, Role] = {"keep": Role.FLY, "delete": Role.ADMIN}
 """For ``/clips/{id}/{change}``."""
+ROLE_OF_RULE_CHANGE: dict[str, Role] = {"change": Role.ADMIN}
+"""For ``/rules/{name}/{change}``: what the house does by itself is for who runs it."""
 _CHANGES_BELOW = {
     f"{API_PREFIX}/tasks/": ROLE_OF_TASK_CHANGE,
     f"{API_PREFIX}/clips/": ROLE_OF_CLIP_CHANGE,
+    f"{API_PREFIX}/rules/": ROLE_OF_RULE_CHANGE,
 }
 
 
@@ -144,7 +148,7 @@ def role_for_path(path: str, *, changes: bool) -> Role | None:
 
 
 def _role_for_change_of_one(path: str) -> Role:
-    """Return the role for a change of one task or clip."""
+    """Return the role for a change of one task, clip or rule."""
     for folder, roles in _CHANGES_BELOW.items():
         one, _, change = path.removeprefix(folder).partition("/")
         if path.startswith(folder) and one:

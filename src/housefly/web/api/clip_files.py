@@ -3,6 +3,7 @@
 ``/api/v1/clips.zip?clip=...&clip=...`` is several of them with all that is known, to take away.
 Whoever watches one is written down, in the clips' own book and in the audit log: the first
 request of a session for a clip, whatever part it asks for, and then again after ten minutes.
+With ``still=1``, as a list shows it, the clips' own book says "seen small", and the log nothing.
 """
 
 from __future__ import annotations
@@ -116,20 +117,19 @@ class ClipFiles:
             return task_refusal(401, "this browser has no session", ReasonCode.NOT_ALLOWED)
         name, session = who
         clip = str(request.path_params["clip"])
-        downloads = "download" in request.query_params
+        downloads, is_still = ("download" in request.query_params, "still" in request.query_params)
         shows = request.method == "GET"
         try:
             file = await asyncio.to_thread(self._file, clip)
-            begins = shows and await asyncio.to_thread(
-                self._write_down, clip, name, session, "exported" if downloads else "watched"
-            )
+            what = "exported" if downloads else "seen small" if is_still else "watched"
+            begins = shows and await asyncio.to_thread(self._write_down, clip, name, session, what)
         except TaskError as error:
             return task_refusal(404, str(error))
         except HouseflyError as error:
             return task_refusal(503, str(error), ReasonCode.NOT_READY)
         if not file.is_file():
             return task_refusal(404, f"the file of the clip {clip!r} is gone")
-        if self._audit is not None and begins:
+        if self._audit is not None and begins and not is_still:
             did = "downloaded" if downloads else "watched"
             self._audit.record(name, session, f"{did} the clip {clip}")
         return FileResponse(

@@ -3,6 +3,7 @@ import { batch } from "@preact/signals";
 import type {
   CoverageView,
   EventsAnswer,
+  FeedAnswer,
   EventAnswer,
   PictureAnswer,
   PlacedThing,
@@ -186,6 +187,10 @@ export async function askEvents(): Promise<void> {
   );
   store.events.value = [...events, ...newer];
 }
+
+/** Ask what happened in the day before a time, grouped by what it is about; null is now. */
+export const feed = (of: string, limit: number, until: number | null): Promise<FeedAnswer> =>
+  get(`${API}/feed`, { of, limit, ...(until === null ? {} : { until }) });
 
 // --- search
 

@@ -77,7 +77,7 @@ function Kept({ clip }: { clip: ClipInfo }) {
           {where}
         </span>
       </p>
-      <a class="button" href={clipAddress(clip.id, true)} download>
+      <a class="button" href={clipAddress(clip.id, "&download=1")} download>
         {t("Save")}
       </a>
       <a class="button show" href={`#clip/${clip.id}`}>

@@ -30,7 +30,7 @@ export function ClipSheet() {
       <div class="row">
         <h2>{title}</h2>
         <span class="row">
-          <a class="button" href={clipAddress(id, true)} download>
+          <a class="button" href={clipAddress(id, "&download=1")} download>
             {t("Save")}
           </a>
           <button type="button" onClick={closeClip}>

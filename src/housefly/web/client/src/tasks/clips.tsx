@@ -1,5 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { signal } from "@preact/signals";
+import { PLAYS, Still } from "../feed/still";
 import { minutes, sentence } from "../format";
 import { clock } from "../live/words";
 import type { Key } from "../messages/en";
@@ -80,15 +81,14 @@ export function Clips() {
         {trouble.value ? `△ ${sentence(translated(trouble.value))}` : count()}
       </p>
       {found.value.length === 0 && !trouble.value && (
-        <p class="quiet">{t("There is no such clip.")}</p>
+        <p class="quiet empty film">{t("There is no such clip.")}</p>
       )}
       <ul class="clips">
         {found.value.map((clip) => (
           <li key={clip.id}>
-            <button type="button" onClick={() => openClip(clip.id)}>
-              <strong>
-                {clip.kind === "clip" ? "▣" : "▢"} {subjectOf(clip)}
-              </strong>
+            <button type="button" onClick={() => openClip(clip.id)} {...PLAYS}>
+              <Still id={clip.id} isPhoto={clip.kind !== "clip"} />
+              <strong>{subjectOf(clip)}</strong>
               <span class="quiet">
                 {clock(clip.began_at)}
                 {clip.kind === "clip" ? `, ${minutes(clip.duration)}` : `, ${t("snapshot")}`}

@@ -1,5 +1,6 @@
 import { signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
+import { PLAYS, Still } from "../feed/still";
 import { minutes, sentence } from "../format";
 import { clock } from "../live/words";
 import { Told } from "../messages/told";
@@ -46,15 +47,16 @@ export function Ended() {
   const tasks = [...newest, ...older.value.filter((one) => !known.has(one.id))];
   return (
     <>
-      {tasks.length === 0 && <p class="quiet">{t("No task has ended yet.")}</p>}
+      {tasks.length === 0 && <p class="quiet empty">{t("No task has ended yet.")}</p>}
       <ul class="ended">
         {tasks.map((task) => (
           <li key={task.id} data-outcome={outcome(task)}>
             <details onToggle={(event) => show(task.id, event.currentTarget.open)}>
-              <summary>
+              <summary {...PLAYS}>
                 <span class="mark" aria-hidden="true">
                   {MARKS[outcome(task)]}
                 </span>
+                {task.clips.length > 0 && <Still id={task.clips[0]!} />}
                 <span class="what">
                   <strong>
                     <Told words={translated(task.title)} />
@@ -62,7 +64,6 @@ export function Ended() {
                   <span class="quiet">
                     {" "}
                     {clock(task.asked_at)} · {t(task.state)}
-                    {task.clips.length > 0 && " · ▣"}
                   </span>
                 </span>
               </summary>

@@ -1,4 +1,5 @@
 import { signal } from "@preact/signals";
+import { Feed } from "../feed/feed";
 import { sentence } from "../format";
 import { Told } from "../messages/told";
 import { board } from "./board";
@@ -7,10 +8,10 @@ import { Ended } from "./ended";
 import { Rules } from "./rules";
 import { t, translated } from "../messages/language";
 
-const TABS = { history: "History", clips: "Clips", rules: "Rules" } as const;
+const TABS = { feed: "Lately", history: "History", clips: "Clips", rules: "Rules" } as const;
 type Tab = keyof typeof TABS;
-const tab = signal<Tab>("history");
-const SHOWN = { history: Ended, clips: Clips, rules: Rules };
+const tab = signal<Tab>("feed");
+const SHOWN = { feed: Feed, history: Ended, clips: Clips, rules: Rules };
 
 /** What came of earlier tasks, what was recorded, and which rules ask for tasks. */
 export function Memory() {

@@ -6,7 +6,7 @@ import { setMode } from "./tasks-client";
 import type { HouseMode } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
-const MODES: HouseMode[] = ["home", "away", "night", "privacy", "maintenance"];
+export const MODES: HouseMode[] = ["home", "away", "night", "privacy", "maintenance"];
 const words = signal("");
 
 async function choose(mode: HouseMode): Promise<void> {

@@ -3,75 +3,158 @@ import { useEffect } from "preact/hooks";
 import { sentence } from "../format";
 import { clock } from "../live/words";
 import { Told } from "../messages/told";
+import { role } from "../store";
 import { board, running, unixNow } from "./board";
-import { dryRun, rules as askRules } from "./tasks-client";
-import type { RuleFiring, RuleStatus } from "../wire/task-messages";
+import { Field } from "./field";
+import { MODES } from "./mode";
+import { learnNames } from "./names";
+import { changeRule, dryRun, rules as askRules, type Parameters } from "./tasks-client";
+import type { RuleFiring, RulesAnswer, RuleStatus } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
-const WEEK = 7 * 86400;
+const CONFIRMS = {
+  ask: "ask me, then",
+  auto: "at once",
+  never: "only tell me",
+} as const;
 
 const known = signal<RuleStatus[] | null>(null);
-const firings = signal<RuleFiring[] | null>(null);
-const trouble = signal("");
+/** What each would have done today, by name. */
+const today = signal<RuleFiring[] | null>(null);
+/** What went wrong, and with which rule; "" is with all. */
+const trouble = signal({ rule: "", words: "" });
+const fresh = signal<Parameters>({});
 
-async function look(): Promise<void> {
+async function learn(asking: Promise<RulesAnswer>, rule = ""): Promise<void> {
   try {
-    known.value = (await askRules()).rules;
-    trouble.value = "";
+    known.value = (await asking).rules;
+    trouble.value = { rule: "", words: "" };
+    const midnight = new Date(1000 * unixNow.peek()).setHours(0, 0, 0, 0) / 1000;
+    today.value = (await dryRun(midnight)).firings;
   } catch (error) {
-    trouble.value = (error as Error).message;
+    trouble.value = { rule, words: (error as Error).message };
   }
 }
 
-async function lastWeek(): Promise<void> {
-  try {
-    firings.value = (await dryRun(Math.max(0, unixNow.value - WEEK))).firings;
-    trouble.value = "";
-  } catch (error) {
-    trouble.value = (error as Error).message;
-  }
-}
+const change = (rule: string, changed: object): void =>
+  void learn(changeRule(rule, changed), rule);
 
-/** Which rules ask for tasks, what each did last, and what they would have done last week. */
+/** What the house does by itself: a sentence with a switch each, and what it would have done. */
 export function Rules() {
-  useEffect(() => void look(), [running.value, board.value?.ended[0]?.id]);
+  useEffect(() => {
+    learnNames();
+    void learn(askRules());
+  }, [running.value, board.value?.ended[0]?.id]);
   return (
     <>
-      {known.value?.length === 0 && <p class="quiet">{t("There is no rule.")}</p>}
+      {known.value?.length === 0 && <p class="quiet empty rule">{t("There is no rule.")}</p>}
       <ul class="rules">
-        {known.value?.map((rule) => (
-          <li key={rule.name}>
-            <strong>
-              {rule.name}
-              {!rule.enabled && ` ${t("(off)")}`}
-            </strong>
-            <p>
-              <Told words={sentence(translated(rule.words))} />
-            </p>
-            {rule.last_at !== null && (
-              <p class="quiet">
-                {clock(rule.last_at)}: <Told words={translated(rule.last_words)} />
-              </p>
-            )}
-          </li>
-        ))}
+        {known.value?.map((rule) =>
+          rule.when === "" ? (
+            <li key={rule.name}>△ {sentence(rule.words)}</li>
+          ) : (
+            // What was refused is shown as it is, not as somebody wanted it.
+            <Rule key={`${rule.name} ${refusedOf(rule.name)}`} rule={rule} />
+          ),
+        )}
       </ul>
-      <button type="button" onClick={() => void lastWeek()}>
-        {t("What would have happened last week?")}
-      </button>
-      <p role="status">{trouble.value && `△ ${sentence(translated(trouble.value))}`}</p>
-      {firings.value && (
-        <ol class="firings" aria-label={t("What the rules would have done")}>
-          {firings.value.length === 0 && <li class="quiet">{t("Nothing.")}</li>}
-          {firings.value.map((one) => (
-            <li key={`${one.rule} ${one.at}`}>
-              <time>{clock(one.at)}</time> {one.rule}: {translated(one.cause)}.{" "}
-              <Told words={sentence(translated(one.words))} />
-              {one.code !== "ok" && <span class="quiet"> ({one.code})</span>}
-            </li>
-          ))}
-        </ol>
-      )}
+      <Trouble rule="" />
     </>
   );
+}
+
+const refusedOf = (rule: string): string =>
+  trouble.value.rule === rule ? translated(trouble.value.words) : "";
+
+function Trouble({ rule }: { rule: string }) {
+  const words = refusedOf(rule);
+  return <p role="status">{words && `△ ${sentence(words)}`}</p>;
+}
+
+/** "When the bell rings, ask me, then see who is at the door": with what may be set in it. */
+function Rule({ rule }: { rule: RuleStatus }) {
+  const { name, modes } = rule;
+  const when = translated(rule.when);
+  const mayNot = role.value !== "admin";
+  const on = modes.length ? modes : MODES;
+  const toggle = (mode: (typeof modes)[number]): void => {
+    const left = on.includes(mode) ? on.filter((one) => one !== mode) : [...on, mode];
+    if (left.length) change(name, { mode: left });
+  };
+  return (
+    <li data-on={rule.enabled} aria-label={when}>
+      <label class="switch">
+        <strong>
+          <Told words={when} />
+        </strong>
+        <input
+          type="checkbox"
+          role="switch"
+          checked={rule.enabled}
+          disabled={mayNot}
+          onChange={(event) => change(name, { enabled: event.currentTarget.checked })}
+        />
+      </label>
+      <div class="row">
+        <select
+          aria-label={when}
+          disabled={mayNot}
+          onChange={(event) => change(name, { confirm: event.currentTarget.value })}
+        >
+          {(Object.keys(CONFIRMS) as (keyof typeof CONFIRMS)[]).map((one) => (
+            <option key={one} value={one} selected={rule.confirm === one}>
+              {t(CONFIRMS[one])}
+            </option>
+          ))}
+        </select>
+        <Told words={translated(rule.title)} />
+      </div>
+      <fieldset class="chips" disabled={mayNot} aria-label={t("Mode of the house")}>
+        {MODES.map((mode) => (
+          <button
+            type="button"
+            key={mode}
+            aria-pressed={on.includes(mode)}
+            onClick={() => toggle(mode)}
+          >
+            {t(`${mode}^mode`)}
+          </button>
+        ))}
+      </fieldset>
+      {rule.parameters.length > 0 && (
+        <fieldset class="filters" disabled={mayNot}>
+          {rule.parameters.map((one) => (
+            <Field
+              key={`${one.name} ${one.default}`}
+              parameter={one}
+              value={one.default}
+              put={(value) => (fresh.value = { [one.name]: value })}
+              done={() => change(name, { parameters: fresh.value })}
+            />
+          ))}
+        </fieldset>
+      )}
+      <Trouble rule={name} />
+      <p class="quiet">
+        <Today rule={name} />{" "}
+        {rule.changed_by && (
+          <button
+            type="button"
+            disabled={mayNot}
+            onClick={() => change(name, { as_written: true })}
+          >
+            {t("As written, not as {who} changed it", { who: rule.changed_by })}
+          </button>
+        )}
+      </p>
+    </li>
+  );
+}
+
+/** When it would have asked for its service today. */
+function Today({ rule }: { rule: string }) {
+  if (!today.value) return null;
+  const fired = today.value.filter((one) => one.rule === rule && one.code === "ok");
+  const times = fired.map((one) => clock(one.at).slice(0, 5)).join(", ");
+  return <>{times ? t("{n}× today: {times}", { n: fired.length, times }) : t("Not once today.")}</>;
 }

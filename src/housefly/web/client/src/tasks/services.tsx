@@ -3,19 +3,20 @@ import { useEffect, useRef } from "preact/hooks";
 import { HoldButton } from "../controls/hold-button";
 import { sentence } from "../format";
 import { createHold } from "../hold";
-import { hasDrone, room } from "../store";
-import { catalogue } from "../live/store";
+import { hasDrone } from "../store";
 import { Told } from "../messages/told";
 import { running } from "./board";
+import { Field } from "./field";
 import { learnNames } from "./names";
 import {
   rehearse,
   request,
   services as askServices,
   type Parameters,
+  type Value,
 } from "./tasks-client";
 import { rehearsed } from "./words";
-import type { ParameterInfo, RehearsalReport, ServiceInfo } from "../wire/task-messages";
+import type { RehearsalReport, ServiceInfo } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
 const HOLD = 0.6;
@@ -126,7 +127,13 @@ function Form({ service }: { service: ServiceInfo }) {
       }}
     >
       {service.parameters.map((one) => (
-        <Field key={one.name} parameter={one} />
+        <Field
+          key={one.name}
+          parameter={one}
+          value={given.value[one.name] ?? one.default}
+          put={(value) => put(one.name, value)}
+          done={() => void look()}
+        />
       ))}
       <p role="status" class="rehearsal">
         <Rehearsed />
@@ -164,63 +171,9 @@ function Rehearsed() {
   return <span class="quiet">{missing.value}</span>;
 }
 
-const NAMES = ["place", "thing", "place_or_thing", "person", "places"];
-
-function put(name: string, value: string | number | boolean): void {
+function put(name: string, value: Value): void {
   const { [name]: _, ...rest } = given.value;
   given.value = value === "" ? rest : { ...rest, [name]: value };
   rehearsal.value = null;
   outcome.value = "";
-}
-
-function Field({ parameter }: { parameter: ParameterInfo }) {
-  const { name, type, unit } = parameter;
-  const label = translated(parameter.about || name) + (unit ? ` [${unit}]` : "");
-  const value = given.value[name] ?? parameter.default;
-  if (type === "flag")
-    return (
-      <label class="field flag">
-        <input
-          type="checkbox"
-          checked={value === true}
-          onChange={(event) => put(name, event.currentTarget.checked)}
-        />
-        {label}
-      </label>
-    );
-  const isNumber = type === "number";
-  return (
-    <label class="field">
-      {label}
-      <input
-        type={isNumber ? "number" : "text"}
-        step="any"
-        list={NAMES.includes(type) ? "subjects" : undefined}
-        required={parameter.required}
-        maxLength={200}
-        autocomplete="off"
-        defaultValue={value === null ? "" : String(value)}
-        placeholder={parameter.default === null ? "" : String(parameter.default)}
-        onInput={(event) => {
-          const text = event.currentTarget.value;
-          put(name, isNumber && text !== "" ? Number(text) : text);
-        }}
-        onChange={() => void look()}
-      />
-      {NAMES.includes(type) && <Subjects />}
-    </label>
-  );
-}
-
-/** What somebody may mean: places of the map, things of the room. */
-function Subjects() {
-  const places = (room.value?.places ?? []).map((one) => one.title);
-  const things = catalogue.value.map((one) => one.name);
-  return (
-    <datalist id="subjects">
-      {[...new Set([...places, ...things])].map((name) => (
-        <option key={name} value={name} />
-      ))}
-    </datalist>
-  );
 }

@@ -34,7 +34,8 @@ async function fetchedFrom<T extends TaskAnswer | ThingsAnswer | BellView>(
 const post = <T extends TaskAnswer>(path: string, body: object = {}): Promise<T> =>
   fetched<T>(path, { method: "POST", body: JSON.stringify(body) });
 
-export type Parameters = Record<string, string | number | boolean>;
+export type Value = string | number | boolean;
+export type Parameters = Record<string, Value>;
 
 export const reply = (task: number, question: string, choice: string): Promise<TasksAnswer> =>
   post(`/tasks/${task}/reply`, { question, choice });
@@ -62,8 +63,11 @@ export const pressBell = (): Promise<BellView> => fetchedFrom("/bell", { method:
 export const services = (): Promise<ServicesAnswer> => fetched("/services");
 export const things = (): Promise<ThingsAnswer> => fetched("/things");
 export const rules = (): Promise<RulesAnswer> => fetched("/rules");
+/** What the rules would have done, also those that are off. */
 export const dryRun = (since: number): Promise<FiringsAnswer> =>
-  fetched(`/rules/dry-run?since=${since.toFixed(0)}`);
+  fetched(`/rules/dry-run?since=${since.toFixed(0)}&off=true`);
+export const changeRule = (rule: string, change: object): Promise<RulesAnswer> =>
+  post(`/rules/${rule}/change`, change);
 /** Tasks that were asked for before another one; 0 begins with the newest. */
 export const history = (before: number, limit: number): Promise<TasksAnswer> =>
   fetched(`/tasks/history?limit=${limit}&before=${before}`);
@@ -78,10 +82,10 @@ export const clips = (wanted: Record<string, string>): Promise<ClipsAnswer> =>
   fetched(`/clips?${new URLSearchParams(wanted)}`);
 
 /** The address of a clip; elements cannot send a header, so the proof stands in it. */
-export function clipAddress(id: string, download = false): string {
-  const more = download ? "&download=1" : "";
-  return `${API}/clips/${encodeURIComponent(id)}?proof=${proof()}${more}`;
-}
+export const clipAddress = (id: string, more = ""): string =>
+  `${API}/clips/${encodeURIComponent(id)}?proof=${proof()}${more}`;
+/** The same of what stands in a list: that is no watching. */
+export const stillAddress = (id: string): string => clipAddress(id, "&still=1");
 
 /** The address of several clips in one file. */
 export function clipsAddress(ids: readonly string[]): string {

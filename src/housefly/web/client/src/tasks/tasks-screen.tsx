@@ -1,4 +1,6 @@
 import { computed } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { listen } from "../live/room-client";
 import { VideoView } from "../panels/video";
 import { flying, hasDrone } from "../store";
 import { Readiness } from "../panels/preflight";
@@ -12,6 +14,7 @@ import { Memory } from "./memory";
 import { Mode } from "./mode";
 import { OpenTasks } from "./open-tasks";
 import { Questions } from "./questions";
+import { Subjects } from "./field";
 import { Services } from "./services";
 import { t } from "../messages/language";
 
@@ -24,6 +27,7 @@ const fine = computed(
 
 /** What can be asked for, what waits and flies, and what came of it. */
 export function TasksScreen() {
+  useEffect(listen, []);
   return (
     <main class="tasks-deck">
       {!fine.value && <Readiness />}
@@ -41,6 +45,7 @@ export function TasksScreen() {
         <Memory />
       </div>
       <ClipSheet />
+      <Subjects />
     </main>
   );
 }

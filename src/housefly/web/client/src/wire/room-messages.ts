@@ -97,6 +97,21 @@ export interface EventsAnswer {
   events: EventAnswer[];
 }
 
+export interface FeedEntry {
+  of: "people" | "things" | "drone" | "tasks";
+  thing: string;
+  name: Said;
+  words: Said;
+  began_at: number;
+  at: number;
+  pictures: string[];
+  alarms: boolean;
+}
+
+export interface FeedAnswer {
+  entries: FeedEntry[];
+}
+
 export interface SensorAnswer {
   sensor: string;
   kind: string;
@@ -347,6 +362,7 @@ export type RoomAnswer =
   | PlacedAnswer
   | TrajectoryAnswer
   | EventsAnswer
+  | FeedAnswer
   | SensorsAnswer
   | PictureAnswer
   | StateAnswer

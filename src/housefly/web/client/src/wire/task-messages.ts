@@ -201,6 +201,12 @@ export interface RuleStatus {
   last_at: number | null;
   last_words: string;
   last_cause: string;
+  when: Said;
+  title: string;
+  confirm: Confirm;
+  modes: HouseMode[];
+  parameters: ParameterInfo[];
+  changed_by: string;
 }
 
 export interface RulesAnswer {

@@ -1,0 +1,1 @@
+"""What happened in the room, told as people would tell it."""
