@@ -139,7 +139,7 @@ def _rule_line(rule: Rule) -> str:
 
 
 def _firing_line(firing: RuleFiring, now: float) -> str:
-    return f"{clock_time(firing.at, now)}  {firing.rule}: {firing.words}  [{firing.cause}]"
+    return f"{clock_time(firing.at, now)}  {firing.rule}: {firing.service}: {firing.words}  [{firing.cause}]"
 
 
 RULES_COMMANDS = CommandGroup(

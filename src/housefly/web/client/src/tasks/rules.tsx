@@ -6,6 +6,7 @@ import { Told } from "../messages/told";
 import { board, running, unixNow } from "./board";
 import { dryRun, rules as askRules } from "./tasks-client";
 import type { RuleFiring, RuleStatus } from "../wire/task-messages";
+import { causeOf } from "./words";
 import { t, translated } from "../messages/language";
 
 const WEEK = 7 * 86400;
@@ -65,9 +66,8 @@ export function Rules() {
           {firings.value.length === 0 && <li class="quiet">{t("Nothing.")}</li>}
           {firings.value.map((one) => (
             <li key={`${one.rule} ${one.at}`}>
-              <time>{clock(one.at)}</time> {one.rule}: {translated(one.cause)}.{" "}
+              <time>{clock(one.at)}</time> {sentence(causeOf(one.cause))}{" "}
               <Told words={sentence(translated(one.words))} />
-              {one.code !== "ok" && <span class="quiet"> ({one.code})</span>}
             </li>
           ))}
         </ol>
