@@ -113,7 +113,7 @@ def test_the_demo_tells_its_story_from_the_bell_on_the_page_to_the_clip_that_pla
     expect(said).to_contain_text("Nobody is at the door", timeout=30_000)
     bell.get_by_role("button").click()
     expect(question).to_contain_text("The bell rings. Look who is at the door?", timeout=15_000)
-    expect(bell.get_by_role("status")).to_contain_text("a person must say yes", timeout=15_000)
+    expect(bell.get_by_role("status")).to_contain_text("somebody is asked first", timeout=15_000)
     yes = question.get_by_role("button", name="Yes")
     place = yes.bounding_box()
     expect(question.locator("[data-may=true]")).to_be_visible(timeout=180_000)

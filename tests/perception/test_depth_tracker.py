@@ -142,7 +142,7 @@ def test_a_box_that_no_map_shows_is_one_obstacle_at_its_place(scene: Scene) -> N
         box.velocity == (0.0, 0.0)
         and box.confidence == 1.0
         and box.source == "depth"
-        and box.id == "depth-1-1"
+        and box.id == "track-depth-1-1"
     )
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import random
 from math import inf
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -37,6 +39,27 @@ def test_scans_that_come_ever_later_grow_old() -> None:
         received = number * 0.025 * 1.5  # a third of them is read in time
         age = received - clock.taken_at(25 * number, received)
     assert age > 0.49 * received / 1.5
+
+
+@pytest.mark.parametrize("lost", [0.4, 1.0, 368.0])
+def test_a_clock_that_lost_time_is_found_anew_within_seconds(lost: float) -> None:
+    clock, jitter = ScanClock(), random.Random(3)
+    ages = []
+    for number in range(2000):
+        stood_still = lost if number >= 800 else 0.0
+        now = 0.025 * number + jitter.uniform(0.0, 0.03) + stood_still
+        ages.append(now - clock.taken_at(25 * number, now))
+    assert max(ages[:800]) < 0.05 and ages[801] > 0.9 * lost
+    assert max(ages[800 + 400 :]) < 0.05, "found within ten seconds"
+
+
+def test_a_backlog_that_shrinks_is_no_lost_time() -> None:
+    clock = ScanClock()
+    clock.taken_at(0, 0.0)
+    for number in range(1, 800):
+        backlog = 0.005 * (800 - number)
+        received = 0.025 * number + backlog
+        assert received - clock.taken_at(25 * number, received) > backlog - 0.02
 
 
 def test_a_clock_that_is_set_back_begins_anew() -> None:

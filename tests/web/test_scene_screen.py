@@ -113,7 +113,7 @@ async def test_the_picture_takes_the_stage_while_the_drone_looks_and_gives_it_ba
     await expect(app).to_have_attribute("data-swapped", "true")
     picture, plan = await box(page, ".view.video"), await box(page, ".view.map")
     assert picture["width"] > 2 * plan["width"]
-    console.pilot.phase = Phase.HOLDING
+    console.pilot.phase = Phase.RETURNING
     await expect(app).to_have_attribute("data-swapped", "false")
 
 

@@ -6,6 +6,11 @@ from dataclasses import dataclass
 from enum import Enum
 
 from housefly.geometry import Vec2
+from housefly.messages.words import Words
+
+TRACK = "track-"
+"""Begins the id of what a sensor follows and nobody has named."""
+_SOMEBODY, _SOMETHING = Words("somebody"), Words("something")
 
 
 class ObstacleKind(Enum):
@@ -51,3 +56,13 @@ class Obstacle:
     seen_at: float = 0.0
     source: str = ""
     kind: ObstacleKind = ObstacleKind.UNKNOWN
+
+
+def called(who: str) -> str:
+    """Return what people call who is in the way, by the id: a number is no name."""
+    return _SOMEBODY if who.startswith(TRACK) else who
+
+
+def thing_called(thing: str) -> str:
+    """Return the same of what may be a thing as well."""
+    return _SOMETHING if thing.startswith(TRACK) else thing

@@ -18,7 +18,7 @@ class PreflightCheck:
         fault: what is the matter when it fails, in words.
         passed: whether all is well.
         required: no take-off without it.
-        value: what was found, in words.
+        value: what was found, in words; UNSAID where the fault says it.
         limit: what is allowed, in words.
         why: what would happen otherwise.
         mend: what to do.
@@ -37,6 +37,8 @@ class PreflightCheck:
     @property
     def refusal(self) -> Words:
         """Why there is no take-off while it fails, and what to do."""
+        if not self.value:
+            return joined("; ", (self.fault, self.mend))
         return Words(
             "{why}: {found}, must be {limit}; {mend}",
             why=self.fault,

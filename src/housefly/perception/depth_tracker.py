@@ -11,6 +11,7 @@ import numpy as np
 from housefly.config.depth import DepthCameraConfig
 from housefly.geometry import Vec2, normalized, rotate
 from housefly.messages import DepthImage, Obstacle, Pose
+from housefly.messages.obstacles import TRACK
 from housefly.numeric import FloatArray, running_sum
 from housefly.perception.depth import MIN_DEPTH, Intrinsics, points_of
 from housefly.perception.depth_checks import DepthChecks
@@ -133,7 +134,7 @@ def depth_view(image: DepthImage) -> _DepthView:
 
 
 def _named(track: ObstacleTrack, image: DepthImage) -> Obstacle:
-    return replace(obstacle_of(track), id=f"{image.source}-{track.number}", source=_SOURCE)
+    return replace(obstacle_of(track), id=f"{TRACK}{image.source}-{track.number}", source=_SOURCE)
 
 
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

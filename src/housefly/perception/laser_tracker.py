@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
 from housefly.messages import Obstacle, Scan
+from housefly.messages.obstacles import TRACK
 from housefly.numeric import FloatArray
 from housefly.perception.beams import (
     MAX_BEAMS,
@@ -192,7 +193,7 @@ def obstacle_of(track: ObstacleTrack) -> Obstacle:
     """Return a track as an obstacle from floor to ceiling: a scanner cannot measure heights."""
     shape = track.shape
     return Obstacle(
-        id=f"track-{track.number}",
+        id=f"{TRACK}{track.number}",
         position=track.motion.position,
         radius=shape.radius,
         size=shape.size,

@@ -11,7 +11,7 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Order, OrderKind, OrderOutcome
-from housefly.messages.obstacles import Obstacle
+from housefly.messages.obstacles import Obstacle, called, thing_called
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.messages.words import UNSAID, Words
@@ -248,7 +248,7 @@ class RoomNavigator:
         standing = live_rows(known, now, 0.0, 0.0, hanging)
         _, row = first_block_in_space(soon, standing, places, space.hull, space.keep)
         if row >= 0:
-            return Words("{thing} is near", thing=known[row].id)
+            return Words("{thing} is near", thing=thing_called(known[row].id))
         ends = np.repeat(places[-1:], max(0, WALKERS_AHEAD - len(places)), axis=0)
         ways = np.concatenate((places, ends))[:, :2]
         met = self.people.separation_along(ways, now)
@@ -256,7 +256,7 @@ class RoomNavigator:
             return UNSAID
         stays = self.people.separation_along(np.repeat(ways[:1], len(ways), axis=0), now)
         is_nearer = met.closest < stays.closest - NEARER
-        return Words("{who} comes near", who=met.name) if is_nearer else UNSAID
+        return Words("{who} comes near", who=called(met.name)) if is_nearer else UNSAID
 
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:
         """Return whether there is a way once the obstacles of now are gone."""

@@ -12,18 +12,26 @@ from housefly.wires.scip.replies import STAMP_PERIOD
 
 CLOCK_DRIFT = 5e-4
 """A scanner's clock may run slower than ours by this share."""
+LATE, STEADY = 0.1, 0.02
+"""The quickest scan of a while is later than this [s], and as late as that of the while before it:
+nothing that waits is so steady. The scanner's clock lost that time.
+"""
+WHILE = 3.0
+"""How long such a while is [s]."""
 
 
 class ScanClock:
     """Dates the scans of one connection: the quickest of them tells the offset of the clocks.
 
-    It is never forgotten, as ``ClockOffset`` forgets: what waits in a stream may stay late for
-    minutes.
+    It is not forgotten by itself, as ``ClockOffset`` forgets: what waits in a stream may stay late
+    for minutes. But a backlog grows or shrinks; where every scan is late by the same time for two
+    whiles, the scanner's clock stood still for that time, and its offset is found anew.
     """
 
     def __init__(self) -> None:
         self._stamp, self._unwrapped = -1, 0
         self._offset, self._received_at = inf, 0.0
+        self._while_ends, self._quickest, self._quickest_before = -inf, inf, inf
 
     def taken_at(self, stamp: int, received_at: float) -> float:
         """Return when a scan left the scanner [s], no later than it was received.
@@ -41,4 +49,17 @@ class ScanClock:
         self._stamp, self._received_at = stamp, received_at
         seconds = self._unwrapped / 1000.0
         self._offset = min(self._offset, received_at - seconds)
+        self._watch(received_at - seconds - self._offset, received_at)
         return seconds + self._offset
+
+    def _watch(self, late: float, received_at: float) -> None:
+        """Find the offset anew where the clock lost time."""
+        if received_at >= self._while_ends:
+            spread = abs(self._quickest - self._quickest_before)
+            if LATE < self._quickest < inf and spread <= STEADY:
+                self._offset += self._quickest
+                late -= self._quickest
+                self._quickest = inf
+            self._while_ends = received_at + WHILE
+            self._quickest, self._quickest_before = inf, self._quickest
+        self._quickest = min(self._quickest, late)

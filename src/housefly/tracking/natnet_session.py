@@ -14,6 +14,7 @@ from housefly.tracking.counts import FrameCounts
 from housefly.tracking.datagrams import DatagramReceiver, SocketAddress, multicast_receiver
 from housefly.tracking.natnet_frames import NatNetFrames
 from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
+from housefly.tracking.software import software_at
 from housefly.wires.natnet import (
     CommandRequest,
     CommandResponse,
@@ -96,7 +97,7 @@ class NatNetSession:
             return Words(
                 "frames arrive from {name}, but their time stands still; is {what} paused?",
                 name=self._where,
-                what="Motive",
+                what=software_at(self._config.address, "Motive"),
             )
         if self._malformed:
             return Words(
@@ -120,7 +121,7 @@ class NatNetSession:
         return Words(
             "connected to {name}, but nothing new arrives; is {what} live, not paused?",
             name=self._where,
-            what="Motive",
+            what=software_at(self._config.address, "Motive"),
         )
 
     async def run(self) -> None:
@@ -178,7 +179,7 @@ class NatNetSession:
             Words(
                 "nobody answers at {name}; is {what} running, and does it stream?",
                 name=self._where,
-                what="Motive",
+                what=software_at(self._config.address, "Motive"),
             )
         )
 
@@ -228,7 +229,7 @@ class NatNetSession:
                     Words(
                         "nobody answers at {name}; is {what} running, and does it stream?",
                         name=self._where,
-                        what="Motive",
+                        what=software_at(self._config.address, "Motive"),
                     )
                 )
             if quiet > _GREET_AGAIN:

@@ -15,6 +15,7 @@ from housefly.messages.words import UNSAID, Words, figure
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
+from housefly.tracking.software import software_at
 from housefly.tracking.vicon_frames import ViconFrames
 from housefly.wires.vicon import (
     VICON_HEADER_SIZE,
@@ -79,7 +80,7 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
         return Words(
             "connected to {name}, but nothing new arrives; is {what} live, not paused?",
             name=self._where,
-            what="Vicon Tracker",
+            what=software_at(self._config.address, "Vicon Tracker"),
         )
 
     def _protocol_problem(self, error: WireError) -> Words:
@@ -98,7 +99,7 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
             Words(
                 "nobody answers at {name}; is {what} running, and does it stream?",
                 name=self._where,
-                what="Vicon Tracker",
+                what=software_at(self._config.address, "Vicon Tracker"),
             ),
         )
         async with self._open(stream) as (reader, writer):

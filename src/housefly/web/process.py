@@ -132,6 +132,7 @@ async def run_web(
             secret=os.environ.get(SECRET_VARIABLE, ""),
             drone_body=drones[0].body,
             drone=drones[0].config,
+            limits=drones[0].limits,
             beside=drones[1:],
             furniture=site.furniture,
             coverage=lambda: coverage_view(
@@ -228,6 +229,7 @@ def _drones(site: Site, folder: Path, stop: dict[str, StopSender]) -> tuple[Cons
                 ConsoleMemory(folder.joinpath(*beside)),
                 flights_folder(site).joinpath(*beside),
                 LiveBlanker(site.tasks, own.drone.airframe.capabilities.camera),
+                own.limits,
             )
         )
     return tuple(found)

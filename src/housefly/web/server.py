@@ -24,7 +24,7 @@ import secrets
 import signal
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import AbstractAsyncContextManager, asynccontextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from starlette.applications import Starlette
@@ -35,6 +35,7 @@ from housefly.bus.topics import DroneTopics
 from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
+from housefly.config.limits import LimitsConfig
 from housefly.config.tracking import DRONE_BODY
 from housefly.evidence.live_blanker import LiveBlanker
 from housefly.web.access.audit_log import AuditLog
@@ -86,6 +87,7 @@ class ConsoleDrone:
         memory: keeps control, STOP and the event log over a restart; None forgets them.
         flights: folder into which its flights are kept; None keeps none.
         privacy: blanks the privacy zones in its video; None where there are none.
+        limits: of its flights.
     """
 
     config: DroneConfig
@@ -94,6 +96,7 @@ class ConsoleDrone:
     memory: ConsoleMemory | None = None
     flights: Path | None = None
     privacy: LiveBlanker | None = None
+    limits: LimitsConfig = field(default_factory=LimitsConfig)
 
 
 def create_app(
@@ -105,6 +108,7 @@ def create_app(
     secret: str = "",
     drone_body: str = DRONE_BODY,
     drone: DroneConfig | None = None,
+    limits: LimitsConfig | None = None,
     furniture: tuple[FurnitureConfig, ...] = (),
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
@@ -135,6 +139,7 @@ def create_app(
             makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
         drone: the drone, or that there is none; None for the usual one.
+        limits: of its flights; None for the usual ones.
         furniture: furniture that the tracking system sees.
         clock: the server's clock; real time by default.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
@@ -156,7 +161,8 @@ def create_app(
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
     logins = Logins(users, clock, audit) if users else None
-    first = ConsoleDrone(drone or DroneConfig(), drone_body, stop, memory, flights, privacy)
+    own, usual = drone or DroneConfig(), limits or LimitsConfig()
+    first = ConsoleDrone(own, drone_body, stop, memory, flights, privacy, usual)
     drones = {one.config.name: one for one in (first, *beside)}
     board, closing = TaskFeed(bus, clock), list[Callable[[], None]]()
 
@@ -164,7 +170,7 @@ def create_app(
         link = PilotLink(bus, DroneTopics(one.config.name), one.stop, clock)
         kept = FlightLogWriter(one.flights, site_name) if one.flights else None
         keep_event = one.memory.keep_event if one.memory else _forget
-        feed = StateFeed(clock, one.body, furniture, keep_event, kept, one.config)
+        feed = StateFeed(clock, one.body, furniture, keep_event, kept, one.config, one.limits)
         name = one.config.name if beside else ""
         console = Console(feed, link, auth, clock, audit, board, one.memory, guest_address, name)
         closing.extend([link.close, lambda: console.refusals.write_counted(at_the_end=True)])

@@ -67,7 +67,7 @@ def test_a_dry_run_tells_what_would_have_flown(tmp_path: Path, capsys: Capture) 
     memory.close()
     assert main(["rules", "dry-run", "--since", "1d"]) == 0
     out = capsys.readouterr().out
-    assert out.count("bell: visitor asked for; a person must say yes") == 2
+    assert out.count("bell: visitor: somebody is asked first") == 2
     assert "3 events; the rules would have asked for 2 flights; nothing flew" in out
     assert main(["rules", "dry-run", "--since", "1d", "--all"]) == 0
     assert "rests for" in capsys.readouterr().out

@@ -85,8 +85,15 @@ def test_what_is_wrong_fails_its_own_check_and_refuses_only_where_it_must(rule) 
     refused = preflight_refusal(checks)
     assert (refused is not None) == rule.required
     if refused:
-        assert rule.fault in refused.reason and rule.mend in refused.reason
+        said = rule.says(BROKEN[rule.code]) or rule.fault
+        assert refused.reason.startswith(said) and rule.mend in refused.reason
         assert (refused.outcome is OrderOutcome.BATTERY) == (rule.code == "charge")
+
+
+def test_who_stands_too_close_is_told_as_people_say_it() -> None:
+    refused = preflight_refusal(preflight(BROKEN["take_off_column"]))
+    assert refused is not None
+    assert refused.reason == "a chair stands 0.3 m away; make room around the drone"
 
 
 def test_what_the_drone_lacks_is_told_and_keeps_nothing_down() -> None:

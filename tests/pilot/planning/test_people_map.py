@@ -154,3 +154,21 @@ def test_a_take_off_waits_for_a_drone_that_comes_past(
     around.update((there,), lambda height: around._grid, 0.0)
     fault = around.take_off_fault(place, 0.0)
     assert ("bert comes near" in fault) == is_refused
+
+
+@pytest.mark.parametrize(
+    ("who", "kind", "said"),
+    [
+        ("track-2", ObstacleKind.PERSON, "somebody is too close"),
+        ("track-depth-1-2", ObstacleKind.UNKNOWN, "something is too close"),
+        ("track-2", ObstacleKind.THING, "something is too close"),
+        ("Anna", ObstacleKind.PERSON, "Anna is too close"),
+        ("the chair", ObstacleKind.THING, "the chair is too close"),
+    ],
+)
+def test_who_has_no_name_is_not_called_by_a_number(
+    around: PeopleMap, who: str, kind: ObstacleKind, said: str
+) -> None:
+    there = Obstacle(who, (4.2, 3.0), 0.3, seen_at=0.0, kind=kind)
+    around.update((there,), lambda height: around._grid, 0.0)
+    assert around.take_off_fault((4.0, 3.0), 0.0) == said

@@ -26,7 +26,7 @@ from housefly.messages import (
     Severity,
 )
 from housefly.pilot.behavior.mission import Refused
-from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState
+from housefly.tasks.api.values import ReasonCode, TaskLook, TaskStage, TaskStepState
 from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task
 from housefly.tasks.document.library import load_library
@@ -66,6 +66,43 @@ def test_look_takes_off_looks_and_comes_home() -> None:
     assert done.stands_on_pad()
     assert [step.state for step in done.run.steps] == [TaskStepState.DONE] * 4
     assert len(done.of(TakeSnapshot)) == 1
+
+
+def test_what_it_shows_is_said_with_the_time_left_from_arrival_to_the_way_home() -> None:
+    steps = (
+        "  - look_at: fridge\n  - snapshot\n  - ask: {question: Well, wait: 5 s}\n"
+        "  - follow: {person: tv, time: 5 s}\n  - sweep: 2\n  - return_home"
+    )
+    flying, told = flight(task(steps)), {}
+    while not flying.run.is_over:
+        flying.tick()
+        look, pilot = flying.run.look, flying.pilot
+        if look is not None:
+            assert pilot.phase in (Phase.HOLDING, Phase.OUTBOUND)
+            told.setdefault(str(look.words), []).append(look.until)
+        else:
+            assert pilot.phase is not Phase.HOLDING or flying.orders[-1].issued_at > pilot.now - 1
+    assert list(told) == ["Looking at fridge", "Following tv", "Looking around"]
+    for words in ("Looking at fridge", "Following tv"):
+        ends = {until for until in told[words] if until is not None}
+        assert len(ends) <= 2 and max(ends) - min(ends) <= 1.0, "the same end all the while"
+    assert told["Looking around"] == [None] * len(told["Looking around"])
+
+
+def test_a_paused_look_shows_the_same_and_has_no_end() -> None:
+    flying = flight(task("  - look_at: fridge\n  - wait: 20 s"))
+    for _ in range(60):
+        flying.tick()
+    before = flying.run.look
+    assert before is not None and before.until is not None
+    flying.run.pause()
+    flying.tick()
+    assert flying.run.look == TaskLook(before.words)
+    flying.run.resume()
+    for _ in range(50):
+        flying.tick()
+    again = flying.run.look
+    assert again is not None and again.words == before.words and again.until is not None
 
 
 def test_a_task_that_forgets_to_come_home_is_brought_home() -> None:

@@ -15,7 +15,7 @@ from housefly.config.house_mode import HouseMode
 from housefly.errors import TaskError
 from housefly.messages import DroneStatus, OrderKind, OrderSource
 from housefly.tasks.api.questions import BoardQuestion, RequestTask, Sentence, SetMode
-from housefly.tasks.api.values import ReasonCode, RequestSurface
+from housefly.tasks.api.values import Confirm, ReasonCode, RequestSurface
 from housefly.tasks.api.values import TaskStage as Stage
 from housefly.tasks.intents.intent import LANGUAGES, Language
 from housefly.tasks.intents.phrases import phrases
@@ -174,3 +174,38 @@ def test_every_reason_has_words_in_each_language(language: Language) -> None:
     texts = phrases(language).texts
     wanted = {f"reason {code.value}" for code in ReasonCode if code is not ReasonCode.OK}
     assert wanted == {key for key in texts if key.startswith("reason ")}
+
+
+@pytest.mark.parametrize(
+    ("said", "page", "language"),
+    [
+        ("wo ist der Kühlschrank?", "en", "de"),
+        ("冷蔵庫はどこ？", "en", "ja"),
+        ("where is the refrigerator?", "ja", "en"),
+        ("where is the refrigerator?", "de", "en"),
+        ("冷蔵庫はどこ？", "de", "ja"),
+    ],
+)
+def test_who_speaks_another_language_than_the_page_is_answered_in_theirs(
+    stage: TaskStage, said: str, page: Language, language: Language
+) -> None:
+    there = stage.ask(Sentence(said, page))
+    own = stage.ask(Sentence(said, language))
+    assert there.understood and (there.intent, there.words) == (own.intent, own.words)
+
+
+def test_what_no_language_understands_is_answered_in_that_of_the_page(stage: TaskStage) -> None:
+    for page in LANGUAGES:
+        told = stage.ask(Sentence("xyzzy plugh 42", page))
+        assert not told.understood and told.words == stage.ask(Sentence("plugh", page)).words
+
+
+def test_the_question_before_a_flight_is_in_the_words_in_which_it_was_asked_for(
+    stage: TaskStage,
+) -> None:
+    asked = stage.ask(Sentence("have a look at the refrigerator", by="Anna", confirm=Confirm.ASK))
+    assert asked.task is not None and asked.task.question is not None
+    words = asked.task.question.words
+    assert words == "Fly 'have a look at the refrigerator'? Asked for by Anna."
+    plain = stage.ask(RequestTask("look", {"subject": "tv"}, by="Anna", confirm=Confirm.ASK))
+    assert "Look at a place or a thing: tv" in plain.tasks[0].question.words

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from fake_room import example_room
 
@@ -15,7 +17,7 @@ from housefly.tasks.api.values import (
     TaskStage,
     TaskStatus,
 )
-from housefly.web.status.goal_words import goal_words, subject_of_task
+from housefly.web.status.goal_words import goal_words, subject_of_task, task_of_drone
 
 PLACES = example_room().places
 
@@ -66,4 +68,13 @@ def board(state: TaskStage, **parameters: ParameterValue) -> TaskBoard:
     ],
 )
 def test_what_flies_is_about_what_its_task_was_asked_for(told: TaskBoard | None, said: str) -> None:
-    assert subject_of_task(told, PLACES) == said
+    assert subject_of_task(task_of_drone(told), PLACES) == said
+
+
+def test_the_task_that_has_the_drone_is_the_one_that_flies_it_also_while_it_is_paused() -> None:
+    (asked,) = board(TaskStage.RUNNING, subject="the cup").tasks
+    flown = replace(asked, id=2, state=TaskStage.PAUSED, took_off_at=5.0, drone="kite")
+    told = replace(board(TaskStage.RUNNING), tasks=(replace(asked, drone="kite"), flown))
+    assert task_of_drone(told, "kite") == flown
+    assert task_of_drone(told, "finch") is None
+    assert task_of_drone(told) == flown

@@ -25,6 +25,7 @@ from housefly.messages import (
     TrackedFrame,
     TrajectoryPoint,
 )
+from housefly.pilot.behavior.way_home import charge_for
 from housefly.web.status.state_feed import StateFeed
 
 TOPICS = DroneTopics()
@@ -54,9 +55,24 @@ def test_the_state_is_the_newest_step(listening: Listening) -> None:
     state = feed.state(36.0)
     assert state is not None
     assert state.position == (1.0, 1.0, 0.0)
-    assert state.battery_return == pytest.approx(0.05)
     assert state.heard_at == 100.0
     assert feed.age == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize(("charge", "home"), [(0.9, 36.0), (0.2, 0.0), (0.17, 36.0), (0.1, 0.0)])
+def test_the_minutes_that_are_told_end_where_it_must_turn_home(
+    listening: Listening, charge: float, home: float
+) -> None:
+    feed, pilot, _, _ = listening
+    pilot.battery = charge
+    pilot.advance(0.01)
+    state, limits = feed.state(home), feed.limits
+    assert state is not None and state.flight_s is not None
+    usable = charge - limits.battery_floor - state.battery_return
+    assert state.flight_s == pytest.approx(max(0.0, usable * limits.flight_time), abs=1e-6)
+    left = charge - state.flight_s / limits.flight_time
+    needed = charge_for(home, 1.0 / limits.flight_time, limits)
+    assert state.flight_s == 0.0 or left == pytest.approx(needed)
 
 
 def test_what_the_drone_notes_of_its_settings_and_sensors_is_part_of_the_state(

@@ -28,7 +28,8 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.messages.words import literal
+from housefly.messages.words import Words, literal
+from housefly.tasks.api.values import TaskLook
 from housefly.web.messages.verdict_message import (
     ConsoleVerdict,
     HeadlineShape,
@@ -331,6 +332,38 @@ def test_the_large_button_says_what_is_sensible_next(
 def test_what_is_proposed_next_is_never_what_comes_to_nothing(known: ConsoleKnowledge) -> None:
     told = console_verdict(known)
     assert told.next_order is None or objection(told, told.next_order) == ""
+
+
+@pytest.mark.parametrize("phase", [Phase.HOLDING, Phase.OUTBOUND])
+def test_what_a_task_shows_is_said_and_its_picture_counts(phase: Phase) -> None:
+    known = replace(knowing(status=DroneStatus.FLYING, phase=phase, goal="entrance"), unix=1000.0)
+    assert not console_verdict(known).is_showing
+    look = TaskLook(Words("Looking at {goal}", goal="Entrance"), 1044.6)
+    told = console_verdict(replace(known, task_look=look))
+    assert (told.headline, told.detail) == ("Looking at Entrance", "45 s left")
+    assert told.is_showing and told.shape is HeadlineShape.HOLDING
+    late = console_verdict(replace(known, task_look=look, unix=1050.0))
+    assert late.detail == "0 s left"
+    paused = replace(known, task_look=TaskLook(look.words), task_is_paused=True)
+    told = console_verdict(paused)
+    assert told.headline == "Paused" and told.is_showing
+    assert told.detail == "Looking at Entrance; waits until you press Go on"
+    assert not console_verdict(replace(paused, task_look=None)).is_showing
+
+
+@pytest.mark.parametrize("phase", [Phase.RETURNING, Phase.LANDING, Phase.TAKING_OFF])
+def test_a_drone_that_flies_for_itself_shows_nothing_whatever_its_task_says(phase: Phase) -> None:
+    flying = knowing(status=DroneStatus.FLYING, phase=phase)
+    known = replace(flying, task_look=TaskLook(Words("Looking around")), task_is_paused=True)
+    told = console_verdict(known)
+    assert not told.is_showing and told.headline == console_verdict(flying).headline
+
+
+def test_a_look_of_the_pilots_own_counts_too_and_one_on_the_ground_does_not() -> None:
+    assert console_verdict(knowing(status=DroneStatus.FLYING, phase=Phase.LOOKING)).is_showing
+    assert not console_verdict(
+        replace(knowing(), task_look=TaskLook(Words("Looking around")))
+    ).is_showing
 
 
 def test_a_point_that_a_task_flies_to_has_its_name() -> None:

@@ -16,6 +16,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
 from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
+from housefly.messages.obstacles import called
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.words import UNSAID, Words, figure
 from housefly.pilot.behavior.braking import BESIDE_SPEED
@@ -97,7 +98,7 @@ class BlindLanding:
         """Return who or what stands below, in words, or UNSAID."""
         place = here.position[:2]
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
-        person = Words("{who} is below", who=near.name) if near.now < 0.0 else UNSAID
+        person = Words("{who} is below", who=called(near.name)) if near.now < 0.0 else UNSAID
         fault = person or self._mission.fault_below(place, vehicle)
         is_furniture = not fault and self._people.is_above_furniture(place, self._people.hull)
         if is_furniture:

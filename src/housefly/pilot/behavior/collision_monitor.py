@@ -14,6 +14,7 @@ from math import hypot, inf
 from housefly.config.airframe import BrakingConstants
 from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, OrderKind, Phase, Severity
+from housefly.messages.obstacles import thing_called
 from housefly.messages.words import Words, figure
 from housefly.pilot.behavior.mission import Refused, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator, PathBlock
@@ -85,7 +86,9 @@ class CollisionMonitor:
         is_relapse = vehicle.now - self._resumed_at < RELAPSE_TIME
         self._patience = min(PATIENCE_MAX, max(0.5, 2.0 * self._patience)) if is_relapse else 0.0
         reason = Words(
-            "{thing} is in the way, {d} m ahead", thing=block.name, d=figure(block.along, ".1f")
+            "{thing} is in the way, {d} m ahead",
+            thing=thing_called(block.name),
+            d=figure(block.along, ".1f"),
         )
         self._asked_at, self._reported = vehicle.now, False
         text = Words("{why}: stopping", why=reason)
@@ -104,7 +107,7 @@ class CollisionMonitor:
         last, self._told_at = self._told_at, vehicle.now
         if vehicle.now - last < RELAPSE_TIME:
             return ()
-        text = Words("{thing} is in the way: going around", thing=block.name)
+        text = Words("{thing} is in the way: going around", thing=thing_called(block.name))
         return (Event(vehicle.now, Severity.INFO, EventCode.DETOUR, text),)
 
     def waiting_instead(self, reason: Words, vehicle: VehicleStatus) -> Proposal:

@@ -11,6 +11,7 @@ from math import inf
 
 from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Severity
+from housefly.messages.obstacles import called
 from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.collision_monitor import ON_THE_WAY, RELAPSE_TIME
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
@@ -159,4 +160,4 @@ class PassingMonitor:
         near = self._navigator.people.separation(
             vehicle.place, (0.0, 0.0), vehicle.now, 0.0, walking=True
         )
-        return near.name or Words("somebody")
+        return called(near.name) or Words("somebody")

@@ -128,6 +128,7 @@ class PreflightRule:
         applies: whether it is looked at at all.
         required: no take-off without it ...
         waived: ... but here, where it is told only.
+        says: what is the matter here, where that says more than ``fault`` and ``value``.
         mend_waived: what to do there, where that differs.
     """
 
@@ -143,6 +144,7 @@ class PreflightRule:
     required: bool = True
     waived: Callable[[PreflightInputs], bool] = lambda _: False
     mend_waived: Words = UNSAID
+    says: Callable[[PreflightInputs], Words] = lambda _: UNSAID
 
     def check(self, inputs: PreflightInputs) -> PreflightCheck:
         """Return what the check finds."""
@@ -150,7 +152,7 @@ class PreflightRule:
         return PreflightCheck(
             code=self.code,
             title=self.title,
-            fault=self.fault,
+            fault=self.says(inputs) or self.fault,
             passed=self.passes(inputs),
             required=self.required and not waived,
             value=self.value(inputs),
@@ -314,10 +316,11 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         Words("nobody and nothing is above or beside it"),
         Words("the way up is not free"),
         lambda i: not i.take_off_fault,
-        lambda i: i.take_off_fault or Words("clear"),
+        lambda i: UNSAID if i.take_off_fault else Words("clear"),
         lambda _: Words("clear"),
         Words("it climbs straight up from where it stands"),
-        Words("clear the pad"),
+        Words("make room around the drone"),
+        says=lambda i: i.take_off_fault,
     ),
     PreflightRule(
         "settings",

@@ -16,6 +16,7 @@ from housefly.config.airframe import Airframe
 from housefly.geometry import Vec2, distance
 from housefly.messages.event_code import EventCode
 from housefly.messages.flight import Event, Phase, Severity
+from housefly.messages.obstacles import called
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.words import Words
 from housefly.numeric import FloatArray
@@ -181,7 +182,7 @@ class SeparationMonitor:
         if is_met and self._comes_within(away, vehicle, place).closest > LIKELY_DISTANCE:
             self._climbs_on = True
             return NOTHING
-        text = Words("{who} comes near: the take-off is given up", who=found.name)
+        text = Words("{who} comes near: the take-off is given up", who=called(found.name))
         state, reason = self._mission.state, EventCode.TAKE_OFF_GIVEN_UP
         return landing_here(state, reason, Severity.WARNING, text, vehicle.now)
 
@@ -301,7 +302,7 @@ class SeparationMonitor:
         away = distance(place, yielding.refuge)
         speed = float(approach_speed(np.array(away), yielding.speed))
         share = speed * LEAD_TIME / max(away, 1e-6)
-        why = Words("{who} comes near: making way", who=yielding.name)
+        why = Words("{who} comes near: making way", who=called(yielding.name))
         hold = (x + share * (gx - x), y + share * (gy - y))
         self._task = self._making_way(hold, yielding.yaw, why, vehicle)
         return Proposal(MissionChange.MAKE_WAY, EventCode.MAKING_WAY, self._task, events=events)
@@ -358,7 +359,7 @@ class SeparationMonitor:
     def _corner(self, vehicle: VehicleStatus, place: Vec2) -> Proposal:
         """Land while there is time, else hold still and say so."""
         assert self._yielding is not None
-        name = self._yielding.name
+        name = called(self._yielding.name)
         still = (0.0, 0.0)
         soon = self._people.separation(place, still, vehicle.now, self._touchdown_time)
         later = self._people.separation(place, still, vehicle.now, self._decision_time)
@@ -383,7 +384,7 @@ class SeparationMonitor:
         self._told_at = vehicle.now
         if vehicle.now - last < QUIET_TIME:
             return ()
-        text = Words("{who} comes near: making way", who=self._yielding.name)
+        text = Words("{who} comes near: making way", who=called(self._yielding.name))
         return (Event(vehicle.now, Severity.INFO, EventCode.MAKING_WAY, text),)
 
     def _post(self, place: Vec2) -> Vec2:

@@ -63,3 +63,15 @@ class WayHome:
 def charge_for(seconds: float, drain: float, limits: LimitsConfig) -> float:
     """Return the charge [1] that a flight of so long and a landing need; drain in 1/s."""
     return limits.battery_floor + RETURN_RESERVE + drain * (seconds + LANDING_TIME)
+
+
+def usable_time(charge: float, seconds: float, limits: LimitsConfig) -> float:
+    """Return for how long a drone may fly before it must turn home [s].
+
+    Args:
+        charge: of the battery, 0 to 1.
+        seconds: expected flight time of the way home [s].
+        limits: of the drone.
+    """
+    drain = 1.0 / limits.flight_time
+    return max(0.0, (charge - charge_for(seconds, drain, limits)) / drain)

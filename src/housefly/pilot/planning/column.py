@@ -9,7 +9,7 @@ from math import cos, pi, sin
 import numpy as np
 
 from housefly.geometry import Vec2
-from housefly.messages.obstacles import Obstacle
+from housefly.messages.obstacles import Obstacle, called, thing_called
 from housefly.messages.words import UNSAID, Words
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.live import gap
@@ -53,13 +53,13 @@ def column_fault(
             spare = people.distances(np.array([place]), at)[0] - hull - min_distances
             who = int(np.argmin(spare))
             if spare[who] < 0.0:
-                return Words("{who} is too close", who=people.names[who])
+                return Words("{who} is too close", who=called(people.names[who]))
     things = [replace(o, bottom=0.0, top=9.0) for o in obstacles if not may_be_person(o)]
     rows, names = obstacle_rows(things, 0.0, 0.0, (0.0, 9.0))
     near = [(gap(row, *place), name) for row, name in zip(rows, names, strict=True)]
     distance, name = min(near, default=(9.0, ""))
     is_close = distance < hull + THING_MARGIN
-    return Words("{thing} stands there", thing=name) if is_close else UNSAID
+    return Words("{who} is too close", who=thing_called(name)) if is_close else UNSAID
 
 
 def spots_around(place: Vec2) -> tuple[Vec2, ...]:

@@ -257,8 +257,7 @@ class PeopleMap:
             return Words("the drone stands in a no-fly area: carry it out")
         if self._static.overhang(place) < self.hull + HULL_MARGIN:
             return Words("something hangs over the drone: carry it to where the air above is free")
-        fault = self.landing_fault(place, now, TAKE_OFF_LEAD) or self._passing_fault(place, now)
-        return Words("{why}: the air around the drone must be free", why=fault) if fault else UNSAID
+        return self.landing_fault(place, now, TAKE_OFF_LEAD) or self._passing_fault(place, now)
 
     def _passing_fault(self, place: Vec2, now: float) -> Words:
         """Return which of the other drones comes near a place [m] soon, in words, or UNSAID."""

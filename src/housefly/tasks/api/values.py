@@ -145,6 +145,7 @@ class TaskRequest:
         deadline: not begun by then [Unix time, s], it expires; None waits for ever.
         owner: id of who asks, filled in by whoever knows them; a name may be anybody's.
         drone: name of the drone that is to fly; "" for whichever is free, ready and nearest.
+        sentence: in which somebody asked, or "".
     """
 
     service: str
@@ -157,6 +158,7 @@ class TaskRequest:
     deadline: float | None = None
     owner: str = ""
     drone: str = ""
+    sentence: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,6 +199,19 @@ class TaskStepStatus:
 
 
 @dataclass(frozen=True, slots=True)
+class TaskLook:
+    """What a task shows people now: what it looks at, and until when.
+
+    Attributes:
+        words: what the drone does, as in "Looking at the entrance".
+        until: when it goes on by itself [Unix time, s]; None where nobody can say.
+    """
+
+    words: Words
+    until: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class PersonQuestion:
     """A question that waits for a person.
 
@@ -234,6 +249,7 @@ class TaskStatus:
         flown: how long it was in the air [s]; None where nobody knows whether it flew.
         recording: folder of the recording of the whole run, for `housefly replay`, or "".
         drone: that flies it, or is wanted for it; "" while that may be any.
+        look: what it shows people now; None while it flies somewhere, or shows nothing.
     """
 
     id: int
@@ -260,6 +276,7 @@ class TaskStatus:
     flown: float | None = None
     recording: str = ""
     drone: str = ""
+    look: TaskLook | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,7 +73,8 @@ def drone_words(inbox: StepInbox, readiness: TakeOffReadiness, now: float) -> Wo
     if inbox.status in AIRBORNE_STATUSES:
         does = said(outputs.phase) if outputs.phase is not Phase.IDLE else Words("flying")
         goal = outputs.goal_name
-        return Words("{asked} {place}", asked=does, place=goal) if goal else does
+        is_named = goal and not goal.startswith("(")  # a point is called by its coordinates
+        return Words("{asked} {place}", asked=does, place=goal) if is_named else does
     if readiness.is_ready:
         return Words("on the ground, ready")
     return Words("on the ground; {why}", why=readiness.words)

@@ -131,4 +131,5 @@ def task_status(
         record.flown if record else 0.0,
         record.recording if record and record.took_off_at is not None else "",
         task.drone or request.drone,
+        run.look if run is not None and is_open else None,
     )

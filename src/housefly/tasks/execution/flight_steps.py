@@ -9,7 +9,7 @@ from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, OrderOutcome, Phase
-from housefly.messages.words import Words
+from housefly.messages.words import UNSAID, Words
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.last_seen import ANYBODY
 from housefly.tasks.execution.order_tracker import ANSWER_TIME
@@ -48,6 +48,7 @@ class FlightStep(StepBehavior):
     def initialise(self) -> None:
         """Begin; called by the tree."""
         self.context.flights += 1
+        self.context.looks = UNSAID
         self._tries = 0
         super().initialise()
 
@@ -188,6 +189,8 @@ class GoTo(FlightStep):
         self._chase()
         if not self.is_accepted() or not self._has_arrived():
             return False
+        if self.FACES and not self.context.looks:
+            self.context.looks = self.look_in_words()
         return not self.FACES or self._faces()
 
     def limit(self) -> float:
@@ -216,6 +219,12 @@ class GoTo(FlightStep):
             return True
         error = wrap_angle(heading_to(inputs.position[:2], self.look_at[:2]) - inputs.yaw)
         return abs(error) < FACING_WITHIN or self.context.time - self._arrived > FACING_TIME
+
+    def look_in_words(self) -> Words:
+        """Return what it does once it is there."""
+        subject = self.text("subject")
+        shown = self._who if subject == ANYBODY else subject
+        return Words("Looking at {goal}", goal=self.context.title_of(shown))
 
     def _chase(self) -> None:
         """Set off anew when the subject moved."""

@@ -59,6 +59,8 @@ class Snapshot(StepBehavior):
 class RecordClip(StepBehavior):
     """Records a clip for a time."""
 
+    TIMED_BY = "time"
+
     def begin(self) -> None:
         """Start the clip."""
         clip = self.context.clip(self.number("before"), self.text("subject"))
@@ -81,6 +83,8 @@ class RecordClip(StepBehavior):
 class WaitFor(StepBehavior):
     """Waits for a time, or until something is so."""
 
+    TIMED_BY = "time"
+
     def begin(self) -> None:
         """Begin to wait."""
         self._asked = -1e9
@@ -101,6 +105,8 @@ class WaitFor(StepBehavior):
 
 class Ask(StepBehavior):
     """Asks people and waits for a reply."""
+
+    TIMED_BY = "wait"
 
     def begin(self) -> None:
         """Ask."""

@@ -11,7 +11,7 @@ from housefly.geometry import Vec2
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, OrderSource, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.messages.words import Words
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.behavior.standing import NEVER_STOOD, StandingHeight
 from housefly.tasks.api.values import ReasonCode, TaskStepState
 from housefly.tasks.document.templates import plain_text
@@ -48,6 +48,7 @@ class RunContext:
         failure: reason and words of the last step that failed.
         round: grows with each resumption; a step that sees a new one gives its order again.
         faced: id of the person whom the drone faces, or "".
+        looks: what the drone shows people now, in words; UNSAID while it shows nothing.
         station: the order that brought the drone to where it hovers; None on the ground.
         has_flown: whether the task ordered anything that flies.
         is_ending: whether it only comes down any more: what landed stays down.
@@ -70,6 +71,7 @@ class RunContext:
     failure: tuple[ReasonCode, Words] = (ReasonCode.STEP_FAILED, _FAILED)
     round: int = 0
     faced: str = ""
+    looks: Words = UNSAID
     station: Order | None = None
     has_flown: bool = False
     is_ending: bool = False

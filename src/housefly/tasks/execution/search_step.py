@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.questions import WhereQuestion
+from housefly.messages.words import Words
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import START_TIME, GoTo
 from housefly.tasks.execution.step_behavior import StepFailed
@@ -66,6 +67,10 @@ class Search(GoTo):
         """Return where to look from."""
         assert self._spot is not None
         return self._spot.view
+
+    def look_in_words(self) -> Words:
+        """Return that it looks for the thing: nobody says that it is there."""
+        return Words("Looking for {thing}", thing=self.context.title_of(self._thing))
 
     def proceed(self) -> bool:
         """Wait until it has arrived; a place without a way is left out."""

@@ -37,6 +37,8 @@ class StepBehavior(Behaviour):
 
     LIMIT = 60.0
     """Longest time of a step whose document does not say [s]."""
+    TIMED_BY = ""
+    """The argument that says after which time it ends by itself [s]; "" where none does."""
 
     def __init__(self, step: TaskStep, context: RunContext) -> None:
         super().__init__(step.name or step.kind.value)
@@ -67,6 +69,11 @@ class StepBehavior(Behaviour):
     def elapsed(self) -> float:
         """Time since the step began, pauses left out [s]."""
         return self.context.time - self.began
+
+    @property
+    def left(self) -> float | None:
+        """Time until it ends by itself [s]; None where nobody can say."""
+        return max(0.0, self.number(self.TIMED_BY) - self.elapsed) if self.TIMED_BY else None
 
     def argument(self, name: str) -> ArgumentValue | None:
         """Return an argument, or its default."""

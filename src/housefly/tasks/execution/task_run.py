@@ -9,11 +9,18 @@ from py_trees.common import Status
 
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
 from housefly.messages.words import UNSAID, Words, joined, literal
-from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState, TaskStepStatus
+from housefly.tasks.api.values import (
+    ReasonCode,
+    TaskLook,
+    TaskStage,
+    TaskStepState,
+    TaskStepStatus,
+)
 from housefly.tasks.document.steps import StepKind, TaskStep
 from housefly.tasks.document.task_document import RETURN_HOME, BoundTask
 from housefly.tasks.execution.run_context import RunContext
 from housefly.tasks.execution.station import way_to_station
+from housefly.tasks.execution.step_behavior import StepBehavior
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.tree import tree_of
 from housefly.tasks.execution.values import PersonReply, Say, TaskAction, TaskInputs
@@ -70,6 +77,18 @@ class TaskRun:
     def steps(self) -> tuple[TaskStepStatus, ...]:
         """How far each step is, in order."""
         return tuple(TaskStepStatus(n.name, n.words, n.state) for n in self._context.notes)
+
+    @property
+    def look(self) -> TaskLook | None:
+        """What it shows people now, and until when; None while it shows nothing."""
+        words, tip = self._context.looks, self._tree.tip()
+        if not words or self.is_over or not self._context.is_airborne:
+            return None
+        left = tip.left if isinstance(tip, StepBehavior) else None
+        if left is None or self.stage is TaskStage.PAUSED:
+            return TaskLook(words)
+        # The clocks differ by a little from tick to tick, and that is no news.
+        return TaskLook(words, float(round(self._context.inputs.unix + left)))
 
     @property
     def is_over(self) -> bool:

@@ -9,6 +9,7 @@ from housefly.config.people import PeopleConfig
 from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.messages import Order, OrderKind
+from housefly.messages.words import Words
 from housefly.room.level_camera import LevelCamera
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import (
@@ -52,6 +53,7 @@ class Sweep(FlightStep):
         first = inputs.yaw if is_whole else inputs.yaw - 0.5 * angle
         self._left = [wrap_angle(first + index * pitch) for index in range(count)]
         self._here: Vec3 = inputs.position
+        self.context.looks = Words("Looking around")
         super().begin()
 
     def order(self) -> Order:
@@ -99,6 +101,8 @@ class Follow(FlightStep):
     told to, and gives up.
     """
 
+    TIMED_BY = "time"
+
     def begin(self) -> None:
         """Set off to where the person is seen from."""
         self._asked = self._seen = self.context.time
@@ -109,6 +113,7 @@ class Follow(FlightStep):
             self._who = nearest_person(self.context, self._origin)
             self.context.faced = self._who
         self._view = self._fresh = self.context.room.viewpoint(self._who, self._origin)
+        self.context.looks = Words("Following {who}", who=self.context.title_of(self._who))
         super().begin()
 
     def order(self) -> Order:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import tzinfo
 
 from housefly.config.house_mode import HouseMode
+from housefly.messages.words import Words
 from housefly.tasks.api.answers import RuleFiring, RuleStatus
 from housefly.tasks.api.values import Confirm, Priority, ReasonCode, RequestSurface, TaskRequest
 from housefly.tasks.rules.mode_table import launch_permit
@@ -131,7 +132,7 @@ class RuleEngine:
             at, words, cause = (last.at, last.words, last.cause) if last else (None, "", "")
             status = RuleStatus(
                 rule.name,
-                rule.words(),
+                rule.about or rule.words(),
                 rule.enabled,
                 at,
                 words,
@@ -202,7 +203,8 @@ class RuleEngine:
             now + rule.deadline if rule.deadline else None,
         )
         asks = permit.confirm is Confirm.ASK
-        words = f"{rule.then.service} asked for{'; a person must say yes' if asks else ''}"
+        # Still true when somebody has said no.
+        words = Words("somebody is asked first") if asks else Words("its task is asked for")
         firing = RuleFiring(rule.name, now, trigger.id, rule.then.service, ReasonCode.OK, words)
         return RuleDecision(firing, request), depth
 

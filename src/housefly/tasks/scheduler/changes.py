@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from housefly.errors import TaskError
-from housefly.messages.words import UNSAID, Words
+from housefly.messages.words import UNSAID, Words, joined
 from housefly.tasks.api.values import (
     ATTENDED,
     ENDED,
@@ -130,7 +130,7 @@ class QueueChanges:
     def asked(self, task: ScheduledTask, now: float, why: Words) -> ScheduledTask:
         """Return the task with the question whether it may begin."""
         began = task.state in (_Q.SUSPENDED, _Q.ASKED_AGAIN)
-        title = task.traits.title
+        title = _goal_of(task)
         words = Words("Start '{title}'? {why}.", title=title, why=why)
         if began:
             words = Words("Go on with '{title}'? {why}.", title=title, why=why)
@@ -215,6 +215,15 @@ _DECISIONS: dict[tuple[QueueState, QueueState], Callable[[int], Decision]] = {
 """What a move asks of the run."""
 _RENEWS = frozenset({TaskSignal.RESTARTED, TaskSignal.RESTARTED_BESIDE, TaskSignal.CANCEL})
 """Signals that ask again where a question is open, or cut short what is done on a cancel."""
+
+
+def _goal_of(task: ScheduledTask) -> str:
+    """Return what would be done: in the words in which it was asked for, or with what it is for."""
+    if task.request.sentence:
+        return task.request.sentence
+    given = task.request.parameters.values()
+    about = next((one for one in given if one and isinstance(one, str)), "")
+    return joined(": ", (task.traits.title, about)) if about else task.traits.title
 
 
 def _joined(task: ScheduledTask, other: ScheduledTask) -> TaskRequest:

@@ -19,10 +19,10 @@ from housefly.tasks.api.values import ATTENDED, ReasonCode, TaskRequest, TaskSta
 from housefly.tasks.engine.drone_state import LandedState
 from housefly.tasks.intents.answer_tasks import words_of_answer
 from housefly.tasks.intents.answering import answer_intent
-from housefly.tasks.intents.intent import Intent, Language
+from housefly.tasks.intents.intent import LANGUAGES, Intent, Language
 from housefly.tasks.intents.intent_reply import IntentReply, Notice, TaskAct
 from housefly.tasks.intents.names import Names, names_of
-from housefly.tasks.intents.not_understood import NotUnderstood
+from housefly.tasks.intents.not_understood import NotUnderstood, Recognition
 from housefly.tasks.intents.phrases import Phrases, phrases
 from housefly.tasks.intents.recognizer import recognize, recognizer
 from housefly.tasks.service.drone_named import drone_named
@@ -31,6 +31,8 @@ _log = logging.getLogger(__name__)
 
 _NAMES_AGE = 5.0
 """Names of the room are asked for again after this [s]."""
+_MAY_BE_ANOTHER = frozenset({ReasonCode.NOT_UNDERSTOOD, ReasonCode.UNKNOWN_THING})
+"""Why a sentence of another language is not understood."""
 _SAFER = frozenset({OrderKind.STOP, OrderKind.LAND})
 """Orders of people who may not fly."""
 _PLACES = {
@@ -108,10 +110,15 @@ class Sentences:
         is_stop = recognizer(sentence.language, own).is_only_stop(sentence.text)
         names = self._names if is_stop else self._names_now()
         meant = recognize(sentence.text, sentence.language, names, own)
+        if isinstance(meant, NotUnderstood) and meant.code in _MAY_BE_ANOTHER:
+            meant = self._in_another_language(meant, names)
         if isinstance(meant, NotUnderstood):
             return SentenceAnswer(
                 False, "", literal(meant.words), suggestions=meant.suggestions, code=meant.code
             )
+        if meant.language != sentence.language:
+            sentence = replace(sentence, language=meant.language)
+            own = self._own_sentences(meant.language)
         reply = answer_intent(meant, names, self._room, self._wall(), own)
         if reply.offer is not None and not self._has_drone:
             reply = replace(reply, words=reply.without_offer, offer=None)
@@ -160,6 +167,23 @@ class Sentences:
             words = words_of_answer(meant, found, self._names, self._wall(), self._own)
             return replace(answer, words=literal(words))
         return answer
+
+    def _in_another_language(self, meant: NotUnderstood, names: Names) -> Recognition:
+        """Return what a sentence means in another language than that of the page, if anything.
+
+        Whoever reads a page in one language may speak another: they are answered in that.
+        """
+        for language in LANGUAGES:
+            if language == meant.language:
+                continue
+            own = self._own_sentences(language)
+            found = recognize(meant.sentence, language, names, own)
+            if isinstance(found, Intent):
+                return found
+            is_nearer = found.code is ReasonCode.UNKNOWN_THING and not meant.suggestions
+            if is_nearer and meant.code is ReasonCode.NOT_UNDERSTOOD:
+                meant = found
+        return meant
 
     def _own_sentences(self, language: Language) -> Path | None:
         """Return the folder of one's own sentences, None when a file there is wrong.
@@ -241,4 +265,5 @@ def _of(request: TaskRequest, sentence: Sentence) -> TaskRequest:
         confirm=sentence.confirm,
         owner=sentence.owner,
         drone=sentence.drone,
+        sentence=sentence.text,
     )

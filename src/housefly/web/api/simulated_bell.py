@@ -74,7 +74,7 @@ class SimulatedBell:
                 for rule in self._rules().rules:
                     is_new = rule.last_at is not None and rule.last_at >= press.at
                     if is_new and rule.last_cause.startswith(_EVENT):
-                        return f"rule {rule.name}: {rule.last_words}"
+                        return rule.last_words
             except HouseflyError:
                 trouble = _SILENT
             time.sleep(_REACTION_PERIOD)
@@ -97,5 +97,5 @@ class SimulatedBell:
         except HouseflyError:
             return _SILENT
         assert isinstance(answer, FiringsAnswer)
-        told = [f"rule {firing.rule}: {firing.words}" for firing in answer.firings]
+        told = [firing.words for firing in answer.firings]
         return "; ".join(told) or f"no rule of the house waits for the webhook {BELL_WEBHOOK}"

@@ -88,8 +88,9 @@ class StateMessage:
 
     Attributes:
         heard_at: when the server received the step [s].
-        battery, battery_return: charge, and the share that the flight home would cost, 0 to 1.
-        flight_s: flight time that the charge allows [s].
+        battery, battery_return: charge, and the share above the floor that the way home and the
+            landing need, 0 to 1.
+        flight_s: for how long it may fly before it must turn home [s].
         faults, notes: the drone's complaints, and what is not as it should be with its settings or
             sensors.
         height: the drone's own height sensor [m].

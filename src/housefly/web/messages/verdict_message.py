@@ -94,6 +94,7 @@ class ConsoleVerdict:
         stop: the STOP that holds.
         pilot, control: number and name of who has control; None and "" for nobody.
         has_drone: whether there is a drone at all.
+        is_showing: whether the camera is held on something for people: its picture counts now.
     """
 
     at: float
@@ -118,4 +119,5 @@ class ConsoleVerdict:
     pilot: int | None
     control: str
     has_drone: bool = True
+    is_showing: bool = False
     type: Literal["verdict"] = "verdict"

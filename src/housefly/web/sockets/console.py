@@ -17,6 +17,7 @@ from housefly.errors import MissingPartError
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import Order, OrderKind, Severity
 from housefly.messages.words import UNSAID, Words, figure, literal
+from housefly.tasks.api.values import TaskStage
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.refusal_log import RefusalLog
 from housefly.web.access.roles import Role, role_for_message, role_objection
@@ -60,7 +61,7 @@ from housefly.web.messages.server_messages import (
 from housefly.web.messages.verdict_message import ConsoleVerdict
 from housefly.web.status.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.status.console_memory import ConsoleMemory, KeptConsole, KeptControl
-from housefly.web.status.goal_words import subject_of_task
+from housefly.web.status.goal_words import subject_of_task, task_of_drone
 from housefly.web.status.order_objections import order_objection_now
 from housefly.web.status.state_feed import StateFeed
 from housefly.web.status.stop_latch import StopLatch
@@ -181,8 +182,13 @@ class Console:
 
     def _knowledge(self) -> ConsoleKnowledge:
         """Return what is known now, but for the STOP that holds."""
+        now, task = self._clock.now(), None
+        told = self.tasks.message() if self.tasks is not None else None
+        board = told.board if told is not None and told.running else None
+        if board is not None:
+            task = task_of_drone(board, self.feed.drone.name)
         return ConsoleKnowledge(
-            now=self._clock.now(),
+            now=now,
             step=self.feed.step,
             step_age=self.feed.age,
             link=link.link if (link := self.feed.link()) else None,
@@ -190,17 +196,14 @@ class Console:
             room=self.room,
             pilot=self.control.holder,
             control=self.control.holder_name,
-            task_subject=self._task_subject(),
+            task_subject=subject_of_task(task, self.room.places) if self.room else "",
+            task_look=task.look if task is not None else None,
+            task_is_paused=task is not None and task.state is TaskStage.PAUSED,
+            unix=board.at + now - told.heard_at if board is not None and told is not None else 0.0,
             hand_motion=self.feed.hand_motion,
             told_last=self.feed.last_status,
             has_drone=self.feed.drone.enabled,
         )
-
-    def _task_subject(self) -> str:
-        told = self.tasks.message() if self.tasks is not None else None
-        if told is None or not told.running or self.room is None:
-            return ""
-        return subject_of_task(told.board, self.room.places)
 
     def check_sessions(self) -> None:
         """Close the sockets of sessions that are over; free control of who may no longer fly."""

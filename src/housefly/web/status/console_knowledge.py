@@ -7,10 +7,19 @@ from math import dist, inf
 
 from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
-from housefly.messages import DroneStatus, Estimate, LinkStatus, PilotStep, SafetyMode, Telemetry
+from housefly.messages import (
+    DroneStatus,
+    Estimate,
+    LinkStatus,
+    Phase,
+    PilotStep,
+    SafetyMode,
+    Telemetry,
+)
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.messages.words import Number, Words, figure
 from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX
+from housefly.tasks.api.values import TaskLook
 from housefly.web.messages.verdict_message import Standing, StopView
 from housefly.web.status.last_status import TELEMETRY_AGE_MAX, LastStatus
 
@@ -18,6 +27,8 @@ PILOT_TIMEOUT = 2.0
 """A pilot that was not heard for longer may have ended [s]."""
 _POSE_AGE_MAX = 0.5
 """An older place is not shown as the present [s]."""
+_AT_TASK = (Phase.HOLDING, Phase.OUTBOUND)
+"""What the pilot does while a task looks; who turns or follows flies."""
 _LOW = 0.3
 """Nothing gets under, or caught in, what is lower than this [m]."""
 
@@ -34,7 +45,10 @@ class ConsoleKnowledge:
         room: what it flies in.
         stop: the STOP that holds.
         pilot, control: number and name of who has control.
-        task_subject: what the task that flies looks at, as people call it, or "".
+        task_subject: what the task that flies is about, as people call it, or "".
+        task_look: what that task shows people now, or None.
+        task_is_paused: whether it waits for a person to let it go on.
+        unix: the moment ``now`` as Unix time [s].
         hand_motion: who moves the drone by hand, "" without a name; None while nobody does.
         told_last: what the drone said last, also through a pilot before this one.
         has_drone: whether there is a drone at all.
@@ -50,6 +64,9 @@ class ConsoleKnowledge:
     pilot: int | None = None
     control: str = ""
     task_subject: str = ""
+    task_look: TaskLook | None = None
+    task_is_paused: bool = False
+    unix: float = 0.0
     hand_motion: str | None = None
     told_last: LastStatus = field(default_factory=LastStatus)
     has_drone: bool = True
@@ -103,6 +120,14 @@ class ConsoleKnowledge:
     def may_be_airborne(self) -> bool:
         """Whether one must reckon with a drone in the air."""
         return self.drone.may_be_airborne if self.airborne is None else self.airborne
+
+    @property
+    def is_showing(self) -> bool:
+        """Whether the drone holds its camera on something for people, and is not hurried on."""
+        if self.step is None or not self.airborne:
+            return False
+        phase = self.step.outputs.phase
+        return phase is Phase.LOOKING or (phase in _AT_TASK and self.task_look is not None)
 
     @property
     def is_cut(self) -> bool:

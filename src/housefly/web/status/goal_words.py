@@ -10,11 +10,12 @@ from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PlaceView
 from housefly.messages.words import Words
 from housefly.tasks.api.answers import TaskBoard
-from housefly.tasks.api.values import TaskStage
+from housefly.tasks.api.values import TaskStage, TaskStatus
 
 UNNAMED_GOAL = Words("the chosen point")
 _POINT = re.compile(r"\((-?\d+\.\d), (-?\d+\.\d)\)")
 """How the pilot calls a goal that is no place."""
+_HAS_DRONE = (TaskStage.RUNNING, TaskStage.PAUSED)
 _SAME = 0.4
 """A point this near to where a place is looked at from is that place [m]."""
 
@@ -34,13 +35,25 @@ def goal_words(name: str, places: Sequence[PlaceView], task: str = "") -> str:
     return task or UNNAMED_GOAL
 
 
-def subject_of_task(board: TaskBoard | None, places: Sequence[PlaceView]) -> str:
-    """Return what the task that flies is about: a place or thing that it was asked for, or it."""
-    tasks = board.tasks if board is not None else ()
-    running = next((task for task in tasks if task.state is TaskStage.RUNNING), None)
-    if running is None:
+def task_of_drone(board: TaskBoard | None, drone: str = "") -> TaskStatus | None:
+    """Return the task that has a drone now, also while it is paused; "" for any drone.
+
+    What only asks and remembers runs beside it: the first that flew counts.
+    """
+    has_drone = [
+        task
+        for task in (board.tasks if board is not None else ())
+        if task.state in _HAS_DRONE and (not drone or task.drone in ("", drone))
+    ]
+    flown = (task for task in has_drone if task.took_off_at is not None)
+    return next(flown, has_drone[0] if has_drone else None)
+
+
+def subject_of_task(task: TaskStatus | None, places: Sequence[PlaceView]) -> str:
+    """Return what a task is about: a place or thing that it was asked for, or its title."""
+    if task is None:
         return ""
     titles = {place.name: place.title for place in places}
-    words = [value for value in running.parameters.values() if isinstance(value, str) and value]
+    words = [value for value in task.parameters.values() if isinstance(value, str) and value]
     named = next((titles[value] for value in words if value in titles), "")
-    return named or (words[0] if words else f"“{running.title}”")
+    return named or (words[0] if words else f"“{task.title}”")

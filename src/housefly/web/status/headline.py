@@ -82,6 +82,8 @@ _DOING: dict[Phase, Callable[[str], Words]] = {
     Phase.LANDING: lambda _: Words("it was landing"),
 }
 
+_PAUSED = Words("waits until you press Go on")
+
 _HELD_BACK: dict[SafetyMode, Words] = {
     SafetyMode.HOLD: Words("HOLDING FOR SAFETY"),
     SafetyMode.RETURN: Words("Coming home for safety"),
@@ -128,12 +130,13 @@ def _on_the_ground(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]
 def _in_flight(known: ConsoleKnowledge) -> Headline:
     assert known.step is not None
     out, goal = known.step.outputs, goal_title(known)
+    at_task = _at_task(known)
     slowly = out.reason if out.safety in (SafetyMode.SLOW, SafetyMode.WARN) else UNSAID
     line = {
         Phase.TAKING_OFF: Headline(HeadlineShape.MOVING, Words("Taking off")),
-        Phase.OUTBOUND: Headline(
-            HeadlineShape.MOVING, Words("Flying to {goal}", goal=goal), _left(known)
-        ),
+        Phase.OUTBOUND: at_task
+        or Headline(HeadlineShape.MOVING, Words("Flying to {goal}", goal=goal), _left(known)),
+        Phase.HOLDING: at_task or _at_rest(known),
         Phase.LOOKING: Headline(
             HeadlineShape.HOLDING,
             Words("Looking at {goal}", goal=goal),
@@ -145,6 +148,22 @@ def _in_flight(known: ConsoleKnowledge) -> Headline:
     if not known.is_seen:
         return Headline(HeadlineShape.WARNING, line.text, last_seen(known))
     return Headline(line.shape, line.text, slowly) if slowly else line
+
+
+def _at_task(known: ConsoleKnowledge) -> Headline | None:
+    """Return what the task that has the drone does where it looks, or waits for a person."""
+    look = known.task_look
+    if known.hand_motion is not None:
+        return None
+    if known.task_is_paused:
+        detail = joined("; ", (look.words, _PAUSED) if look else (_PAUSED,))
+        return Headline(HeadlineShape.HOLDING, Words("Paused"), detail)
+    if look is None:
+        return None
+    left = UNSAID
+    if look.until is not None:
+        left = Words("{n} s left", n=figure(max(0.0, look.until - known.unix), ".0f"))
+    return Headline(HeadlineShape.HOLDING, look.words, left)
 
 
 def _at_rest(known: ConsoleKnowledge) -> Headline:

@@ -14,6 +14,7 @@ from housefly.clock import Clock
 from housefly.config.airframe import Airframe
 from housefly.config.drone import DroneConfig
 from housefly.config.furniture import FurnitureConfig
+from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages import (
     LinkStatus,
@@ -27,6 +28,7 @@ from housefly.messages import (
     TrajectoryPoint,
 )
 from housefly.messages.words import Words
+from housefly.pilot.behavior.way_home import charge_for, usable_time
 from housefly.room.tracked import footprint_of
 from housefly.web.flights.flight_log_writer import FlightListener
 from housefly.web.messages.server_messages import (
@@ -68,6 +70,7 @@ class StateFeed:
         keep_event: is told each line of the event log; must return at once.
         flights: hears each step, and keeps the flights.
         drone: the drone, or that there is none.
+        limits: of the drone.
     """
 
     clock: Clock
@@ -76,6 +79,7 @@ class StateFeed:
     keep_event: Callable[[EventView], None] = lambda event: None
     flights: FlightListener | None = None
     drone: DroneConfig = field(default_factory=DroneConfig)
+    limits: LimitsConfig = field(default_factory=LimitsConfig)
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _step: PilotStep | None = None
     _heard_at: float = 0.0
@@ -196,9 +200,14 @@ class StateFeed:
         with self._lock:
             if self._step is None:
                 return None
-            airframe = self.drone.airframe
             told = _state(
-                self._step, self._heard_at, home_s, self._path_number, self._bodies(), airframe
+                self._step,
+                self._heard_at,
+                home_s,
+                self._path_number,
+                self._bodies(),
+                self.drone.airframe,
+                self.limits,
             )
             link = self._link.link if self._link else None
             return replace(told, height_std=link.height_std if link else None)
@@ -291,17 +300,17 @@ def _state(
     path: int,
     others: tuple[OtherBody, ...],
     airframe: Airframe,
+    limits: LimitsConfig,
 ) -> StateMessage:
     telemetry, out = step.inputs.telemetry, step.outputs
-    endurance = airframe.battery.endurance
     estimate = out.estimate
     return StateMessage(
         sequence=step.sequence,
         heard_at=heard_at,
         status=telemetry.status if telemetry else None,
         battery=telemetry.battery if telemetry else None,
-        battery_return=home_s / endurance,
-        flight_s=telemetry.battery * endurance if telemetry else None,
+        battery_return=charge_for(home_s, 1.0 / limits.flight_time, limits) - limits.battery_floor,
+        flight_s=usable_time(telemetry.battery, home_s, limits) if telemetry else None,
         telemetry_age=step.now - telemetry.received_at if telemetry else None,
         faults=tuple(fault.value for fault in telemetry.faults) if telemetry else (),
         notes=telemetry.notes if telemetry else (),

@@ -48,6 +48,7 @@ def console_verdict(known: ConsoleKnowledge) -> ConsoleVerdict:
         stop=known.stop,
         pilot=known.pilot,
         control=known.control,
+        is_showing=known.is_showing,
     )
 
 

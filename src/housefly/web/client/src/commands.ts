@@ -150,6 +150,7 @@ export function givesControl(): void {
   gave = true;
 }
 
+const holder = computed(() => verdict.value?.control);
 verdict.subscribe((told) => {
   if (!told || me.peek() === 0) return;
   const mine = told.pilot === me.peek();
@@ -157,7 +158,7 @@ verdict.subscribe((told) => {
     const words = told.control
       ? t("You lost control; {who} has it now", { who: told.control })
       : t("This page was silent and lost control; nobody has it: take it again");
-    refuse(words, document.querySelector(".who [aria-expanded]"));
+    refuse(words, document.querySelector(".who [aria-expanded]"), holder);
   }
   if (mine) gave = false;
   if (had === mine) return;

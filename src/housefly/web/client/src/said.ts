@@ -40,14 +40,23 @@ export function hint(words: string, anchor: Element | null): void {
 
 /** Say for a while, as long as it holds, why a button did nothing. */
 export function explain(objection: ReadonlySignal<string>, anchor: Element | null): void {
-  const words = objection.peek();
-  show(words, anchor, false);
-  forget = objection.subscribe((now) => now !== words && setTimeout(unsay));
+  show(objection.peek(), anchor, false);
+  whileSame(objection);
 }
 
-/** Say why something was refused, or what was lost, until somebody has read it. */
-export function refuse(words: string, anchor: Element | null): void {
+/** Say why something was refused, or what was lost, until it is read; or as long as it holds. */
+export function refuse(
+  words: string,
+  anchor: Element | null,
+  holds?: ReadonlySignal<unknown>,
+): void {
   show(sentence(words), anchor, true);
+  if (holds) whileSame(holds);
+}
+
+function whileSame(holds: ReadonlySignal<unknown>): void {
+  const then = holds.peek();
+  forget = holds.subscribe((now) => now !== then && setTimeout(unsay));
 }
 
 let asked: { order: OrderKind; at: number; anchor: Element | null } | null = null;

@@ -4,6 +4,7 @@ import type { Key } from "../messages/en";
 import { nameOf, things, type Seen } from "./store";
 import { language, t, translated } from "../messages/language";
 import { capital } from "../format";
+import { causeOf } from "../tasks/words";
 
 const NOW = 2;
 const UNITS: [number, Key][] = [
@@ -35,7 +36,7 @@ export function kindOf(thing: Seen): string {
 export function happened(event: EventAnswer): string {
   const words = capital(translated(event.words));
   const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
-  const by = event.cause ? ` ${t("by {name}", { name: nameOf(event.cause) })}` : "";
+  const by = event.cause ? ` ${t("by {name}", { name: causeOf(nameOf(event.cause)) })}` : "";
   const said =
     event.source !== event.thing && things.value.has(event.source)
       ? ` (${nameOf(event.source)})`

@@ -43,6 +43,7 @@ const texts: Speech["texts"] = {
   "More orders": "Weitere Befehle",
   "Orders": "Befehle",
   "Close": "Schließen",
+  "Try again": "Noch einmal",
   "{label}: hold {n} s": "{label}: {n} s halten",
   "Hold it for {n} s: a tap does nothing.": "{n} s lang halten: Antippen bewirkt nichts.",
   "Hold Enter.": "Eingabetaste halten.",
@@ -338,8 +339,6 @@ const texts: Speech["texts"] = {
   "Somebody may have fallen": "Vielleicht ist jemand gestürzt",
   "Who walks there may close the way for a moment: ask again when it is free.":
     "Wer dort geht, versperrt vielleicht kurz den Weg: noch einmal bitten, wenn er frei ist.",
-  "yes": "ja",
-  "no": "nein",
   "What was": "Was war",
   "History": "Verlauf",
   "Clips": "Clips",

@@ -43,6 +43,7 @@ const texts: Speech["texts"] = {
   "More orders": "その他の操作",
   "Orders": "操作",
   "Close": "閉じる",
+  "Try again": "もう一度",
   "{label}: hold {n} s": "{label}：{n}秒長押し",
   "Hold it for {n} s: a tap does nothing.": "{n}秒間長押ししてください。軽く触れるだけでは動きません。",
   "Hold Enter.": "Enterキーを長押ししてください。",
@@ -321,8 +322,6 @@ const texts: Speech["texts"] = {
   "Somebody may have fallen": "誰か倒れたかもしれません",
   "Who walks there may close the way for a moment: ask again when it is free.":
     "人が通って一時的にふさがっているかもしれません。空いたらもう一度頼んでください。",
-  "yes": "はい",
-  "no": "いいえ",
   "What was": "これまで",
   "History": "履歴",
   "Clips": "動画",

@@ -8,22 +8,22 @@ import { running } from "../tasks/board";
 import { services, request } from "../tasks/tasks-client";
 import type { PlaceView } from "../wire/messages";
 import type { WhereAnswer } from "../wire/room-messages";
-import { language, t, type Language } from "../messages/language";
+import { t } from "../messages/language";
 
-const GO: Record<Language, RegExp> = {
-  en: /^(?:go|fly|look)\s+(?:to|at)?\s*(?:the\s+)?(.+?)[.!?]*$/i,
-  ja: /^(.+?)(?:へ|に|まで|を)(?:行って|飛んで|見て|行く|飛ぶ|見る).*$/,
-  de: /^(?:flieg|fliege|geh|gehe|schau)\s+(?:zu[mr]?|nach|an|auf)?\s*(.+?)[.!?]*$/i,
-};
-const WHERE: Record<Language, RegExp> = {
-  en: /^where(?:\s+is|\s+are|'s)?\s+(.+?)[.?!]*$/i,
-  ja: /^(.+?)(?:は|って)(?:どこ).*$/,
-  de: /^wo(?:\s+ist|\s+sind)?\s+(?:de[rn]|die|das)?\s*(.+?)[.?!]*$/i,
-};
+const GO = [
+  /^(?:go|fly|look)\s+(?:to|at)?\s*(?:the\s+)?(.+?)[.!?]*$/i,
+  /^(.+?)(?:へ|に|まで|を)(?:行って|飛んで|見て|行く|飛ぶ|見る).*$/,
+  /^(?:flieg|fliege|geh|gehe|schau)\s+(?:zu[mr]?|nach|an|auf)?\s*(.+?)[.!?]*$/i,
+];
+const WHERE = [
+  /^where(?:\s+is|\s+are|'s)?\s+(.+?)[.?!]*$/i,
+  /^(.+?)(?:は|って)(?:どこ).*$/,
+  /^wo(?:\s+ist|\s+sind)?\s+(?:de[rn]|die|das)?\s*(.+?)[.?!]*$/i,
+];
 
-/** What a pattern of the page's language or of English finds: people mix them. */
-const part = (patterns: Record<Language, RegExp>, words: string): string | undefined =>
-  (patterns[language.value].exec(words) ?? patterns.en.exec(words))?.[1];
+/** What a pattern of any language finds: people mix them. */
+const part = (patterns: RegExp[], words: string): string | undefined =>
+  patterns.map((one) => one.exec(words)?.[1]).find((found) => found);
 
 const same = (one: string, other: string): boolean => one.toLowerCase() === other.toLowerCase();
 

@@ -1,7 +1,7 @@
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { sentence } from "../format";
 import type { Key } from "../messages/en";
-import { running } from "../tasks/board";
+import { board, running } from "../tasks/board";
 import { clipAddress, takePhoto } from "../tasks/tasks-client";
 import { picture } from "../wire/video";
 import type { ClipInfo } from "../wire/task-messages";
@@ -14,6 +14,9 @@ type Photo = { clip: ClipInfo } | { trouble: string };
 
 const photo = signal<Photo | null>(null);
 const busy = signal(false);
+
+// Why nothing was kept is of the mode that was.
+computed(() => board.value?.mode).subscribe(() => (photo.value = null));
 
 /** Keep the picture that is on the screen now, not the one that comes while this is sent. */
 async function snap(): Promise<void> {

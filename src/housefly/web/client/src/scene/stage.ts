@@ -1,7 +1,7 @@
 // The picture takes the stage by itself while the drone looks and at a bell, and gives it back. An
 // answer that lay over the map would lie over a face, and is of before.
 import { computed, effect } from "@preact/signals";
-import { lineLives, link, state, swapped } from "../store";
+import { lineLives, link, swapped, verdict } from "../store";
 import { unask } from "./asked-words";
 import { bellRings } from "./bell";
 
@@ -9,7 +9,7 @@ const looks = computed(
   () =>
     lineLives.value &&
     link.value?.link.video_connected === true &&
-    (state.value?.phase === "looking" || bellRings.value),
+    (verdict.value?.is_showing === true || bellRings.value),
 );
 
 let before: boolean | null = null;

@@ -1,7 +1,7 @@
 // A sentence that was asked, and its answer: the same on the live scene and among the tasks.
 import { computed, effect, signal } from "@preact/signals";
 import { createHold } from "../hold";
-import { running, unixNow } from "./board";
+import { board, running, unixNow } from "./board";
 import { request, say } from "./tasks-client";
 import type { SentenceAnswer } from "../wire/task-messages";
 import { t } from "../messages/language";
@@ -39,10 +39,15 @@ export function forget(): void {
   trouble.value = "";
 }
 
-// An answer is of the moment when it came, and is put away after a while; an offer waits.
+// An answer is of the moment when it came, and is put away after a while, or as soon as its task
+// goes on; an offer waits.
 effect(() => {
+  const { task, offer } = answer.value ?? {};
+  const now = board.value;
   const isOld = unixNow.value - answeredAt.value > SHOWN;
-  if (answer.value && !answer.value.offer && isOld) forget();
+  const same = now?.tasks.find((one) => one.id === task?.id)?.state === task?.state;
+  const goesOn = now && now.at > answeredAt.value && !same;
+  if (answer.value && !offer && (isOld || goesOn)) forget();
 });
 
 const HOLD = 0.6;

@@ -109,7 +109,6 @@ function Chain({ task }: { task: TaskStatus }) {
       <dt>{t("Decision")}</dt>
       <dd>
         {task.rehearsal ? rehearsed(task.rehearsal) : t("It was not rehearsed.")}
-        {task.code !== "ok" && <span class="quiet"> ({task.code})</span>}
       </dd>
       <dt>{t("Flight")}</dt>
       <dd>

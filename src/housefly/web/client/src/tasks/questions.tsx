@@ -6,10 +6,11 @@ import { createHold } from "../hold";
 import { bellAsks, bellRings } from "../scene/bell";
 import { BellCard } from "../scene/bell-card";
 import { Told } from "../messages/told";
+import { refuse } from "../said";
 import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
-import { reply } from "./tasks-client";
-import type { RehearsalReport } from "../wire/task-messages";
+import { reply, request } from "./tasks-client";
+import type { RehearsalReport, TaskStatus } from "../wire/task-messages";
 import { proposal, rehearsed, why, withAdvice } from "./words";
 import { t, translated } from "../messages/language";
 
@@ -25,6 +26,15 @@ const trouble = signal({ task: 0, words: "" });
 /** Ends of tasks that were read. */
 const read = signal<ReadonlySet<number>>(new Set());
 const free = computed(() => "");
+
+const close = (task: TaskStatus): void => void (read.value = new Set([...read.value, task.id]));
+
+/** Ask for the same; the question whether it may fly comes before the flight. */
+const again = (task: TaskStatus): Promise<void> =>
+  request(task.service, task.parameters, "ask").then(
+    () => close(task),
+    (error: Error) => refuse(translated(error.message), null),
+  );
 
 /** What waits for a person, and what went wrong, as cards: on every screen, clear of STOP. */
 export function Questions({ over }: { over: boolean }) {
@@ -51,7 +61,10 @@ export function Questions({ over }: { over: boolean }) {
             </strong>{" "}
             <Told words={withAdvice(task.words || task.state, task.code)} />
           </span>
-          <button type="button" onClick={() => (read.value = new Set([...read.value, task.id]))}>
+          <button type="button" onClick={() => void again(task)}>
+            {t("Try again")}
+          </button>
+          <button type="button" onClick={() => close(task)}>
             {t("Close")}
           </button>
         </p>

@@ -45,8 +45,11 @@ export const change = (
   what: "cancel" | "pause" | "continue",
 ): Promise<TasksAnswer> => post(`/tasks/${task}/${what}`);
 
-export const request = (service: string, parameters: Parameters): Promise<TasksAnswer> =>
-  post("/tasks", { service, parameters });
+export const request = (
+  service: string,
+  parameters: Parameters,
+  confirm: "auto" | "ask" = "auto",
+): Promise<TasksAnswer> => post("/tasks", { service, parameters, confirm });
 
 export const rehearse = (service: string, parameters: Parameters): Promise<RehearsalAnswer> =>
   post("/tasks/rehearse", { service, parameters });

@@ -1,7 +1,8 @@
 // Tasks as people say them.
 import { sentence } from "../format";
 import type { Key } from "../messages/en";
-import { localNumber } from "../messages/numbers";
+import { nameOf } from "../live/store";
+import { room } from "../store";
 import type { RehearsalReport, Said, TaskStage, TaskStatus } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
@@ -74,16 +75,11 @@ export const MARKS: Record<Outcome, string> = {
   ended: "–",
 };
 
-/** What a task was asked with, in one line. */
+/** The place, thing or person that a task is about, or "": documents name that first. */
 export function details(task: TaskStatus): string {
-  return Object.entries(task.parameters)
-    .map(([name, value]) => `${translated(name)} ${shown(value)}`)
-    .join(", ");
-}
-
-function shown(value: string | number | boolean): string {
-  if (typeof value === "boolean") return value ? t("yes") : t("no");
-  return typeof value === "number" ? localNumber(String(Math.round(100 * value) / 100)) : value;
+  const about = Object.values(task.parameters).find((one) => one && typeof one === "string");
+  const place = room.value?.places.find((one) => one.name === about);
+  return place?.title ?? nameOf(`${about ?? ""}`);
 }
 
 const CLOSED = "Who walks there may close the way for a moment: ask again when it is free.";

@@ -326,6 +326,7 @@ export interface ConsoleVerdict {
   pilot: number | null;
   control: string;
   has_drone: boolean;
+  is_showing: boolean;
   type: "verdict";
 }
 
@@ -434,6 +435,11 @@ export interface RehearsalReport {
   shortest: number | null;
 }
 
+export interface TaskLook {
+  words: Said;
+  until: number | null;
+}
+
 export interface TaskStatus {
   id: number;
   service: string;
@@ -459,6 +465,7 @@ export interface TaskStatus {
   flown: number | null;
   recording: string;
   drone: string;
+  look: TaskLook | null;
 }
 
 export interface TaskBoard {

@@ -94,6 +94,11 @@ export interface RehearsalReport {
   shortest: number | null;
 }
 
+export interface TaskLook {
+  words: Said;
+  until: number | null;
+}
+
 export interface TaskStatus {
   id: number;
   service: string;
@@ -119,6 +124,7 @@ export interface TaskStatus {
   flown: number | null;
   recording: string;
   drone: string;
+  look: TaskLook | null;
 }
 
 export interface TasksAnswer {
@@ -176,6 +182,7 @@ export interface TaskRequest {
   deadline: number | null;
   owner: string;
   drone: string;
+  sentence: string;
 }
 
 export interface SentenceAnswer {

@@ -480,4 +480,5 @@ export const DE_TOLD: Templates = {
   "{why}, {more}": "{why}, {more}",
   "{why}: {more}": "{why}: {more}",
   "{why}; {more}": "{why}; {more}",
+  "the simulated room": "der simulierte Raum",
 };

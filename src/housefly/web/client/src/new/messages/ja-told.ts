@@ -397,4 +397,5 @@ export const JA_TOLD: Templates = {
   "{why}, {more}": "{why}、{more}",
   "{why}: {more}": "{why}：{more}",
   "{why}; {more}": "{why}。{more}",
+  "the simulated room": "シミュレーションの部屋",
 };
