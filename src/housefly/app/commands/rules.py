@@ -166,7 +166,8 @@ def _change_line(change: RuleChange) -> str:
 
 
 def _firing_line(firing: RuleFiring, now: float) -> str:
-    return f"{clock_time(firing.at, now)}  {firing.rule}: {firing.service}: {firing.words}  [{firing.cause}]"
+    at = clock_time(firing.at, now)
+    return f"{at}  {firing.rule}: {firing.service}: {firing.words}  [{firing.cause}]"
 
 
 RULES_COMMANDS = CommandGroup(

@@ -1,1 +1,1 @@
-import"./chunk-chunk-N5YCGKXN.js";
+import"./chunk-chunk-4YHW4KX3.js";

@@ -2,6 +2,7 @@
 import { computed } from "@preact/signals";
 import { nameOf, situations, things, trouble } from "./live/store";
 import { isWorry, worthSaying } from "./live/words";
+import { capital, sentence } from "./format";
 import { contact, lineLives, silence, verdict } from "./store";
 import type { HeadlineShape } from "./wire/messages";
 import { t, translated } from "./messages/language";
@@ -44,9 +45,11 @@ export const headline = computed<Headline>(() => {
 function household(): string {
   if (things.value.size === 0 || trouble.value) return "";
   const worry = worthSaying(situations.value).find((one) => isWorry(one.kind));
-  return worry
-    ? `${nameOf(worry.thing)}: ${translated(worry.words)}`
-    : t("Everything is quiet.");
+  if (!worry) return t("Everything is quiet.");
+  const [name, words] = [nameOf(worry.thing), translated(worry.words)];
+  return words.toLowerCase().includes(name.toLowerCase())
+    ? sentence(words)
+    : `${capital(name)}: ${words}`;
 }
 
 /** What must be read before anything else on the screen, or "". */

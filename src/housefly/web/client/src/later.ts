@@ -1,6 +1,7 @@
 // What the first paint does not need, in one file: fetched soon after it, or when it is opened.
 export { Invite } from "./device/invite";
 export { Feed } from "./feed/feed";
+export { AfterCard } from "./scene/after-card";
 export { Bubble } from "./hints/bubbles";
 export { EditScreen } from "./live/edit-screen";
 export { CurveLayer, SpeedLegend } from "./map/curve";

@@ -1,5 +1,4 @@
 import { computed, signal } from "@preact/signals";
-import type { ComponentChildren } from "preact";
 import { at, events as roomEvents, hubNow, only, things } from "../live/store";
 import { askEvents } from "../live/room-client";
 import { happened } from "../live/words";
@@ -68,7 +67,7 @@ const shown = computed(() =>
 );
 
 /** What happened to drone and room, newest first; every line arrives, whatever the line is like. */
-export function Log({ children }: { children?: ComponentChildren }) {
+export function Log() {
   if (replaying.value) return <RecordedLog />;
   return (
     <section class="card log" aria-label={t("Event log")}>
@@ -86,7 +85,6 @@ export function Log({ children }: { children?: ComponentChildren }) {
           ))}
         </select>
         {filter.value === "room" && <OnlyOf />}
-        {children}
       </div>
       <ol tabIndex={0} data-scrolls>
         {shown.value.map((one) => (

@@ -1,14 +1,21 @@
 import { signal } from "@preact/signals";
+import { lazyPart } from "../lazy-part";
 import { Sensors } from "../live/sensors";
 import { Battery } from "../panels/battery";
 import { Log } from "../panels/log";
 import { Readings } from "../panels/readings";
+import { replaying } from "../replay/replay";
 import { hasDrone, lineLives, panel, verdict } from "../store";
 import { sentence } from "../format";
 import { Told } from "../messages/told";
 import { t, translated } from "../messages/language";
 
+/** As many as fill the side of a large screen. */
+const LINES = 12;
+
 const details = signal(false);
+const Feed = lazyPart(async () => (await import("../later")).Feed);
+const AfterCard = lazyPart(async () => (await import("../later")).AfterCard);
 
 /** What happened, beside the scene; battery, figures and the raw log behind Details. */
 export function Side() {
@@ -28,11 +35,16 @@ export function Side() {
             </>
           )}
           <Sensors />
+          <Log />
         </section>
+      ) : replaying.value ? (
+        <Log />
       ) : (
-        <Log>
+        <section class="card lately" tabIndex={0} aria-label={t("What happened")} data-scrolls>
+          <AfterCard />
+          <Feed limit={LINES} />
           <Turn />
-        </Log>
+        </section>
       )}
       <button type="button" class="shut" onClick={() => (panel.value = "")}>
         {t("Close")}
@@ -41,11 +53,11 @@ export function Side() {
   );
 }
 
-/** From the log to the engineer's figures, and back. */
+/** From what happened to the engineer's figures, and back. */
 function Turn() {
   return (
     <button type="button" class="turn" onClick={() => (details.value = !details.value)}>
-      {details.value ? t("Log") : t("Details")}
+      {details.value ? t("Close") : t("Details")}
     </button>
   );
 }

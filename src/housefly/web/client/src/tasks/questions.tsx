@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { HoldButton } from "../controls/hold-button";
-import { capital, minutes, sentence } from "../format";
+import { capital, minutes, percent, sentence } from "../format";
 import { createHold } from "../hold";
 import { bellAsks, bellRings } from "../scene/bell";
 import { BellCard } from "../scene/bell-card";
@@ -10,7 +10,7 @@ import { refuse } from "../said";
 import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
 import { reply, request } from "./tasks-client";
-import type { RehearsalReport, TaskStatus } from "../wire/task-messages";
+import type { TaskStatus } from "../wire/task-messages";
 import { proposal, rehearsed, why, withAdvice } from "./words";
 import { t, translated } from "../messages/language";
 
@@ -30,7 +30,7 @@ const free = computed(() => "");
 const close = (task: TaskStatus): void => void (read.value = new Set([...read.value, task.id]));
 
 /** Ask for the same; the question whether it may fly comes before the flight. */
-const again = (task: TaskStatus): Promise<void> =>
+export const again = (task: TaskStatus): Promise<void> =>
   request(task.service, task.parameters, "ask").then(
     () => close(task),
     (error: Error) => refuse(translated(error.message), null),
@@ -86,9 +86,11 @@ function Card({ one: { task, question } }: { one: Asked }) {
       <p class="words" role="alert">
         <Told words={caused ? proposal(task) : sentence(translated(question.words))} />
       </p>
-      <p class="quiet">
-        {caused ? sentence(why(task)) : `${translated(task.title)} · ${why(task)}`}
-      </p>
+      {!caused && (
+        <p class="quiet">
+          {translated(task.title)} · {why(task)}
+        </p>
+      )}
       <div class="choices">
         {question.choices.map((choice, k) => (
           <Choice
@@ -105,15 +107,23 @@ function Card({ one: { task, question } }: { one: Asked }) {
           />
         ))}
       </div>
-      {question.id === CONFIRMATION && <Rehearsal report={task.rehearsal} />}
-      {left !== null && (
-        <p class="quiet">
-          {t("Without an answer it counts as “{choice}” in {time}.", {
-            choice: translated(question.otherwise),
-            time: minutes(left),
-          })}
-        </p>
-      )}
+      <details class="quiet">
+        <summary>{question.id === CONFIRMATION ? <InShort task={task} /> : t("Details")}</summary>
+        {caused && <p>{sentence(why(task))}</p>}
+        {task.rehearsal?.may_fly && (
+          <p>
+            <Told words={rehearsed(task.rehearsal)} />
+          </p>
+        )}
+        {left !== null && (
+          <p>
+            {t("Without an answer it counts as “{choice}” in {time}.", {
+              choice: translated(question.otherwise),
+              time: minutes(left),
+            })}
+          </p>
+        )}
+      </details>
       {trouble.value.task === task.id && (
         <p role="alert">△ {sentence(translated(trouble.value.words))}</p>
       )}
@@ -121,12 +131,22 @@ function Card({ one: { task, question } }: { one: Asked }) {
   );
 }
 
-/** Below the answers: it comes late, and a button that is pressed must not move. */
-function Rehearsal({ report }: { report: RehearsalReport | null }) {
+/** What the rehearsal found, below the answers: it comes late, and no pressed button may move. */
+function InShort({ task: { rehearsal } }: { task: TaskStatus }) {
+  const { may_fly, duration, charge } = rehearsal ?? {};
   return (
-    <p class="rehearsal" data-may={report?.may_fly}>
-      {report === null ? t("Rehearsing …") : <Told words={rehearsed(report)} />}
-    </p>
+    <span class="rehearsal" data-may={may_fly}>
+      {!rehearsal ? (
+        t("Rehearsing …")
+      ) : may_fly && duration != null && charge != null ? (
+        t("About {time}, up to {p} of the charge", {
+          time: minutes(duration),
+          p: percent(charge),
+        })
+      ) : (
+        <Told words={rehearsed(rehearsal)} />
+      )}
+    </span>
   );
 }
 
