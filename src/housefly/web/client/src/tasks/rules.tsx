@@ -80,6 +80,7 @@ function Rule({ rule }: { rule: RuleStatus }) {
     const left = on.includes(mode) ? on.filter((one) => one !== mode) : [...on, mode];
     if (left.length) change(name, { mode: left });
   };
+  const names = rule.parameters.map((one) => one.default).filter((one) => isNaN(Number(one)));
   // What was refused is shown as it is, not as somebody wanted it.
   const key = refusedOf(name);
   return (
@@ -103,7 +104,7 @@ function Rule({ rule }: { rule: RuleStatus }) {
       <Trouble rule={name} />
       <details>
         <summary class="quiet">
-          {modes.map((mode) => t(`${mode}^mode`)).join(", ")} · <Today rule={name} />
+          {[...modes.map((mode) => t(`${mode}^mode`)), ...names].join(", ")} · <Today rule={name} />
         </summary>
         <fieldset key={key} class="filters" disabled={mayNot}>
           <select
