@@ -27,6 +27,7 @@ from housefly.web.access.roles import (
     ROLE_OF_MESSAGE,
     ROLE_OF_ORDER,
     ROLE_OF_PATH,
+    ROLE_OF_RULE_CHANGE,
     ROLE_OF_TASK_CHANGE,
     Role,
 )
@@ -206,7 +207,8 @@ async def test_no_message_no_order_and_no_path_is_without_a_role() -> None:
     assert reading == (set(ROLE_OF_PATH) - {"/stop"}) | set(ROLE_OF_FOLDER)
     of_a_task = {f"/api/v1/tasks/{{task}}/{change}" for change in ROLE_OF_TASK_CHANGE}
     of_a_clip = {f"/api/v1/clips/{{clip}}/{change}" for change in ROLE_OF_CLIP_CHANGE}
-    assert changing == set(ROLE_OF_CHANGE) | of_a_task | of_a_clip | {KEY_ONLY}
+    of_a_rule = {f"/api/v1/rules/{{rule}}/{change}" for change in ROLE_OF_RULE_CHANGE}
+    assert changing == set(ROLE_OF_CHANGE) | of_a_task | of_a_clip | of_a_rule | {KEY_ONLY}
 
 
 def every_route(routes: Any, prefix: str = "") -> list[tuple[str, Any]]:

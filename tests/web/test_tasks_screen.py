@@ -28,6 +28,7 @@ from housefly.hub.api.questions import FeedQuestion
 from housefly.messages.words import Words, literal
 from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
 from housefly.tasks.api.values import Confirm, ReasonCode, TaskStage
+from housefly.web.access.page_routes import STATIC_FOLDER
 from housefly.web.api.simulated_bell import BellView, SimulatedBell
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
@@ -343,6 +344,8 @@ def happened(question: FeedQuestion) -> FeedAnswer:
 async def test_what_happened_lately_is_told_by_person_and_task_with_pictures(
     page: Page, house: House
 ) -> None:
+    house.book.file(CLIP).write_bytes((STATIC_FOLDER / "icon-192.png").read_bytes())
+
     def answer(text: str) -> str:
         question = question_from_json(text)
         if not isinstance(question, FeedQuestion):
@@ -372,10 +375,13 @@ async def test_a_rule_is_a_sentence_that_is_switched_and_set_and_taken_back(
 ) -> None:
     await page.get_by_role("tab", name="Rules").click()
     rule = page.get_by_role("listitem", name="When the bell rings")
-    await expect(rule).to_contain_text("Look at a place or a thing")
+    await expect(rule).to_contain_text(
+        "When the bell rings ask me, then look at a place or a thing"
+    )
     await expect(rule).to_contain_text("today: 00:00")
     await rule.get_by_role("switch").click()
     await until(lambda: not house.tasks.rule.enabled)
+    await rule.locator("summary").click()
     await rule.get_by_role("combobox", name="When the bell rings").select_option("at once")
     await until(lambda: house.tasks.rule.confirm is Confirm.AUTO)
     await rule.get_by_role("button", name="night").click()

@@ -24,7 +24,7 @@ from housefly.messages.words import UNSAID, Words, joined, literal
 
 GAP = 600.0
 """What happens to somebody or something after a pause of this [s] is told anew."""
-_STEPS_MAX = 4
+_STEPS_MAX: dict[FeedTopic, int] = {"people": 4, "things": 2, "drone": 4, "tasks": 1}
 _PICTURES_MAX = 4
 _CLIPS = ("clip kept", "snapshot kept")
 _FLIGHT_BEGINS, _FLIGHT_ENDS = "flight started", "flight ended"
@@ -53,6 +53,7 @@ class _Group:
     at: float
     steps: list[Words] = field(default_factory=list)
     otherwise: Words = UNSAID
+    warning: Words = UNSAID
     pictures: list[str] = field(default_factory=list)
     alarms: bool = False
     of_task: bool = False
@@ -64,11 +65,9 @@ class _Group:
 
     def words(self) -> Words:
         """Return what happened, in order; of a long way the end."""
-        steps = self.steps[-_STEPS_MAX:]
+        steps = self.steps[-_STEPS_MAX[self.of] :]
         if self.of == "drone":
-            return joined(", ", steps)
-        if self.of == "tasks":
-            return steps[-1] if steps else self.otherwise
+            return joined(", ", [*steps, *([self.warning] if self.warning else [])])
         return then(steps) or self.otherwise
 
     def entry(self) -> FeedEntry:
@@ -145,6 +144,9 @@ class _Groups:
             self._open.pop(("drone", event.thing), None)
         group = self._group("drone", event, event.thing)
         group.alarms |= warns
+        if warns:
+            # The last one: what went before it led to it.
+            group.warning = event.words
         if event.kind == _FLIGHT_BEGINS:
             group.of_task = event.cause.startswith(_OF_TASK)
             group.otherwise = Words("in the air")
@@ -153,8 +155,8 @@ class _Groups:
             if group.otherwise in group.steps:
                 group.steps.remove(group.otherwise)
                 group.add(flown(event.at - group.began_at))
-        else:
-            group.add(literal(goal) if goal else event.words)
+        elif goal:
+            group.add(literal(goal))
 
     def _told(self, event: EventAnswer) -> None:
         """Add what tasks and house tell."""
@@ -178,7 +180,9 @@ class _Groups:
     def _task(self, event: EventAnswer, key: str) -> None:
         title = event.facts.get("title") or event.facts.get("service", "")
         group = self._group("tasks", event, key, literal(str(title)), gap=float("inf"))
-        group.add(task_step(event))
+        # That it waits for a yes goes without saying beside who asked for it.
+        if not (event.kind == "person asked" and len(group.steps) == 1):
+            group.add(task_step(event))
         group.alarms |= event.facts.get("outcome") == "failed"
 
     def _picture(self, event: EventAnswer, clip: str) -> None:

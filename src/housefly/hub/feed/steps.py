@@ -42,7 +42,6 @@ _THING: dict[str, Words] = {
     "bell pressed": Words("rang"),
     "motion seen": Words("saw motion"),
 }
-_MOVES = {SituationKind.OBJECT_TAKEN: "from", SituationKind.OBJECT_PUT: "into"}
 _NOT_TOLD = frozenset({"memory started"})
 _ARTICLE = re.compile(r"^the ", re.IGNORECASE)
 
@@ -75,18 +74,15 @@ def person_step(event: EventAnswer, spot: Callable[[float, float], str]) -> Word
 
 
 def thing_step(event: EventAnswer, name: Callable[[str], str]) -> Words:
-    """Return what happened to a thing; UNSAID for what is only for the log."""
+    """Return where a thing is now, or what happened to it; UNSAID for what only the log tells."""
     if event.kind in _NOT_TOLD:
         return UNSAID
-    if event.kind not in _MOVES:
-        return _THING.get(event.kind) or event.words
-    place = str(event.facts.get(_MOVES[SituationKind(event.kind)], ""))
-    where = bare(name(place)) if place else ""
     if event.kind == SituationKind.OBJECT_TAKEN:
-        moved = Words("taken from: {place}", place=where) if where else Words("taken")
-    else:
-        moved = Words("put into: {place}", place=where) if where else Words("put down")
-    return Words("{what} ({who})", what=moved, who=name(event.cause)) if event.cause else moved
+        return Words("with {who}", who=name(event.cause)) if event.cause else Words("taken")
+    if event.kind == SituationKind.OBJECT_PUT:
+        place = str(event.facts.get("into", ""))
+        return literal(bare(name(place))) if place else Words("put down")
+    return _THING.get(event.kind) or event.words
 
 
 def task_step(event: EventAnswer) -> Words:
@@ -100,5 +96,6 @@ def task_step(event: EventAnswer) -> Words:
 
 
 def bare(name: str) -> str:
-    """Return a name without its article, as it stands in a list of places."""
-    return _ARTICLE.sub("", name)
+    """Return a name as it stands in a list of places: "the Kitchen" is "kitchen", "TV" stays."""
+    name = _ARTICLE.sub("", name)
+    return name[:1].lower() + name[1:] if name[1:2].islower() else name

@@ -10,7 +10,7 @@ import { MODES } from "./mode";
 import { learnNames } from "./names";
 import { changeRule, dryRun, rules as askRules, type Parameters } from "./tasks-client";
 import type { RuleFiring, RulesAnswer, RuleStatus } from "../wire/task-messages";
-import { t, translated } from "../messages/language";
+import { language, t, translated } from "../messages/language";
 
 const CONFIRMS = {
   ask: "ask me, then",
@@ -53,8 +53,7 @@ export function Rules() {
           rule.when === "" ? (
             <li key={rule.name}>△ {sentence(rule.words)}</li>
           ) : (
-            // What was refused is shown as it is, not as somebody wanted it.
-            <Rule key={`${rule.name} ${refusedOf(rule.name)}`} rule={rule} />
+            <Rule key={rule.name} rule={rule} />
           ),
         )}
       </ul>
@@ -71,7 +70,7 @@ function Trouble({ rule }: { rule: string }) {
   return <p role="status">{words && `△ ${sentence(words)}`}</p>;
 }
 
-/** "When the bell rings, ask me, then see who is at the door": with what may be set in it. */
+/** "When the bell rings, ask me, then look who is at the door": with what may be set in it. */
 function Rule({ rule }: { rule: RuleStatus }) {
   const { name, modes } = rule;
   const when = translated(rule.when);
@@ -81,13 +80,20 @@ function Rule({ rule }: { rule: RuleStatus }) {
     const left = on.includes(mode) ? on.filter((one) => one !== mode) : [...on, mode];
     if (left.length) change(name, { mode: left });
   };
+  const names = rule.parameters.map((one) => one.default).filter((one) => isNaN(Number(one)));
+  // What was refused is shown as it is, not as somebody wanted it.
+  const key = refusedOf(name);
   return (
     <li data-on={rule.enabled} aria-label={when}>
       <label class="switch">
-        <strong>
-          <Told words={when} />
-        </strong>
+        <span>
+          <strong>
+            <Told words={when} />
+          </strong>{" "}
+          {t(CONFIRMS[rule.confirm])} <Told words={inSentence(translated(rule.title))} />
+        </span>
         <input
+          key={key}
           type="checkbox"
           role="switch"
           checked={rule.enabled}
@@ -95,34 +101,34 @@ function Rule({ rule }: { rule: RuleStatus }) {
           onChange={(event) => change(name, { enabled: event.currentTarget.checked })}
         />
       </label>
-      <div class="row">
-        <select
-          aria-label={when}
-          disabled={mayNot}
-          onChange={(event) => change(name, { confirm: event.currentTarget.value })}
-        >
-          {(Object.keys(CONFIRMS) as (keyof typeof CONFIRMS)[]).map((one) => (
-            <option key={one} value={one} selected={rule.confirm === one}>
-              {t(CONFIRMS[one])}
-            </option>
-          ))}
-        </select>
-        <Told words={translated(rule.title)} />
-      </div>
-      <fieldset class="chips" disabled={mayNot} aria-label={t("Mode of the house")}>
-        {MODES.map((mode) => (
-          <button
-            type="button"
-            key={mode}
-            aria-pressed={on.includes(mode)}
-            onClick={() => toggle(mode)}
+      <Trouble rule={name} />
+      <details>
+        <summary class="quiet">
+          {[...modes.map((mode) => t(`${mode}^mode`)), ...names].join(", ")} · <Today rule={name} />
+        </summary>
+        <fieldset key={key} class="filters" disabled={mayNot}>
+          <select
+            aria-label={when}
+            onChange={(event) => change(name, { confirm: event.currentTarget.value })}
           >
-            {t(`${mode}^mode`)}
-          </button>
-        ))}
-      </fieldset>
-      {rule.parameters.length > 0 && (
-        <fieldset class="filters" disabled={mayNot}>
+            {(Object.keys(CONFIRMS) as (keyof typeof CONFIRMS)[]).map((one) => (
+              <option key={one} value={one} selected={rule.confirm === one}>
+                {t(CONFIRMS[one])}
+              </option>
+            ))}
+          </select>
+          <div class="chips" role="group" aria-label={t("Mode of the house")}>
+            {MODES.map((mode) => (
+              <button
+                type="button"
+                key={mode}
+                aria-pressed={on.includes(mode)}
+                onClick={() => toggle(mode)}
+              >
+                {t(`${mode}^mode`)}
+              </button>
+            ))}
+          </div>
           {rule.parameters.map((one) => (
             <Field
               key={`${one.name} ${one.default}`}
@@ -132,24 +138,20 @@ function Rule({ rule }: { rule: RuleStatus }) {
               done={() => change(name, { parameters: fresh.value })}
             />
           ))}
+          {rule.changed_by && (
+            <button type="button" onClick={() => change(name, { as_written: true })}>
+              {t("As written, not as {who} changed it", { who: rule.changed_by })}
+            </button>
+          )}
         </fieldset>
-      )}
-      <Trouble rule={name} />
-      <p class="quiet">
-        <Today rule={name} />{" "}
-        {rule.changed_by && (
-          <button
-            type="button"
-            disabled={mayNot}
-            onClick={() => change(name, { as_written: true })}
-          >
-            {t("As written, not as {who} changed it", { who: rule.changed_by })}
-          </button>
-        )}
-      </p>
+      </details>
     </li>
   );
 }
+
+/** A title within a sentence; in English it begins small there. */
+const inSentence = (title: string): string =>
+  language.value === "en" ? title.charAt(0).toLowerCase() + title.slice(1) : title;
 
 /** When it would have asked for its service today. */
 function Today({ rule }: { rule: string }) {
