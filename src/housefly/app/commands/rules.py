@@ -139,7 +139,8 @@ def _rule_line(rule: Rule) -> str:
 
 
 def _firing_line(firing: RuleFiring, now: float) -> str:
-    return f"{clock_time(firing.at, now)}  {firing.rule}: {firing.service}: {firing.words}  [{firing.cause}]"
+    what = f"{firing.rule}: {firing.service}: {firing.words}"
+    return f"{clock_time(firing.at, now)}  {what}  [{firing.cause}]"
 
 
 RULES_COMMANDS = CommandGroup(

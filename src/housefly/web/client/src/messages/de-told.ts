@@ -1035,4 +1035,6 @@ export const DE_TOLD: Templates = {
     "{name} ist von keinem Ort zu sehen, wo die Drohne schweben darf: etwas steht dazwischen",
   "{who} is in the way": "{who} ist im Weg",
   "nobody knows where {name} is": "niemand weiß, wo {name} ist",
+  "this room has no place called {place}: make one in the room editor":
+    "in diesem Raum heißt kein Ort {place}: im Raumeditor einen anlegen",
 };

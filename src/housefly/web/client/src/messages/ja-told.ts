@@ -960,4 +960,6 @@ export const JA_TOLD: Templates = {
     "ホバリングできるどの場所からも{name}が見えません：間に何かあります",
   "{who} is in the way": "{who}が道にいます",
   "nobody knows where {name} is": "{name}の場所は分かりません",
+  "this room has no place called {place}: make one in the room editor":
+    "この部屋に {place} という場所はありません。部屋の編集で作ってください",
 };
