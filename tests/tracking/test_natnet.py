@@ -253,7 +253,8 @@ async def test_the_client_comes_back_when_the_server_does(loopback: str, bench: 
         await bench.until(lambda: "nobody answers" in tracker.problem)
         assert (
             tracker.problem
-            == f"nobody answers at {loopback}:1510; is the simulated room running, and does it stream?"
+            == f"nobody answers at {loopback}:1510; is the simulated room running, and does it"
+            " stream?"
         )
         for _ in range(2):
             frames.clear()

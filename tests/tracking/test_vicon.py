@@ -67,7 +67,8 @@ async def test_the_client_comes_back_when_the_server_does(loopback: str) -> None
         await until(lambda: "nobody answers" in tracker.problem)
         assert (
             tracker.problem
-            == f"nobody answers at {loopback}:8010; is the simulated room running, and does it stream?"
+            == f"nobody answers at {loopback}:8010; is the simulated room running, and does it"
+            " stream?"
         )
         for _ in range(2):
             frames.clear()

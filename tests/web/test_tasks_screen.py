@@ -257,7 +257,7 @@ async def test_a_service_asks_for_what_it_needs_and_is_rehearsed_before_the_yes(
     await hold(page, start)
     await until(lambda: 1 in house.tasks.tasks)
     assert house.tasks.tasks[1].parameters == rehearsed.parameters
-    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("what refrigerator")
+    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("refrigerator")
 
 
 async def test_a_task_is_followed_paused_continued_and_ended(

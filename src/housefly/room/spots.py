@@ -15,7 +15,14 @@ from housefly.room.model import Place, Room
 from housefly.room.reach import Mask, flood
 from housefly.room.ros_image import RosMap
 
-_PLACE_NAMES = ("far", "north", "south", "east", "west")
+_PLACE_TITLES = {
+    "far": "Far end",
+    "north": "North side",
+    "south": "South side",
+    "east": "East side",
+    "west": "West side",
+}
+"""What people call the places that are chosen where nobody has named any."""
 _PLACE_SPACING = 1.5
 """Places are at least this far apart [m]."""
 LOOK_DISTANCE = 2.0
@@ -125,13 +132,13 @@ def places_around(grid: OccupancyGrid, home: Vec2) -> tuple[Place, ...]:
     wishes = (np.hypot(x - home[0], y - home[1]), y, -y, x, -x)
     places: list[Place] = []
     taken = [home]
-    for name, wish in zip(_PLACE_NAMES, wishes, strict=True):
+    for name, wish in zip(_PLACE_TITLES, wishes, strict=True):
         apart = np.min([np.hypot(x - u, y - v) for u, v in taken], axis=0) >= _PLACE_SPACING
         if apart.any():
             best = int(np.where(apart, wish + room_there, -np.inf).argmax())
             spot = _rounded((float(x[best]), float(y[best])))
             taken.append(spot)
-            places.append(Place(name, spot, _outward(spot, home), name.capitalize()))
+            places.append(Place(name, spot, _outward(spot, home), _PLACE_TITLES[name]))
     return tuple(places)
 
 

@@ -180,10 +180,10 @@ def test_every_reason_has_words_in_each_language(language: Language) -> None:
     ("said", "page", "language"),
     [
         ("wo ist der Kühlschrank?", "en", "de"),
-        ("冷蔵庫はどこ？", "en", "ja"),
+        ("冷蔵庫はどこ", "en", "ja"),
         ("where is the refrigerator?", "ja", "en"),
         ("where is the refrigerator?", "de", "en"),
-        ("冷蔵庫はどこ？", "de", "ja"),
+        ("冷蔵庫はどこ", "de", "ja"),
     ],
 )
 def test_who_speaks_another_language_than_the_page_is_answered_in_theirs(
@@ -209,3 +209,14 @@ def test_the_question_before_a_flight_is_in_the_words_in_which_it_was_asked_for(
     assert words == "Fly 'have a look at the refrigerator'? Asked for by Anna."
     plain = stage.ask(RequestTask("look", {"subject": "tv"}, by="Anna", confirm=Confirm.ASK))
     assert "Look at a place or a thing: tv" in plain.tasks[0].question.words
+
+
+def test_a_place_that_the_room_has_not_is_told_at_once_and_nobody_is_asked(
+    stage: TaskStage,
+) -> None:
+    with pytest.raises(TaskError, match="no place called 'cellar'") as refused:
+        stage.ask(RequestTask("visitor", {"door": "cellar"}, confirm=Confirm.ASK))
+    assert refused.value.code == ReasonCode.UNKNOWN_PLACE.value
+    board = stage.ask(BoardQuestion())
+    assert not board.tasks and not board.ended
+    assert stage.ask(RequestTask("visitor", {"door": "entrance"}, confirm=Confirm.ASK)).tasks

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from contextlib import AsyncExitStack
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from housefly.bus.topics import HUB_QUERY
+from housefly.hub.api.answers import EventAnswer, EventsAnswer
+from housefly.hub.api.json import answer_to_json
 from housefly.messages import Severity
 from housefly.web.messages.server_messages import EventView
 from housefly.web.status.console_memory import ConsoleMemory, KeptControl, KnownTab
@@ -82,6 +86,9 @@ async def test_after_a_restart_control_waits_for_its_holder_and_the_log_is_there
             await confirmed(anna)
     async with serving(loopback, port, memory=ConsoleMemory(tmp_path)) as served:
         served.proofs.update(proofs)
+        why = {"severity": "warning", "words": "landed: the battery is empty"}
+        landed = EventAnswer("battery low", "ardrone", time.time(), "pilot", "", 1.0, why)
+        served.bus.answer(HUB_QUERY, lambda _: answer_to_json(EventsAnswer((landed,))))
         async with AsyncExitStack() as stack:
             ben = await stack.enter_async_context(served.talk(cookie, "a-watchers-tab", "Ben"))
             welcome = await ben.hear("welcome")
@@ -89,6 +96,9 @@ async def test_after_a_restart_control_waits_for_its_holder_and_the_log_is_there
             texts = [one["text"] for one in welcome["events"]]
             restarted = next(n for n, text in enumerate(texts) if "started again" in text)
             assert "something happened" in texts[:restarted]
+            missed = ""
+            while "the battery is empty" not in missed:
+                missed = str(texts) + str(await ben.hear("events"))
             await ben.hear("verdict", pilot=1, control="Anna")
             await ben.say(type="order", id=2, order="take_off")
             assert "Anna has control" in (await ben.hear("refused", id=2))["reason"]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
 
 from housefly.config.validation import refusal_words
 from housefly.errors import ConfigError, HouseflyError
-from housefly.messages.words import Words, figure, literal
+from housefly.messages.words import Words, figure, literal, percentage
 from housefly.room.distance import clearance_field, footprints
 from housefly.room.draft.alignment import fit_doubts, rigid_fit
 from housefly.room.draft.model import SiteDraft
@@ -18,12 +18,15 @@ from housefly.room.draft.shapes import room_of_draft
 from housefly.room.draft.site_of_draft import site_of_draft, tracking_config
 from housefly.room.draft.suggestions import PAD_CLEARANCE, suggested_pad
 from housefly.room.edits import blocked_words, reached_from
-from housefly.room.grid import OccupancyGrid, build_grid
+from housefly.room.grid import OccupancyGrid, build_grid, inflation
 from housefly.room.home_pad import HOME_PAD_RADIUS
 from housefly.room.model import Room
+from housefly.room.reach import Mask
 
 _CORRECT = Words("correct that value")
 _AGAIN = Words("take the points again")
+CUT_OFF_MAX = 0.05
+"""More of the free floor behind what no way leads around is told, as a share."""
 
 
 class DraftStep(Enum):
@@ -168,6 +171,7 @@ def _of_places(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Mi
     if not grid.is_free(grid.cell_of(room.home)):
         return
     reached = reached_from(grid, room.home)
+    yield from _of_cut_off_floor(draft, grid, reached)
     for place in others:
         cell = grid.cell_of((place.x, place.y))
         if grid.contains(cell) and reached[cell]:
@@ -183,6 +187,22 @@ def _of_places(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Mi
                 why=why,
             ),
             Words("move it, or leave it out"),
+        )
+
+
+def _of_cut_off_floor(draft: SiteDraft, grid: OccupancyGrid, reached: Mask) -> Iterator[Missing]:
+    """Yield that furniture cuts off a part of the floor; walls are meant to."""
+    if not draft.furniture:
+        return
+    site, bare = site_of_draft(draft, simulated=True), room_of_draft(replace(draft, furniture=()))
+    was_free = reached_from(build_grid(bare, site), bare.home) & (grid.clearance >= inflation(site))
+    cut_off = 1.0 - (was_free & reached).sum() / max(1, int(was_free.sum()))
+    if cut_off > CUT_OFF_MAX:
+        yield Missing(
+            DraftStep.OBJECTS,
+            Words("{p} % of the free floor cannot be reached from the pad", p=percentage(cut_off)),
+            Words("move what stands in between, or leave it: the drone does not fly there"),
+            hinders=False,
         )
 
 

@@ -18,6 +18,10 @@ _WALL: Colour = (0.86, 0.83, 0.77, 1.0)
 _UNEXPLORED: Colour = (0.60, 0.63, 0.66, 1.0)
 _FURNITURE: Colour = (0.72, 0.53, 0.34, 1.0)
 _MIN_EXTENT = 0.01
+ENTRANCE = "entrance"
+"""The place where who rings is looked at; the services that are shipped know it by this name."""
+VISITOR_DISTANCE, VISITOR_SPACE = 1.5, 0.4
+"""Who rings stands so far before where the drone looks from, and so far from door and walls [m]."""
 
 
 def shell_of_draft(draft: SiteDraft) -> Room:
@@ -47,16 +51,29 @@ def room_of_draft(draft: SiteDraft) -> Room:
     shell = shell_of_draft(draft)
     x_min, y_min, x_max, y_max = shell.bounds
     home = draft.pad or ((x_min + x_max) / 2, (y_min + y_max) / 2)
-    return replace(
+    places = tuple(_place(place, home, draft) for place in draft.places if place.name != "home")
+    room = replace(
         shell,
         solids=(*shell.solids, *home_pad(home)),
-        places=(
-            Place("home", home, _away(home, home, draft), "Home"),
-            *(_place(place, home, draft) for place in draft.places if place.name != "home"),
-        ),
+        places=(Place("home", home, _away(home, home, draft), "Home"), *places),
         home=home,
         home_yaw=draft.pad_yaw,
     )
+    entrance = next((place for place in places if place.name == ENTRANCE), None)
+    return _with_visitor(room, entrance) if entrance is not None else room
+
+
+def _with_visitor(room: Room, entrance: Place) -> Room:
+    """Return a room where who rings stands before the door, inside, and faces the drone."""
+    (x, y), (u, v) = entrance.viewpoint, entrance.look_at[:2]
+    away = max(1e-6, hypot(u - x, v - y))
+    share = max(0.0, min(VISITOR_DISTANCE, away - VISITOR_SPACE)) / away
+    x_min, y_min, x_max, y_max = room.bounds
+    place = (
+        round(min(max(x + share * (u - x), x_min + VISITOR_SPACE), x_max - VISITOR_SPACE), 3),
+        round(min(max(y + share * (v - y), y_min + VISITOR_SPACE), y_max - VISITOR_SPACE), 3),
+    )
+    return replace(room, visitor=place, visitor_yaw=round(atan2(y - v, x - u), 3))
 
 
 def _place(place: DraftPlace, home: Vec2, draft: SiteDraft) -> Place:

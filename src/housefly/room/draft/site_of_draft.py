@@ -9,6 +9,7 @@ from housefly.config.tracking import BRIDGED, TrackingConfig
 from housefly.config.validation import validated
 from housefly.room.draft.alignment import RigidFit, rigid_fit
 from housefly.room.draft.model import DraftDrone, DraftPlace, DraftTracking, SiteDraft
+from housefly.room.draft.place_names import entrance_place, named_by_furniture
 from housefly.room.draft.shapes import room_of_draft
 from housefly.room.draft.suggestions import clearance_profile
 from housefly.room.grid import build_grid
@@ -100,12 +101,17 @@ def tracking_config(tracking: DraftTracking) -> TrackingConfig:
 
 
 def suggested_places(draft: SiteDraft) -> tuple[DraftPlace, ...]:
-    """Return roomy places that can be reached from the pad: a far one, and one to each side."""
+    """Return roomy places that can be reached from the pad, with names that people would give.
+
+    One before the door where the draft has one, a far one and one to each side: each looks at the
+    furniture that is nearest, and is called by it.
+    """
     room = room_of_draft(draft)
     grid = build_grid(room, site_of_draft(draft, simulated=True))
     if not grid.is_free(grid.cell_of(room.home)):
         return ()
-    return tuple(
+    around = [
         DraftPlace(place.name, *place.viewpoint, place.title)
         for place in places_around(grid, room.home)
-    )
+    ]
+    return (*entrance_place(draft, grid, room.home), *named_by_furniture(around, draft))

@@ -7,9 +7,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from threading import RLock
 
-from housefly.errors import HouseflyError, TaskError
+from housefly.errors import HouseflyError, TaskError, ThingError
+from housefly.hub.api.questions import WhereQuestion
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import RoomEvent
+from housefly.messages.words import Words, error_words
 from housefly.tasks.api.values import (
     ParameterValue,
     ReasonCode,
@@ -20,6 +22,7 @@ from housefly.tasks.api.values import (
 )
 from housefly.tasks.document.library import bind
 from housefly.tasks.document.open_library import OpenLibrary
+from housefly.tasks.document.parameters import ParameterType
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.engine.task_drones import TaskDrones
 from housefly.tasks.engine.task_engine import TaskEngine
@@ -78,7 +81,8 @@ class TaskDesk:
         """Queue a task.
 
         Raises:
-            TaskError: UNKNOWN_SERVICE, BAD_PARAMETER, MODE, or why the queue refuses it.
+            TaskError: UNKNOWN_SERVICE, BAD_PARAMETER, UNKNOWN_PLACE, MODE, or why the queue refuses
+                it.
         """
         self._drones.check(request.drone)
         task = self.bound(request.service, request.parameters)
@@ -93,12 +97,31 @@ class TaskDesk:
         )
         if not permit.is_given:
             raise TaskError(permit.words, permit.code.value)
+        self._check_places(request, task)
         asked = replace(request, parameters=dict(task.parameters), confirm=permit.confirm)
         with self.lock:
             status = self._engine.request(asked, task, self._wall())
         if status.state is TaskStage.REFUSED:
             raise TaskError(status.words, status.code.value)
         return status
+
+    def _check_places(self, request: TaskRequest, task: BoundTask) -> None:
+        """Raise TaskError for a place that this room has not: nobody is asked about such a task."""
+        room = self._drones.or_first(request.drone).room
+        for parameter in self._library.document(request.service).parameters:
+            place = task.parameters.get(parameter.name)
+            if parameter.type is not ParameterType.PLACE or not isinstance(place, str) or not place:
+                continue
+            try:
+                room.ask(WhereQuestion(place))
+            except ThingError as error:
+                words = Words(
+                    "this room has no place called {place}: make one in the room editor",
+                    place=repr(place),
+                )
+                raise TaskError(words, ReasonCode.UNKNOWN_PLACE.value) from error
+            except HouseflyError as error:
+                _log.debug("nobody knows whether there is a place %r: %s", place, error)
 
     def heard(self, trigger: Trigger) -> tuple[RuleDecision, ...]:
         """Let the rules hear of a trigger, and do what they decide; return that."""
@@ -146,7 +169,7 @@ class TaskDesk:
         try:
             self.request(decision.request)
         except TaskError as error:
-            firing = replace(decision.firing, code=ReasonCode(error.code), words=str(error))
+            firing = replace(decision.firing, code=ReasonCode(error.code), words=error_words(error))
             return replace(decision, firing=firing)
         except HouseflyError as error:
             _log.error("rule %s: %s", decision.firing.rule, error)

@@ -8,15 +8,21 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import DroneTopics
+from housefly.bus.topics import HUB_QUERY, DroneTopics
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
+from housefly.hub.api.answers import EventAnswer, EventsAnswer
+from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
+from housefly.hub.api.questions import EventsQuestion
 from housefly.messages import Order, OrderKind, PlanAnswer
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 
 _LOG = logging.getLogger(__name__)
+
+_REMEMBERED_MAX = 200
+"""So many events of the memory are asked for, the newest."""
 
 
 class PilotLink:
@@ -70,6 +76,13 @@ class PilotLink:
     async def preflight(self) -> PreflightView:
         """Ask what the pre-flight checks found last; raises LinkError or WireError."""
         return from_json(PreflightView, await self._ask(self._topics.preflight, ""))
+
+    async def happened(self, body: str, since: float) -> tuple[EventAnswer, ...]:
+        """Ask the room's memory what it heard of a drone [Unix time, s]; raises HouseflyError."""
+        question = EventsQuestion(since, thing=body, limit=_REMEMBERED_MAX)
+        answer = answer_from_json(question, await self._ask(HUB_QUERY, question_to_json(question)))
+        assert isinstance(answer, EventsAnswer)
+        return answer.events
 
     def close(self) -> None:
         """Shut the threads down without waiting for answers."""

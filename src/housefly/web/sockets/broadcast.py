@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import time
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
+from housefly.messages import Severity
+from housefly.messages.words import Words
 from housefly.web.access.session_watch import LOOK_PERIOD
 from housefly.web.messages.server_messages import (
     LinkMessage,
@@ -36,6 +39,10 @@ _PREFLIGHT_RETRY_PERIOD = 0.25
 """How soon it is asked again while nothing is known, and whether it has landed [s]."""
 
 
+_MISSED_TRIES, _MISSED_PERIOD = 10, 1.0
+"""So often, and so often apart [s], the memory is asked what an ended console has missed."""
+
+
 class Broadcast:
     """The loops that run as long as the server."""
 
@@ -56,6 +63,7 @@ class Broadcast:
             tasks.create_task(self._watch_return_time())
             tasks.create_task(self._watch_preflight())
             tasks.create_task(self._watch_sessions())
+            tasks.create_task(self._learn_missed())
             if self._console.tasks is not None:
                 tasks.create_task(self._watch_tasks(self._console.tasks))
 
@@ -128,6 +136,17 @@ class Broadcast:
                         "room", to_text(RoomMessage(self._console.room))
                     )
             await asyncio.sleep(_ROOM_RETRY_PERIOD)
+
+    async def _learn_missed(self) -> None:
+        """Complete the log after a restart; the memory may start again as well."""
+        for _ in range(_MISSED_TRIES):
+            try:
+                return await self._console.learn_missed(time.time())
+            except HouseflyError as error:
+                _LOG.debug("what was missed is not known yet: %s", error)
+            await asyncio.sleep(_MISSED_PERIOD)
+        text = Words("nobody knows what happened while the console was away")
+        self._console.feed.log_event(Severity.WARNING, "console", text)
 
     async def _watch_return_time(self) -> None:
         while True:

@@ -62,6 +62,7 @@ from housefly.web.messages.verdict_message import ConsoleVerdict
 from housefly.web.status.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.status.console_memory import ConsoleMemory, KeptConsole, KeptControl
 from housefly.web.status.goal_words import subject_of_task, task_of_drone
+from housefly.web.status.missed_events import missed_events
 from housefly.web.status.order_objections import order_objection_now
 from housefly.web.status.state_feed import StateFeed
 from housefly.web.status.stop_latch import StopLatch
@@ -74,6 +75,8 @@ from housefly.web.viewers.viewers import Viewers
 
 _LOG = logging.getLogger(__name__)
 
+_MISSED_MAX = 600.0
+"""Where an earlier console had kept no line, so far back is looked for what was missed [s]."""
 _MAX_REFUSALS = 200
 """A socket that sends this many commands in a row above the rate limit is closed."""
 
@@ -83,6 +86,8 @@ class Console:
 
     Attributes:
         stop_all: sends STOP to all drones of the room.
+        missed_since: when an earlier console of this run kept its last line, on the console's
+            clock [s]; None where there was none, or what was missed is in the log.
     """
 
     def __init__(
@@ -108,6 +113,7 @@ class Console:
         self.refusals = RefusalLog(self._record, clock)
         self._stop_button = StopButton(feed, link, clock)
         self._memory, self._kept, self._newest_kept = memory, KeptControl(), 0
+        self.missed_since: float | None = None
         if memory is not None:
             self._restore(memory.read(clock.now()))
         self._links = GuestLinks(
@@ -204,6 +210,19 @@ class Console:
             told_last=self.feed.last_status,
             has_drone=self.feed.drone.enabled,
         )
+
+    async def learn_missed(self, unix: float) -> None:
+        """Add to the log what the pilot said while no console listened; raises HouseflyError.
+
+        Args:
+            unix: now, as Unix time [s].
+        """
+        if self.missed_since is None:
+            return
+        offset, feed = unix - self._clock.now(), self.feed
+        told = await self.link.happened(feed.drone_body, self.missed_since + offset)
+        self.missed_since = None
+        feed.recall(missed_events(told, feed.events_after(0), offset))
 
     def check_sessions(self) -> None:
         """Close the sockets of sessions that are over; free control of who may no longer fly."""
@@ -388,10 +407,9 @@ class Console:
         if control.holder is not None:
             self.control.reserve(control.holder)
         if not kept.is_new:
-            text = Words(
-                "the console was started again: what happened meanwhile is not in this log"
-            )
-            self.feed.log_event(Severity.WARNING, "console", text)
+            text = Words("the console was started again")
+            self.feed.log_event(Severity.INFO, "console", text)
+            self.missed_since = kept.events[-1].at if kept.events else now - _MISSED_MAX
 
     @property
     def pilot_is_heard(self) -> bool:

@@ -117,6 +117,12 @@ class StateFeed:
             self._refusals.clear()
             return refusals
 
+    def recall(self, missed: Sequence[EventView]) -> None:
+        """Add lines that were missed, with the times at which they happened."""
+        with self._lock:
+            for one in missed:
+                self._add_event(one.severity, one.code, one.text, one.at)
+
     def restore(self, events: Sequence[EventView], stop: StopLatch) -> None:
         """Go on with the event log and the STOP that an earlier console kept."""
         with self._lock:
@@ -286,9 +292,12 @@ class StateFeed:
         with self._lock:
             self._link = LinkMessage(self.clock.now(), link)
 
-    def _add_event(self, severity: Severity, code: str, text: Words) -> None:
+    def _add_event(
+        self, severity: Severity, code: str, text: Words, at: float | None = None
+    ) -> None:
         self._event_number += 1
-        event = EventView(self._event_number, self.clock.now(), severity, code, text)
+        when = self.clock.now() if at is None else at
+        event = EventView(self._event_number, when, severity, code, text)
         self._events.append(event)
         self.keep_event(event)
 

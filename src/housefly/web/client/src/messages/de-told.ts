@@ -787,8 +787,9 @@ export const DE_TOLD: Templates = {
   "no path could be asked for: {why}": "nach dem Weg ließ sich nicht fragen: {why}",
   "nobody has control: take it first": "niemand steuert: erst die Steuerung übernehmen",
   "say hello first": "erst anmelden",
-  "the console was started again: what happened meanwhile is not in this log":
-    "die Konsole wurde neu gestartet: was inzwischen geschah, fehlt hier",
+  "the console was started again": "die Konsole wurde neu gestartet",
+  "nobody knows what happened while the console was away":
+    "niemand weiß, was geschah, während die Konsole fort war",
   "the link of the terminal": "den Link des Terminals",
   "the link that {who} made": "den Link von {who}",
   "the order to {asked} takes no place and no goal":
@@ -1069,4 +1070,6 @@ export const DE_TOLD: Templates = {
   "Every day at {time}": "Jeden Tag um {time}",
   "On {days} at {time}": "{days} um {time}",
   "When {what}": "Wenn {what}",
+  "this room has no place called {place}: make one in the room editor":
+    "in diesem Raum heißt kein Ort {place}: im Raumeditor einen anlegen",
 };

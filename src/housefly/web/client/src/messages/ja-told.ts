@@ -726,8 +726,9 @@ export const JA_TOLD: Templates = {
   "no path could be asked for: {why}": "経路を問い合わせられません：{why}",
   "nobody has control: take it first": "誰も操縦していません。先に操縦を引き受けてください",
   "say hello first": "先に接続を始めてください",
-  "the console was started again: what happened meanwhile is not in this log":
-    "コンソールが再起動しました。その間の出来事は記録にありません",
+  "the console was started again": "コンソールが再起動しました",
+  "nobody knows what happened while the console was away":
+    "コンソールの停止中の出来事は分かりません",
   "the link of the terminal": "端末のリンク",
   "the link that {who} made": "{who} が作ったリンク",
   "the order to {asked} takes no place and no goal": "この指示に場所や目的地は要りません：{asked}",
@@ -994,4 +995,6 @@ export const JA_TOLD: Templates = {
   "Every day at {time}": "毎日 {time}",
   "On {days} at {time}": "{days} の {time}",
   "When {what}": "{what} のとき",
+  "this room has no place called {place}: make one in the room editor":
+    "この部屋に {place} という場所はありません。部屋の編集で作ってください",
 };

@@ -120,7 +120,8 @@ function StepItem({ index }: { index: number }) {
   const hinders = missing.some((one) => one.hinders);
   const anything = view.value!.missing.some((one) => one.hinders);
   const lacks = hinders || (name === "save" && anything);
-  const state = lacks ? "lacks" : draft.value!.bounds ? "well" : "later";
+  const isWell = draft.value!.bounds && missing.length === 0;
+  const state = lacks ? "lacks" : isWell ? "well" : "later";
   const open = step.value === name;
   const next = STEPS[index + 1];
   const row = useRef<HTMLLIElement>(null);

@@ -398,4 +398,8 @@ export const JA_TOLD: Templates = {
   "{why}: {more}": "{why}：{more}",
   "{why}; {more}": "{why}。{more}",
   "the simulated room": "シミュレーションの部屋",
+  "{p} % of the free floor cannot be reached from the pad":
+    "床の空いた所の{p}%へはパッドから行けません",
+  "move what stands in between, or leave it: the drone does not fly there":
+    "間にあるものを動かすか、そのままにしてください。ドローンはそこへは飛びません",
 };
