@@ -248,6 +248,19 @@ export interface BellView {
   words: string;
 }
 
+export interface SimulatedFault {
+  row: string;
+  words: Said;
+}
+
+export interface SimulationView {
+  simulated: boolean;
+  done: boolean;
+  words: Said;
+  faults: SimulatedFault[];
+  failing: number;
+}
+
 export type Severity = "info" | "warning" | "fault";
 
 export interface FlightView {
@@ -355,6 +368,7 @@ export type RoomAnswer =
   | CoverageView
   | EditsView
   | BellView
+  | SimulationView
   | FlightsView
   | FlightReplay
   | DronesView;
