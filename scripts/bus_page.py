@@ -9,6 +9,7 @@ from typing import Any
 
 from housefly.bus.interfaces import ros_name
 from housefly.bus.simulated_bell import BELL_QUERY
+from housefly.bus.simulated_room import SIMULATION_QUERY
 from housefly.bus.topics import (
     HUB_QUERY,
     ROOM_TOPICS,
@@ -89,6 +90,7 @@ _QUERIES = (
     ("drones/NAME/preflight", "pilot", "nothing; JSON list of the pre-flight checks"),
     ("drones/NAME/stand_down", "pilot", "nothing; empty, or why it cannot stand still now"),
     (BELL_QUERY, "twin", "nothing; what the doorbell of the simulated room did"),
+    (SIMULATION_QUERY, "twin", "JSON of what a person does to the simulated room; what came of it"),
     (USE_EDITS_QUERY, "launcher", "number of saved edits; empty, or why they cannot be used"),
 )
 

@@ -15,6 +15,7 @@ from housefly.tasks.api.answers import TaskAnswer
 from housefly.web.api.coverage_layer import CoverageView
 from housefly.web.api.edit_service import EditsView
 from housefly.web.api.simulated_bell import BellView
+from housefly.web.api.simulated_room import SimulationView
 from housefly.web.flights.flight_book import FlightReplay, FlightsView
 from housefly.web.messages.client_messages import ClientMessage
 from housefly.web.messages.server_messages import ServerMessage
@@ -69,6 +70,7 @@ def _room_types() -> str:
         | CoverageView
         | EditsView
         | BellView
+        | SimulationView
         | FlightsView
         | FlightReplay
         | DronesView,

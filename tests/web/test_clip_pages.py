@@ -155,11 +155,9 @@ async def test_clips_are_found_by_person_place_thing_and_time_and_page_by_page(
     await expect(panel.get_by_role("button", name="Older clips")).to_have_count(0)
     for label, value, count in (("person", "anna", 50), ("thing", "cup", 1), ("place", "x", 0)):
         await panel.get_by_label(label).fill(value)
-        await page.keyboard.press("Enter")
         await expect(panel.get_by_role("listitem")).to_have_count(count)
         if label != "person":
             await panel.get_by_label(label).fill("")
-            await page.keyboard.press("Enter")
     await panel.get_by_label("time").select_option("this week")
     await expect(panel.get_by_role("listitem")).to_have_count(7)
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from axe_audit import axe_findings
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, Phase
@@ -73,6 +74,9 @@ async def test_one_press_or_escape_closes_them_all(page: Page) -> None:
 
 async def test_no_hint_lies_over_a_button_a_place_or_stop_at_any_size(page: Page) -> None:
     hint = page.locator(".hint")
+    await expect(hint).to_contain_text(WORDS[0])
+    assert await axe_findings(page, ((390, 844),)) == []
+    await page.emulate_media(color_scheme=None, reduced_motion=None)
     for words in WORDS:
         await expect(hint).to_contain_text(words)
         for width, height in SIZES:

@@ -92,7 +92,7 @@ async def test_where_no_phone_gets_in_there_is_no_code_and_the_way_to_it_is_said
         page = await chromium.new_page()
         await page.goto(alone.link)
         sheet = await invite(page, "Watch")
-        await expect(sheet).to_contain_text("housefly run --lan")
+        await expect(sheet).to_contain_text("restart with: --lan")
         await expect(sheet.locator(".link")).to_have_text(
             re.compile(f"^{alone.origin}/\\?token=.{{44}}$")
         )

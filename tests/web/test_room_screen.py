@@ -246,6 +246,12 @@ async def test_an_event_is_listed_filtered_and_shows_its_moment(page: Page, room
     await page.get_by_label("Which lines").select_option("room")
     await page.get_by_label("Only of").select_option("cup")
     await expect(page.locator(".log")).not_to_contain_text("Door opened")
+    # One Tab stop for all lines: STOP is never behind a hundred of them.
+    await page.locator(".log ol").focus()
+    await page.keyboard.press("ArrowDown")
+    await expect(page.locator(".log ol button").first).to_be_focused()
+    await page.keyboard.press("Tab")
+    await expect(page.locator(".log :focus")).to_have_count(0)
     await event.get_by_role("button").click()
     await expect(page.locator(".past-banner")).to_be_visible()
     await expect(mark(page, "cabinet")).to_contain_text("in it: the red cup")

@@ -18,6 +18,14 @@ from stand_in_tasks import REHEARSAL, StandInTasks
 
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import HUB_QUERY
+from housefly.bus.simulated_room import (
+    SIMULATION_QUERY,
+    SimulatedDeed,
+    SimulatedFault,
+    SimulatedOutcome,
+    act_from_json,
+    outcome_to_json,
+)
 from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, TaskError
 from housefly.evidence.clip_export import ClipExport
@@ -25,17 +33,19 @@ from housefly.evidence.clip_values import ClipInfo
 from housefly.hub.api.feed_answers import FeedAnswer, FeedEntry
 from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
 from housefly.hub.api.questions import FeedQuestion
-from housefly.messages.words import Words, literal
+from housefly.messages.words import Words, figure, literal
 from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
 from housefly.tasks.api.values import Confirm, ReasonCode, TaskStage
 from housefly.web.access.page_routes import STATIC_FOLDER
 from housefly.web.api.simulated_bell import BellView, SimulatedBell
+from housefly.web.api.simulated_room import SimulatedRoom
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
 DESKTOP: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 375, "height": 812}
 CLIP = "20261122-150102-7"
+CHARGE = SimulatedDeed.CHARGE
 PRESS_AT_ONCE = """() => new MutationObserver((_, watching) => {
     const all = [...document.querySelectorAll(".question button")];
     const ignore = all.find((one) => one.textContent === "Ignore");
@@ -83,6 +93,21 @@ class QuietBell(SimulatedBell):
         return BellView(True, True, "a visitor comes to the door and rings; rule bell: it rests")
 
 
+def room_that_tells() -> LocalBus:
+    """Return the bus of a simulated room that does nothing but say what it would do."""
+
+    def answer(text: str) -> str:
+        act = act_from_json(text)
+        faults = (SimulatedFault("F47", Words("the drone's sonar fails")),)
+        failing = int(act.deed is SimulatedDeed.FAULT)
+        words = Words("{what}, for {n} s", what=act.fault, n=figure(act.seconds, "g"))
+        return outcome_to_json(SimulatedOutcome(act.deed is not CHARGE, words, faults, failing))
+
+    bus = LocalBus()
+    bus.answer(SIMULATION_QUERY, answer)
+    return bus
+
+
 @dataclass
 class House:
     """Tasks, and the console before them."""
@@ -95,7 +120,9 @@ class House:
 @pytest_asyncio.fixture(loop_scope="session")
 async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[House]:
     book = OneClip(tmp_path)
-    async with serving(loopback, clips=book, bell=QuietBell()) as console:
+    simulation = SimulatedRoom(room_that_tells())
+    more = {"clips": book, "bell": QuietBell(), "simulation": simulation}
+    async with serving(loopback, **more) as console:
         found = House(console, StandInTasks(console.bus.join()), book)
         found.tasks.tell()
         yield found
@@ -311,6 +338,14 @@ async def test_history_leads_from_the_trigger_to_the_clip_and_who_watched_is_kno
     await expect(sheet).to_contain_text("until somebody deletes it")
     await until(lambda: ("Viewer 1", "watched") in house.book.watched_by)
     assert page.url.endswith(f"#clip/{CLIP}")
+    await page.keyboard.press("?")
+    await expect(page.get_by_role("dialog")).to_have_count(2)
+    await page.go_back()  # what was opened last, one after another
+    await expect(page.get_by_role("dialog")).to_have_count(1)
+    await page.go_back()
+    await expect(page.get_by_role("dialog")).to_have_count(0)
+    assert page.url.endswith("#tasks")
+    await chain.get_by_role("button", name="Show snapshot").click()
     await page.reload()
     await expect(page.get_by_role("dialog", name="Clip: guest, entrance")).to_be_visible()
     await page.get_by_role("dialog").get_by_role("button", name="Close").click()
@@ -496,7 +531,8 @@ async def test_ideas_bell_and_yes_can_be_reached_above_stop_on_every_phone(
 ) -> None:
     stop = page.locator(".stop")
     idea = page.get_by_role("region", name="Ask").get_by_role("button", name="Who is at the door?")
-    bell = page.get_by_role("region", name="Simulated doorbell").get_by_role("button")
+    strip = page.get_by_role("region", name="Simulated room")
+    bell = strip.get_by_role("button", name="Ring the doorbell")
     house.tasks.ring(seconds=90)
     yes = card(page).get_by_role("button").first
     for width, height in ((360, 740), (390, 844), (844, 390)):
@@ -512,7 +548,13 @@ async def test_ideas_bell_and_yes_can_be_reached_above_stop_on_every_phone(
             assert above or box["x"] + box["width"] <= bar["x"], (width, height, k)
             assert bar["y"] + bar["height"] <= height
     await bell.click()
-    await expect(page.get_by_role("region", name="Simulated doorbell")).to_contain_text("it rests.")
+    await expect(strip.get_by_role("status")).to_contain_text("it rests.")
+    await strip.get_by_label("For how long").select_option("30")
+    await strip.get_by_role("button", name="Make it fail").click()
+    await expect(strip.get_by_role("status")).to_have_text("F47, for 30 s.")
+    await expect(strip.get_by_role("button", name="End the faults")).to_be_visible()
+    await strip.get_by_role("button", name="Charge it").click()
+    await expect(strip.get_by_role("status")).to_contain_text("△")
 
 
 async def test_everything_that_can_be_used_has_a_name(page: Page, house: House) -> None:

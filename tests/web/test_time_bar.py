@@ -120,7 +120,7 @@ async def test_a_flight_is_looked_at_again_in_place_and_says_that_it_is_recorded
     await expect(there).not_to_have_attribute("transform", first or "")
     # The headline, the orders and STOP are those of now.
     await expect(page.locator(".headline")).to_contain_text("Your drone is home")
-    await page.locator(".time-bar").get_by_role("button", name="Back to live").click()
+    await page.go_back()
     await is_live(page)
 
 

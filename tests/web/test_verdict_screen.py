@@ -186,7 +186,7 @@ async def test_a_page_that_stood_still_is_told_that_it_lost_control(page: Page) 
     await page.evaluate("{ const until = Date.now() + 4500; while (Date.now() < until); }")
     said = page.locator(".said")
     await expect(said).to_contain_text("This page was silent and lost control")
-    await expect(page.locator(".who")).to_contain_text("Take control")
+    await expect(page.locator(".who")).to_contain_text("Nobody has control")
     await said.get_by_role("button", name="OK").click()
     await page.locator(".acts").get_by_role("button", name="Take control").click()
     await expect(page.locator(".who")).to_contain_text("You have control")
@@ -200,10 +200,10 @@ async def test_a_watcher_that_is_left_alone_does_not_get_control_by_chance(
     await watcher.goto(console.origin)
     await expect(watcher.locator(".who")).to_contain_text("Viewer 1 has control")
     await page.close()
-    await expect(watcher.locator(".who")).to_contain_text("Take control", timeout=10_000)
+    await expect(watcher.locator(".who")).to_contain_text("Nobody has control", timeout=10_000)
     await watcher.reload()
     await expect(watcher.locator(".headline")).to_contain_text("Your drone is home")
-    await expect(watcher.locator(".who")).to_contain_text("Take control")
+    await expect(watcher.locator(".who")).to_contain_text("Nobody has control")
 
 
 async def test_on_the_ground_space_presses_the_button_that_has_the_focus(
@@ -234,6 +234,32 @@ async def test_single_letters_can_be_switched_off_and_stop_can_not(
     await expect(page.get_by_role("dialog", name="Keys")).to_be_hidden()
     await page.keyboard.press("Space")
     await until(lambda: console.stops)
+
+
+async def test_from_where_it_landed_away_the_large_button_flies_home(
+    page: Page, console: Any, until: Until
+) -> None:
+    console.pilot.position = (6.4, 1.0)
+    await expect(page.locator(".headline")).to_contain_text("Not on the pad")
+    large = page.locator(".acts > :first-child")
+    await expect(large).to_contain_text("Fly home")
+    await page.keyboard.press("h")  # a key that is not held starts nothing
+    await expect(page.locator(".said")).to_contain_text("on the ground")
+    await page.evaluate(REMEMBER)
+    await hold(page, "Fly home")
+    order = await until(lambda: console.pilot.orders and console.pilot.orders[-1])
+    assert (order.kind, order.place, order.look_s) == (OrderKind.SERVICE, "home", 0.0)
+    await expect(page.locator(".headline")).to_contain_text("Your drone is home", timeout=30_000)
+    assert "Not ready" not in await page.evaluate("window.told"), "nothing flashes after a landing"
+
+
+REMEMBER = """() => {
+    window.told = "";
+    const look = () => ["acts", "readiness", "headline"]
+        .forEach((one) => (window.told += document.querySelector("." + one)?.textContent));
+    new MutationObserver(look)
+        .observe(document.body, {subtree: true, childList: true, characterData: true});
+}"""
 
 
 async def test_what_is_written_on_a_button_is_in_its_name(page: Page) -> None:

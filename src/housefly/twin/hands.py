@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass
+from itertools import pairwise
 from math import cos, isfinite, pi, sin
 
 from housefly.errors import WireError
-from housefly.geometry import Vec3, wrap_angle
+from housefly.geometry import Vec3, distance, wrap_angle
 
 CARRY_TIME_MAX = 60.0
 _REACH = 1000.0
+_IN_HANDS = 1.1
+"""So high a drone is carried over what stands in between [m] ..."""
+_WALK_SPEED = 0.8
+"""... and so fast, in the mean [m/s]: tracking follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +82,22 @@ class Carry:
     def is_over(self, now: float) -> bool:
         """Return whether it has arrived."""
         return now >= self.began + self.order.duration
+
+
+def way_in_hands(start: Vec3, end: Vec3, yaw: float) -> tuple[CarryOrder, ...]:
+    """Return the orders that carry a drone up, across, and down, where it is laid.
+
+    Args:
+        start: where it lies [m].
+        end: where it is to stand [m].
+        yaw: its heading there [rad].
+    """
+    high = max(start[2], _IN_HANDS)
+    way = (start, (start[0], start[1], high), (end[0], end[1], high), end)
+    return tuple(
+        CarryOrder(there, yaw, min(CARRY_TIME_MAX, max(0.5, distance(here, there) / _WALK_SPEED)))
+        for here, there in pairwise(way)
+    )
 
 
 def encode_carry(order: CarryOrder) -> bytes:

@@ -12,17 +12,24 @@ import contextlib
 import signal
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
 from housefly.bus.bus import Bus
-from housefly.bus.simulated_bell import BELL_QUERY, BellPress, press_to_json
+from housefly.bus.simulated_bell import BELL_QUERY, press_to_json
+from housefly.bus.simulated_room import (
+    SIMULATION_QUERY,
+    SimulatedOutcome,
+    act_from_json,
+    outcome_to_json,
+)
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.process_log import log_line
 from housefly.config.site import Site, site_from_file
-from housefly.errors import HouseflyError
+from housefly.errors import HouseflyError, WireError
+from housefly.messages.words import error_words
 from housefly.room.files import load_room
 from housefly.room.model import Room
 from housefly.twin.address import check_address
@@ -39,11 +46,12 @@ from housefly.twin.sensors.depth_feed import DepthFeed
 from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.sensors.mqtt_publisher import MqttPublisher
 from housefly.twin.served_drone import ServedDrone
+from housefly.twin.simulation_desk import SimulationDesk
 from housefly.twin.truth_log import TruthLog
 from housefly.twin.world import SimulatedWorld
 
-_RING_TIMEOUT = 1.5
-"""How long the room may take to let somebody ring [s]."""
+_ANSWER_TIMEOUT = 1.5
+"""How long the room may take to do what somebody asks for [s]."""
 
 
 class Twin:
@@ -54,8 +62,8 @@ class Twin:
         room: what the drone flies in.
         beyond_loopback: allow addresses that other machines can reach.
         scene: the people and things that move; its devices speak when the site names a broker.
-        bus: where the site's depth cameras send their images and somebody asks for a ring of the
-            bell; None for neither.
+        bus: where the site's depth cameras send their images and people do things to the room;
+            None for neither.
         truth_file: where the true course of the flight goes; None writes none.
         hands: socket on which orders to carry the drone arrive; None takes none.
 
@@ -79,7 +87,8 @@ class Twin:
             check_address("mqtt.broker", site.mqtt.broker, beyond_loopback)
         self._site = site
         stands = drone_stands(site, room)
-        faults = [FaultInjector(stand.site, Injection.WIRES) for stand in stands]
+        asked = bus is not None  # whoever is asked may have to put somebody in the way
+        faults = [FaultInjector(one.site, Injection.WIRES, intruders=asked) for one in stands]
         self._faults = faults[0]
         movables = next((one.movables for one in faults if one.movables), ())
         intruders = next((one.people for one in faults if one.people), ())
@@ -109,6 +118,11 @@ class Twin:
         self._depth = DepthFeed(site, self._world, bus, clock, self._faults) if bus else None
         self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
         self._bell = Doorbell(self._world, self._bell_wire(scene))
+        self._desk = SimulationDesk(
+            self._world,
+            {stand.name: one for stand, one in zip(stands, faults, strict=True)},
+            lambda line: log_line(f"twin: {line}"),
+        )
 
     async def run(self) -> None:
         """Serve until cancelled; raises LinkError when a port cannot be had."""
@@ -129,8 +143,12 @@ class Twin:
                 self._hands.start()
             if self._bus is not None:
                 loop = asyncio.get_running_loop()
-                answering = self._bus.answer(BELL_QUERY, lambda _: self._rung(loop))
-                open_parts.callback(answering.close)
+                for query, answer in (
+                    (BELL_QUERY, lambda _: self._rung()),
+                    (SIMULATION_QUERY, self._done),
+                ):
+                    answering = self._bus.answer(query, partial(_on_loop, loop, answer))
+                    open_parts.callback(answering.close)
             if self._devices is not None:
                 work.append(self._devices.run())
             log_line(self._greeting())
@@ -200,13 +218,14 @@ class Twin:
         bells = (device.id for device in scene.script.devices if device.kind == "doorbell")
         return next((BellWire(partial(link.press, bell), link.trouble) for bell in bells), None)
 
-    def _rung(self, loop: asyncio.AbstractEventLoop) -> str:
-        """Let somebody ring; asked on a thread of the bus, done on the loop of the room."""
+    def _rung(self) -> str:
+        return press_to_json(self._bell.ring(self._world.now, time.time()))
 
-        async def ring() -> BellPress:
-            return self._bell.ring(self._world.now, time.time())
-
-        return press_to_json(asyncio.run_coroutine_threadsafe(ring(), loop).result(_RING_TIMEOUT))
+    def _done(self, text: str) -> str:
+        try:
+            return outcome_to_json(self._desk.do(act_from_json(text)))
+        except WireError as error:
+            return outcome_to_json(SimulatedOutcome(False, error_words(error)))
 
     def _now(self) -> float:
         return self._world.now
@@ -226,6 +245,15 @@ class Twin:
         self._lasers.publish()
         if self._depth is not None:
             self._depth.publish()
+
+
+def _on_loop(loop: asyncio.AbstractEventLoop, answer: Callable[[str], str], question: str) -> str:
+    """Return an answer to what is asked on a thread of the bus; given on the loop of the room."""
+
+    async def answered() -> str:
+        return answer(question)
+
+    return asyncio.run_coroutine_threadsafe(answered(), loop).result(_ANSWER_TIMEOUT)
 
 
 def truth_of(path: Path, name: str, world: SimulatedWorld) -> Path:
@@ -280,7 +308,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--bus",
         default="",
-        help="zenoh endpoint for depth images and the bell's button, unixsock-stream/PATH",
+        help="zenoh endpoint for depth images and what people do, unixsock-stream/PATH",
     )
     parser.add_argument(
         "--truth", type=Path, help="file for the true course of the flight, for its summary"

@@ -11,6 +11,7 @@ from housefly.errors import WireError
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, yaw_of
 from housefly.messages import AnySetpoint, Pose
 from housefly.messages.stick import Stick
+from housefly.messages.words import Words
 from housefly.twin.clearance import UNBOUNDED, Clearance
 from housefly.twin.command_delay import simulated_command_delay
 from housefly.twin.contact_log import Contact
@@ -21,7 +22,7 @@ from housefly.twin.drone_body import DroneBody
 from housefly.twin.drone_stands import DroneStand
 from housefly.twin.encounters import Encounters
 from housefly.twin.firmware.boarded import Board, BoardedFirmware
-from housefly.twin.hands import Carry, CarryOrder
+from housefly.twin.hands import Carry, CarryOrder, way_in_hands
 from housefly.twin.quadrotor.battery import Battery, BatteryGauge
 from housefly.twin.quadrotor.firmware import WATCHDOG_AFTER, Firmware
 from housefly.twin.quadrotor.leds import Leds
@@ -73,6 +74,7 @@ class SimulatedDrone:
         self._delayed: deque[tuple[float, Callable[[], None]]] = deque()
         self._heard_at = self._began = self._at = 0.0
         self._carry: Carry | None = None
+        self._carried_on: deque[CarryOrder] = deque()
         self._wrench: Wrench = MOTORS_OFF
         self._body = body.state()
         self._measured = self._sensors.read(self._body)
@@ -220,29 +222,59 @@ class SimulatedDrone:
         self._firmware.begin_hovering(position[2])
         self._onboard = None
 
-    def carry(self, order: CarryOrder) -> None:
-        """Have somebody take the drone up and carry it; held in the air it stays in their hands.
+    def carry(self, *orders: CarryOrder) -> None:
+        """Have somebody take the drone up and carry it from one place to the next.
+
+        Held in the air it stays in their hands.
 
         Raises:
             WireError: its motors turn.
         """
-        if self._wrench.thrust > 0.0:
-            raise WireError("nobody takes hold of a drone whose propellers turn")
-        self._carry = Carry(order, self._body.position, yaw_of(self._body.orientation), self.now)
+        if self._motors_turn:
+            raise WireError(Words("nobody takes hold of a drone whose propellers turn"))
+        self._carried_on = deque(orders)
+        self._carry_on(self.now)
+
+    def put_back(self) -> None:
+        """Have somebody carry the drone to its pad, over what stands in between.
+
+        Raises:
+            WireError: its motors turn.
+        """
+        here, pad = self._body.position, (*self._stand.pad, self._standing_height)
+        self.carry(*way_in_hands(here, pad, self._stand.yaw))
+
+    def charge(self) -> None:
+        """Give it a full battery.
+
+        Raises:
+            WireError: its motors turn.
+        """
+        if self._motors_turn:
+            raise WireError(Words("nobody charges a drone whose propellers turn"))
+        self.battery.charge = 1.0
+
+    @property
+    def _motors_turn(self) -> bool:
+        return self._wrench.thrust > 0.0
+
+    def _carry_on(self, now: float) -> None:
+        """Begin the next part of the way in somebody's hands [s]."""
+        order, body = self._carried_on.popleft(), self._rigid.state()
+        self._carry = Carry(order, body.position, yaw_of(body.orientation), now)
 
     @property
     def is_carried(self) -> bool:
         """Whether the drone is on its way in somebody's hands."""
-        return self._carry is not None and not self._carry.is_over(self.now)
+        carry = self._carry
+        return carry is not None and (bool(self._carried_on) or not carry.is_over(self.now))
 
     def decide(self, began: float) -> None:
         """Hear, sense, and let the firmware decide, at the beginning of a control period [s]."""
         self._began = began
         while self._delayed and self._delayed[0][0] <= began + WORLD_ROUNDING:
             self._delayed.popleft()[1]()
-        self._measured = self._disturbed.sense(
-            self._sensors.read(self._body), self._wrench.thrust > 0.0
-        )
+        self._measured = self._disturbed.sense(self._sensors.read(self._body), self._motors_turn)
         self._wrench = self._firmware.step(
             self._measured, self._gauge.voltage, began - self._heard_at
         )
@@ -268,7 +300,7 @@ class SimulatedDrone:
 
     def look(self) -> None:
         """Note what it touched in the control period."""
-        self._met.look(self._at, self._rigid.before, self._wrench.thrust > 0.0)
+        self._met.look(self._at, self._rigid.before, self._motors_turn)
 
     @property
     def _met(self) -> Encounters:
@@ -290,5 +322,8 @@ class SimulatedDrone:
             position, quaternion_from_euler(0.0, 0.0, yaw), velocity, (0.0, 0.0, turn_rate)
         )
         is_laid = carry.is_over(now) and position[2] <= self._standing_height + _LAID
-        if is_laid or self._wrench.thrust > 0.0:
+        if self._motors_turn or (is_laid and not self._carried_on):
             self._carry = None
+            self._carried_on.clear()
+        elif self._carried_on and carry.is_over(now):
+            self._carry_on(now)

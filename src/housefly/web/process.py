@@ -59,6 +59,7 @@ from housefly.web.access.webhook_key import webhook_key
 from housefly.web.api.coverage_layer import coverage_view
 from housefly.web.api.edit_service import EditService
 from housefly.web.api.simulated_bell import SimulatedBell
+from housefly.web.api.simulated_room import SimulatedRoom
 from housefly.web.console_port import inherited_listener, listening
 from housefly.web.http.connections import ConnectionLimiter, limited_protocol
 from housefly.web.http.handshakes import HandshakeListener
@@ -146,6 +147,7 @@ async def run_web(
             hook_key=_hook_key(site),
             privacy=drones[0].privacy,
             bell=SimulatedBell(bus) if site.twin.enabled else None,
+            simulation=SimulatedRoom(bus) if site.twin.enabled else None,
             memory=drones[0].memory,
             flights=drones[0].flights,
             site_name=site.name,

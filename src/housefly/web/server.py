@@ -14,6 +14,7 @@
 /api/v1/...      the room: where things are, what happened; the tasks: asked for, shown, ended
 /edits           places and no-fly zones: shown, saved, undone, put into use
 /bell            the doorbell of a simulated room; POST presses it
+/simulation      what else may be done to it: put back, charge, walk, fail; POST does it
 """
 
 from __future__ import annotations
@@ -57,6 +58,8 @@ from housefly.web.api.edit_service import EditService
 from housefly.web.api.edits_api import EditsApi
 from housefly.web.api.room_api import RoomApi
 from housefly.web.api.simulated_bell import SimulatedBell
+from housefly.web.api.simulated_room import SimulatedRoom
+from housefly.web.api.simulation_routes import SimulationRoutes
 from housefly.web.api.tasks_api import TasksApi
 from housefly.web.camera.video import VideoRelay
 from housefly.web.camera.video_routes import video_routes
@@ -120,6 +123,7 @@ def create_app(
     hook_key: str = "",
     privacy: LiveBlanker | None = None,
     bell: SimulatedBell | None = None,
+    simulation: SimulatedRoom | None = None,
     memory: ConsoleMemory | None = None,
     flights: Path | None = None,
     site_name: str = "",
@@ -151,6 +155,7 @@ def create_app(
         hook_key: bearer token of webhooks; "" lets none in.
         privacy: blanks the privacy zones in the video; None where there are none.
         bell: the doorbell of a simulated room; None where the room is real.
+        simulation: the simulated room itself; likewise.
         memory: keeps control, STOP and the event log over a restart; None forgets them.
         flights: folder into which flights are kept, to be looked at again; None keeps none.
         site_name: of the site, for those.
@@ -172,7 +177,9 @@ def create_app(
         keep_event = one.memory.keep_event if one.memory else _forget
         feed = StateFeed(clock, one.body, furniture, keep_event, kept, one.config, one.limits)
         name = one.config.name if beside else ""
-        console = Console(feed, link, auth, clock, audit, board, one.memory, guest_address, name)
+        console = Console(
+            feed, link, auth, clock, audit, board, one.memory, guest_address, name, bool(simulation)
+        )
         closing.extend([link.close, lambda: console.refusals.write_counted(at_the_end=True)])
         closing.extend(part.close for part in (one.memory, kept) if part is not None)
         return console
@@ -199,7 +206,9 @@ def create_app(
     clip_routes = ClipFiles(clips, auth, key, consoles.name_of_owner, audit).routes()
     edits_api = EditsApi(edits, auth, consoles, lambda: consoles.restart_objection(board.message()))
     bell_routes = BellRoutes(bell, auth)
+    simulation_routes = SimulationRoutes(simulation, auth, consoles.named)
     closing += [room_api.close, edits_api.close, tasks_api.close, board.close, bell_routes.close]
+    closing += [simulation_routes.close]
     closing += [layer.close] if layer else []
     closing += [audit.close] if audit else []
     closing += [clips.close] if clips else []
@@ -215,6 +224,7 @@ def create_app(
             *room_api.routes([*tasks_api.routes(), *clip_routes]),
             *edits_api.routes(),
             *bell_routes.routes(),
+            *simulation_routes.routes(),
         ],
         middleware=[
             Middleware(HostGuard, hosts=hosts),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from math import cos, inf, isfinite, isnan, pi, sin
 
@@ -122,6 +122,16 @@ class FaultSchedule:
         for fault in faults:
             kept = _ended(kept, fault) if fault.kind is FaultKind.OK else (*kept, fault)
         return FaultSchedule(kept)
+
+    def without(self, faults: Collection[Fault], now: float) -> FaultSchedule:
+        """Return the schedule with some of its faults over at a time [s]."""
+        return FaultSchedule(
+            tuple(
+                replace(fault, duration=now - fault.start) if fault in faults else fault
+                for fault in self.faults
+                if fault not in faults or fault.start < now
+            )
+        )
 
     @property
     def components(self) -> frozenset[FaultComponent]:

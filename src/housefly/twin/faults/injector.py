@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Protocol
 
 from housefly.config.site import Site
@@ -118,6 +118,10 @@ class FaultInjector:
         self.schedule = self.schedule.with_faults(
             fault for fault in faults if (fault.drone or self._names[0]) == self._drone
         )
+
+    def withdraw(self, faults: Collection[Fault], now: float) -> None:
+        """End those faults now [s]; what had not begun will not."""
+        self.schedule = self.schedule.without(faults, now)
 
     def act_on(self, world: IntruderWorld, drone: DisturbableDrone) -> None:
         """Disturb the drone, and move who is in its way, as it is now."""

@@ -46,13 +46,17 @@ class EventView:
 
 @dataclass(frozen=True, slots=True)
 class Welcome:
-    """Answer to Hello: the viewer's number, what the role may do, and what happened before."""
+    """Answer to Hello: the viewer's number, what the role may do, and what happened before.
+
+    ``simulated`` tells whether the room is, and things may be done to it.
+    """
 
     you: int
     role: Role
     now: float
     events: tuple[EventView, ...]
     trail: tuple[Vec2, ...]
+    simulated: bool
     type: Literal["welcome"] = "welcome"
 
 

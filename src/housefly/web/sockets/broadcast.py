@@ -37,6 +37,8 @@ _PREFLIGHT_PERIOD = 1.0
 """How often the pilot is asked, on the ground, what its pre-flight checks found last [s]."""
 _PREFLIGHT_RETRY_PERIOD = 0.25
 """How soon it is asked again while nothing is known, and whether it has landed [s]."""
+_SETTLED = 1.0
+"""What the pilot found last may be of the flight for so long after a landing [s]."""
 
 
 _MISSED_TRIES, _MISSED_PERIOD = 10, 1.0
@@ -49,6 +51,7 @@ class Broadcast:
     def __init__(self, console: Console) -> None:
         self._console = console
         self._home_s = 0.0
+        self._flew_at = -_SETTLED
         self._sequence = -1
         self._path = -1
         self._link: LinkMessage | None = None
@@ -169,7 +172,10 @@ class Broadcast:
 
     async def _preflight(self) -> PreflightView:
         """Return what the checks found; nothing in flight, so that nobody reads old ones later."""
-        if self._console.flying or not self._console.pilot_is_heard:
+        now = asyncio.get_running_loop().time()
+        if self._console.flying:
+            self._flew_at = now
+        if now - self._flew_at < _SETTLED or not self._console.pilot_is_heard:
             return PreflightView()
         try:
             return await self._console.link.preflight()

@@ -101,8 +101,9 @@ class Console:
         memory: ConsoleMemory | None = None,
         guest_address: str = "",
         name: str = "",
+        simulated: bool = False,
     ) -> None:
-        self._name, self.stop_all = name, self.stop
+        self._name, self._simulated, self.stop_all = name, simulated, self.stop
         self.feed, self.link, self.tasks = feed, link, tasks
         self.room: RoomView | None = None
         self.preflight = PreflightView()
@@ -298,7 +299,8 @@ class Console:
         events = self.feed.events_after(0)
         viewer.event = events[-1].number if events else 0
         role = viewer.session.role
-        viewer.send(Welcome(viewer.number, role, self._clock.now(), events, self.feed.trail()))
+        now, trail = self._clock.now(), self.feed.trail()
+        viewer.send(Welcome(viewer.number, role, now, events, trail, self._simulated))
         if self.room is not None:
             viewer.send(RoomMessage(self.room))
         viewer.send_latest("preflight", to_text(PreflightMessage(self.preflight)))

@@ -102,11 +102,13 @@ export const cutMotors = createHold(
 );
 export const serviceObjection = firstOf(hasLine, mayFly, objectionTo("service"));
 /** Look at a place and come back, whatever goal is on the map. */
-export async function lookAt(place: string, from: Element | null): Promise<void> {
+export async function lookAt(place: string, from: Element | null, look_s = 5): Promise<void> {
   remember("service", from);
-  const answer = await ask({ type: "order", order: "service", place });
+  const answer = await ask({ type: "order", order: "service", place, look_s });
   if (answer.type === "refused") refuse(translated(answer.reason), from);
 }
+/** Home from where it landed: every check of a take-off counts, as for any place. */
+export const flyHome = createHold(HOLD, serviceObjection, (from) => void lookAt("home", from, 0));
 export const takeControl = createHold(HOLD, firstOf(hasLine), (from) => void takeOver(true, from));
 
 export const landObjection = firstOf(hasLine, objectionTo("land"));

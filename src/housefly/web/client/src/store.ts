@@ -1,5 +1,6 @@
 // What this console knows, as signals. Only wire/socket.ts writes the first block.
 import { computed, signal } from "@preact/signals";
+import { layer } from "./back";
 import type { Trail } from "./trail";
 import { now } from "./wire/clock";
 import type {
@@ -22,6 +23,8 @@ export const contact = signal<Contact>("connecting");
 export const me = signal(0);
 /** What this browser may do. */
 export const role = signal<Role>("watch");
+/** Whether the room is simulated: then things may be done to it. */
+export const simulated = signal(false);
 /** One-time links of this page that were used, by name. */
 export const usedInvitations = signal<ReadonlySet<string>>(new Set());
 /** All that headline, banner and buttons say of the drone. */
@@ -56,12 +59,21 @@ window.addEventListener("hashchange", () => (screen.value = addressed()));
 export function open(name: Screen): void {
   screen.value = name;
   panel.value = "";
-  history.replaceState(null, "", name === "live" ? location.pathname : `#${name}`);
+  history.replaceState(history.state, "", name === "live" ? location.pathname : `#${name}`);
 }
 
 export type Panel =
   "" | "help" | "control" | "invite" | "checks" | "more" | "side" | "ask" | "fly" | "past";
 export const panel = signal<Panel>("");
+
+layer(
+  () => screen.value !== "live",
+  () => open("live"),
+);
+layer(
+  () => panel.value !== "",
+  () => (panel.value = ""),
+);
 
 export function toggle(name: Panel): void {
   panel.value = panel.value === name ? "" : name;

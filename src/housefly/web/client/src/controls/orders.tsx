@@ -1,6 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import {
+  flyHome,
   homeHeld,
   hover,
   hoverObjection,
@@ -15,6 +16,7 @@ import { goal, POINT } from "../goal";
 import { headline } from "../headline";
 import type { Hold } from "../hold";
 import { flying, iFly, lineLives, me, panel, toggle, verdict, type Panel } from "../store";
+import { looking } from "../preflight";
 import { Drawer } from "./drawer";
 import { HoldButton } from "./hold-button";
 import { HomeIcon, HoverIcon, LandIcon, MoreIcon, PlaceIcon, ResetIcon, ResumeIcon } from "./icons";
@@ -125,9 +127,10 @@ const step = computed<Step | null>(() => {
       : t("Look there and come back");
     return { hold: service, words, label: words };
   }
-  if (wanted === "home")
+  const landedAway = wanted === "service" && verdict.value?.standing === "off the pad";
+  if (wanted === "home" || landedAway)
     return {
-      hold: homeHeld,
+      hold: landedAway ? flyHome : homeHeld,
       words: t("Fly home"),
       label: t("Fly home and land"),
       icon: <HomeIcon />,
@@ -158,7 +161,7 @@ function Next() {
 
 /** Nothing to hold: on the ground the way to the reasons, in the air what happens by itself. */
 function Nothing() {
-  if (flying.value || !lineLives.value)
+  if (flying.value || !lineLives.value || looking.value)
     return (
       <p class="primary said-only">{lineLives.value ? headline.value.text : t("No contact")}</p>
     );

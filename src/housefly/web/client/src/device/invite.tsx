@@ -99,7 +99,7 @@ function Offer() {
       {!reply.qr && (
         <p class="quiet">
           {t("Only this machine reaches the console.")}{" "}
-          {t("For a phone, restart with:")} <kbd>housefly run --lan</kbd>
+          {t("For a phone, restart with:")} <kbd>--lan</kbd>
         </p>
       )}
       {(!reply.qr || copied.value === "failed") && <p class="link">{link(reply)}</p>}

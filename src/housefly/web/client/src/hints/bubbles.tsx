@@ -15,7 +15,7 @@ const RING = 4;
 
 /** One hint on the stage, and a ring around what it is about: no button lies below either. */
 export function Bubble() {
-  const box = useRef<HTMLDivElement>(null);
+  const box = useRef<HTMLElement>(null);
   const ring = useRef<HTMLDivElement>(null);
   const now = step.value;
   const { words, about } = SAID[now]!;
@@ -43,7 +43,7 @@ export function Bubble() {
   return (
     <>
       <div class="hint-ring" ref={ring} aria-hidden="true" />
-      <div class="hint" ref={box} role="note" aria-label={t("First steps")}>
+      <section class="hint" ref={box} aria-label={t("First steps")}>
         <p role="status">
           <small>
             {now + 1}/{HINTS}
@@ -56,7 +56,7 @@ export function Bubble() {
         <button type="button" aria-label={t("Close the hints")} onClick={endHints}>
           ×
         </button>
-      </div>
+      </section>
     </>
   );
 }

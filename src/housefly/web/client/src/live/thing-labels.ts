@@ -49,8 +49,11 @@ export function wordsOf(
   for (const one of inTurn) {
     const age = ageOf(one);
     const all = linesOf(one, age, inside.get(one.thing) ?? []);
-    const said = all.map((line) => line.text).join(", ");
-    words.set(one.thing, { said, age, ...roomFor(one, all, to, taken) });
+    const shown = roomFor(one, all, to, taken);
+    // What is seen comes first, as who speaks to the machine says it.
+    const rest = all.filter((line) => !shown.lines.includes(line));
+    const said = [...shown.lines, ...rest].map((line) => line.text).join(", ");
+    words.set(one.thing, { said, age, ...shown });
   }
   return words;
 }

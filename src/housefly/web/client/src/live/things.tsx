@@ -108,7 +108,7 @@ function Mark({ to, thing, words }: MarkProps) {
       <Shape kind={kind} yaw={thing.yaw} scale={to.scale} />
       {lines.map((line, k) => (
         <text key={k} class={line.kind} x={words.x} y={words.y + k * LINE}>
-          {line.text}
+          {line.text}{" "}
         </text>
       ))}
     </g>

@@ -1072,4 +1072,44 @@ export const DE_TOLD: Templates = {
   "When {what}": "Wenn {what}",
   "this room has no place called {place}: make one in the room editor":
     "in diesem Raum heißt kein Ort {place}: im Raumeditor einen anlegen",
+  // what is done to a simulated room
+  "this room is simulated": "dieser Raum ist simuliert",
+  "there is no drone called {name}": "keine Drohne heißt {name}",
+  "somebody carries the drone to its pad": "jemand trägt die Drohne zu ihrem Landeplatz",
+  "the drone has a full battery": "der Akku der Drohne ist voll",
+  "somebody walks up to the drone, and leaves after {n} s":
+    "jemand geht auf die Drohne zu und ist nach {n} s wieder weg",
+  "{what}, for {n} s": "{what}, {n} s lang",
+  "the faults that were made are over": "die ausgelösten Störungen sind zu Ende",
+  "nobody takes hold of a drone whose propellers turn":
+    "niemand fasst eine Drohne an, deren Propeller sich drehen",
+  "nobody charges a drone whose propellers turn":
+    "niemand lädt eine Drohne, deren Propeller sich drehen",
+  "the simulated room does not answer": "der simulierte Raum antwortet nicht",
+  "no tracking for 5 s, or for good": "keine Ortung, 5 s lang oder für immer",
+  "the drone and another body are exchanged": "die Drohne und ein anderer Körper sind vertauscht",
+  "frozen poses under fresh stamps": "stehende Posen mit frischen Zeiten",
+  "tracking falls to 10 Hz": "die Ortung fällt auf 10 Hz",
+  "tracking is late, with or without saying so":
+    "die Ortung kommt zu spät, mit oder ohne es zu sagen",
+  "the tracked place drifts, or steps once a second":
+    "der geortete Ort wandert oder springt jede Sekunde",
+  "30 % of the datagrams to and from the drone are lost":
+    "30 % der Datagramme von und zur Drohne gehen verloren",
+  "the link to the drone is lost for good": "die Verbindung zur Drohne ist weg",
+  "the drone falls silent and still obeys": "die Drohne schweigt und gehorcht noch",
+  "the pictures stop, are damaged or stand still":
+    "die Bilder bleiben aus, sind beschädigt oder stehen",
+  "the charge falls off a cliff": "die Ladung bricht ein",
+  "a weak motor, a damaged propeller, a sagging battery":
+    "schwacher Motor, beschädigter Propeller, schwacher Akku",
+  "a motor stands still": "ein Motor steht",
+  "held by something: tether, load, fan, wind": "festgehalten: Leine, Last, Ventilator, Wind",
+  "a chair is put on the way": "ein Stuhl wird in den Weg gestellt",
+  "somebody steps in front, walks up to it, or crosses":
+    "jemand tritt davor, geht darauf zu oder kreuzt",
+  "somebody or something is on the pad": "jemand oder etwas ist auf dem Landeplatz",
+  "the drone's optical flow fails": "der optische Fluss der Drohne fällt aus",
+  "the drone's sonar fails": "der Ultraschall der Drohne fällt aus",
+  "the scanners fail": "die Scanner fallen aus",
 };

@@ -86,7 +86,7 @@ export function Log() {
         </select>
         {filter.value === "room" && <OnlyOf />}
       </div>
-      <ol tabIndex={0} data-scrolls>
+      <ol tabIndex={0} data-scrolls onKeyDown={walk}>
         {shown.value.map((one) => (
           <li key={one.key} data-severity={one.severity}>
             <time>{new Date(one.when).toTimeString().slice(0, 8)}</time>
@@ -98,6 +98,7 @@ export function Log() {
             ) : (
               <button
                 type="button"
+                tabIndex={-1}
                 aria-current={at.value === one.shows}
                 title={t("Show the room as it was then")}
                 onClick={() => go(one.shows)}
@@ -110,6 +111,16 @@ export function Log() {
       </ol>
     </section>
   );
+}
+
+/** The arrow keys go from line to line: as Tab stops they would stand before STOP. */
+function walk(event: KeyboardEvent): void {
+  const way = { ArrowDown: 1, ArrowUp: -1 }[event.key as "ArrowUp"];
+  const all = [...(event.currentTarget as Element).querySelectorAll("button")];
+  const next = way && all[all.indexOf(document.activeElement as HTMLButtonElement) + way];
+  if (!next) return;
+  event.preventDefault();
+  next.focus();
 }
 
 /** Whose events of the room are listed. */

@@ -1,6 +1,6 @@
 import { flying, lineLives, panel, preflight, verdict } from "../store";
 import { sentence } from "../format";
-import { readiness } from "../preflight";
+import { looking, readiness } from "../preflight";
 import { Told } from "../messages/told";
 import type { FlightObjection, PreflightCheck } from "../wire/messages";
 import { t, tongue, translated } from "../messages/language";
@@ -28,7 +28,7 @@ function Line() {
   return (
     <span class="line">
       <strong data-ready={ready}>
-        {!flying.value && (ready ? "✓ " : "✕ ")}
+        {!flying.value && !looking.value && (ready ? "✓ " : "✕ ")}
         {text}
       </strong>
       {known.map((note) => (

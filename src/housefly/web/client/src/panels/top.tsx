@@ -136,5 +136,5 @@ function site(): string {
 function who(): string {
   if (iFly.value) return t("You have control");
   return verdict.value?.control ? t("{who} has control", { who: verdict.value.control })
-    : t("Take control");
+    : t("Nobody has control");
 }

@@ -1,5 +1,6 @@
 // A flight that is looked at again: which, at what moment, and what the drone was doing then.
 import { batch, computed, signal } from "@preact/signals";
+import { layer } from "../back";
 import { showAt } from "../live/room-client";
 import { at } from "../live/store";
 import { flying } from "../store";
@@ -125,6 +126,11 @@ export function closeFlight(reason = ""): void {
   if (reason)
     setTimeout(() => liveAgain.peek() === reason && (liveAgain.value = ""), SAID_FOR);
 }
+
+layer(
+  () => replaying.value || at.value !== null,
+  () => closeFlight(),
+);
 
 /** The number of the last row whose time is not after a moment [s]; -1 before the first. */
 export function rowAt(times: { t: number }[] | number[], time: number): number {

@@ -1,5 +1,5 @@
 import { hasDrone, panel, toggle } from "../store";
-import { RingButton } from "../tasks/bell";
+import { RingButton } from "./ring";
 import { running } from "../tasks/board";
 import { ideas } from "../tasks/ideas";
 import { Chips } from "../tasks/sentence-answer";

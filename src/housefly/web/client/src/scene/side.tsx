@@ -5,8 +5,10 @@ import { Battery } from "../panels/battery";
 import { Log } from "../panels/log";
 import { Readings } from "../panels/readings";
 import { replaying } from "../replay/replay";
+import { looking } from "../preflight";
 import { hasDrone, lineLives, panel, verdict } from "../store";
 import { sentence } from "../format";
+import { Sim } from "../sim/sim";
 import { Told } from "../messages/told";
 import { t, translated } from "../messages/language";
 
@@ -22,6 +24,7 @@ export function Side() {
   return (
     <aside class="side" aria-label={t("Drone and house")}>
       {hasDrone.value && <Reasons />}
+      <Sim />
       {details.value ? (
         <section class="card details" aria-label={t("Details")} tabIndex={0} data-scrolls>
           <div class="row">
@@ -72,7 +75,7 @@ function Reasons() {
         {t("If contact is lost:")} <Told words={sentence(translated(told.if_contact_lost))} />
       </p>
     );
-  if (told.reasons.length === 0) return null;
+  if (told.reasons.length === 0 || looking.value) return null;
   return (
     <ul class="card reasons" aria-label={t("What is to be mended")}>
       {told.reasons.map((one) => (

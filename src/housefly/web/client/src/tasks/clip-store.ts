@@ -1,5 +1,7 @@
 // Which clips there are, and which is open.
 import { signal } from "@preact/signals";
+import { layer } from "../back";
+import { screen } from "../store";
 import { clips as askClips, deleteClip, keepClip } from "./tasks-client";
 import type { ClipInfo } from "../wire/task-messages";
 
@@ -51,13 +53,13 @@ export function openClip(id: string): void {
   opened.value = id;
   clipTrouble.value = "";
   if (!id) return;
-  history.replaceState(null, "", `#clip/${id}`);
+  history.replaceState(history.state, "", `#clip/${id}`);
   void describe(id);
 }
 
 export function closeClip(): void {
   opened.value = "";
-  history.replaceState(null, "", "#tasks");
+  history.replaceState(history.state, "", "#tasks");
 }
 
 /** Keep the open clip until somebody deletes it, or no longer, or delete it. */
@@ -87,6 +89,7 @@ async function describe(id: string): Promise<void> {
   if (opened.value === id) openedInfo.value = clips.find((one) => one.id === id) ?? null;
 }
 
+layer(() => opened.value !== "" && screen.value === "tasks", closeClip);
 if (opened.value) void describe(opened.value);
 
 // A link to a clip, from the picture.

@@ -18,6 +18,10 @@ const SPANS: [Key, number][] = [
 ];
 const FILTERS = ["person", "place", "thing"] as const;
 
+/** Whoever has not typed for so long is answered [ms]. */
+const PAUSE = 300;
+let typing = 0;
+
 const wanted = signal<Record<string, string>>({});
 const span = signal(0);
 
@@ -56,8 +60,9 @@ export function Clips() {
               onInput={(event) => {
                 // Kept while it is typed: news of the house draw this form anew at any time.
                 wanted.value = { ...wanted.value, [name]: event.currentTarget.value };
+                clearTimeout(typing);
+                typing = window.setTimeout(look, PAUSE);
               }}
-              onChange={look}
             />
           </label>
         ))}

@@ -60,7 +60,6 @@ export const say = (text: string): Promise<SentenceAnswer> =>
 
 export const setMode = (mode: string): Promise<ModeAnswer> => post("/mode", { mode });
 
-export const bell = (): Promise<BellView> => fetchedFrom("/bell");
 export const pressBell = (): Promise<BellView> => fetchedFrom("/bell", { method: "POST" });
 
 export const services = (): Promise<ServicesAnswer> => fetched("/services");

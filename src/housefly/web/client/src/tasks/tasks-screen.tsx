@@ -5,10 +5,10 @@ import { VideoView } from "../panels/video";
 import { flying, hasDrone } from "../store";
 import { Readiness } from "../panels/preflight";
 import { readiness } from "../preflight";
+import { Sim } from "../sim/sim";
 import { ago } from "../live/words";
 import { board, silent, unixNow } from "./board";
 import { AskBar } from "./ask-bar";
-import { Bell } from "./bell";
 import { ClipSheet } from "./clip-sheet";
 import { Memory } from "./memory";
 import { Mode } from "./mode";
@@ -35,7 +35,7 @@ export function TasksScreen() {
       <div class="column">
         <AskBar />
         <Questions over={false} />
-        <Bell />
+        <Sim />
         <OpenTasks />
         <Services />
       </div>

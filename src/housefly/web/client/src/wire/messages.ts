@@ -91,6 +91,7 @@ export interface Welcome {
   now: number;
   events: EventView[];
   trail: [number, number][];
+  simulated: boolean;
   type: "welcome";
 }
 

@@ -263,6 +263,19 @@ export interface BellView {
   words: string;
 }
 
+export interface SimulatedFault {
+  row: string;
+  words: Said;
+}
+
+export interface SimulationView {
+  simulated: boolean;
+  done: boolean;
+  words: Said;
+  faults: SimulatedFault[];
+  failing: number;
+}
+
 export type Severity = "info" | "warning" | "fault";
 
 export interface FlightView {
@@ -371,6 +384,7 @@ export type RoomAnswer =
   | CoverageView
   | EditsView
   | BellView
+  | SimulationView
   | FlightsView
   | FlightReplay
   | DronesView;

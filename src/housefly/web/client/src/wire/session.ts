@@ -5,7 +5,7 @@ const PROOF_KEY = "housefly proof";
 const handed = new URLSearchParams(location.search).get("proof");
 if (handed) {
   localStorage.setItem(PROOF_KEY, handed);
-  history.replaceState(null, "", location.pathname + location.hash);
+  history.replaceState(history.state, "", location.pathname + location.hash);
 }
 
 /** The proof, or "" in a browser that has none. */

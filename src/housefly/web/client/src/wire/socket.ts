@@ -142,6 +142,7 @@ function receive(message: ServerMessage): void {
         assume(message.now);
         store.me.value = message.you;
         store.role.value = message.role;
+        store.simulated.value = message.simulated;
         store.events.value = message.events;
         store.trail.value = trailOf(message.trail);
         store.contact.value = "open";
