@@ -431,7 +431,9 @@ async def test_the_console_comes_back_by_itself_after_the_server_was_started_aga
     await expect(page.locator(".headline")).to_contain_text("No contact")
     await expect(page.locator(".banner")).to_be_visible()
     async with serving(loopback, port) as second:
-        await expect(page.locator(".headline")).to_contain_text("Your drone is home", timeout=10_000)
+        await expect(page.locator(".headline")).to_contain_text(
+            "Your drone is home", timeout=10_000
+        )
         await expect(page.locator(".banner")).to_be_hidden()
         await page.keyboard.press("Space")
         await expect(page.locator(".stop")).to_contain_text("STOPPED")

@@ -17,7 +17,6 @@ from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 from stand_in_tasks import REHEARSAL, StandInTasks
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY
 from housefly.bus.simulated_room import (
     SIMULATION_QUERY,
     SimulatedDeed,
@@ -26,6 +25,7 @@ from housefly.bus.simulated_room import (
     act_from_json,
     outcome_to_json,
 )
+from housefly.bus.topics import HUB_QUERY
 from housefly.config.house_mode import HouseMode
 from housefly.errors import HouseflyError, TaskError
 from housefly.evidence.clip_export import ClipExport

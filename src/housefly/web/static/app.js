@@ -1,1 +1,1 @@
-import"./chunk-chunk-4YHW4KX3.js";
+import"./chunk-chunk-HFBMFLOW.js";

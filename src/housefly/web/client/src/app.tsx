@@ -15,7 +15,7 @@ import { Questions } from "./tasks/questions";
 
 const SCREENS: Record<Screen, () => ComponentChild> = {
   live: LiveScene,
-  edit: lazyScreen(async () => (await import("./later")).EditScreen),
+  edit: lazyScreen(async () => (await import("./live/edit-screen")).EditScreen, true),
   tasks: lazyScreen(async () => (await import("./later")).TasksScreen),
 };
 

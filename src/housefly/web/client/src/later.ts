@@ -3,7 +3,6 @@ export { Invite } from "./device/invite";
 export { Feed } from "./feed/feed";
 export { AfterCard } from "./scene/after-card";
 export { Bubble } from "./hints/bubbles";
-export { EditScreen } from "./live/edit-screen";
 export { CurveLayer, SpeedLegend } from "./map/curve";
 export { HeightProfile } from "./map/height-profile";
 export { Nudge } from "./controls/nudge";

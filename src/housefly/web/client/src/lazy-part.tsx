@@ -10,11 +10,13 @@ type Part<Props> = (props: Props) => ComponentChild;
 
 /**
  * Return a component that shows a part as soon as its code is there, and tries until it is.
- * Before that it shows what `waiting` says, if anything.
+ * Before that it shows what `waiting` says, if anything. Its code is fetched soon after the first
+ * paint, or, for what few people open, only when it is shown.
  */
 export function lazyPart<Props extends object>(
   load: () => Promise<Part<Props>>,
   waiting: (failed: boolean) => ComponentChild = () => null,
+  isRare = false,
 ): Part<Props> {
   const loaded = signal<Part<Props> | null>(null);
   const failed = signal(false);
@@ -32,7 +34,7 @@ export function lazyPart<Props extends object>(
     }
     loading = false;
   };
-  setTimeout(() => void fetchCode(), SOON);
+  if (!isRare) setTimeout(() => void fetchCode(), SOON);
   return function Lazy(props: Props) {
     useEffect(() => void fetchCode(), []);
     const Shown = loaded.value;
