@@ -150,7 +150,7 @@ def test_the_room_says_where_the_cup_is_and_where_it_was(address: str, page: Pag
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     before = time.time()
     page.goto(address)
-    answer, past = page.locator(".find .answer"), page.locator(".past-banner")
+    answer, past = page.locator(".answer"), page.locator(".past-banner")
     expect(page.locator(".thing-mark[data-thing='person-1']")).to_contain_text(
         "the resident", timeout=15_000
     )

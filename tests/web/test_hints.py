@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 import pytest_asyncio
 from axe_audit import axe_findings
+from console_page import choose_place
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, Phase
@@ -19,7 +20,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 SIZES = [(390, 844), (844, 390), (768, 1024), (1440, 900)]
 FIRST_TIME = "localStorage.getItem('housefly hints') ?? localStorage.setItem('housefly hints', '')"
 """A browser that a program drives is not shown around unless it says so."""
-WORDS = ("Choose a place", "Hold the large button", "STOP stops at once")
+WORDS = ("Ask for anything", "Hold the large button", "STOP stops at once")
 
 
 @pytest_asyncio.fixture(loop_scope="session")
@@ -55,7 +56,7 @@ async def test_three_hints_are_shown_one_after_another_and_never_again(page: Pag
     assert await seen(page)
     await page.reload()
     await expect(page.locator(".headline")).to_contain_text("Your drone is home")
-    await expect(page.locator(".places button").first).to_be_visible()
+    await expect(page.locator(".to-fly")).to_be_visible()
     await expect(hint).to_have_count(0)
 
 
@@ -108,7 +109,7 @@ COVERED = """(() => {
 async def test_who_ignores_them_chooses_a_place_and_flies(page: Page, console: Any) -> None:
     hint = page.locator(".hint")
     await expect(hint).to_contain_text(WORDS[0])
-    await page.locator(".places button", has_text="Entrance").click()
+    await choose_place(page, "Entrance")
     await expect(hint).to_contain_text(WORDS[1])
     button = page.locator(".acts > :first-child")
     await expect(button).to_have_attribute("aria-disabled", "false")

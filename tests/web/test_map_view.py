@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from console_page import open_earlier
 from plan_pixels import PLAN, drawn_plan
 from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 
@@ -238,6 +239,7 @@ async def test_keys_bring_the_map_nearer_when_it_has_the_focus_and_arrows_stay_t
 
 @pytest.mark.interop
 async def test_in_the_past_arrows_move_the_map_and_no_tap_is_a_goal(page: Page) -> None:
+    await open_earlier(page)
     await page.get_by_role("slider", name="Time shown").fill("-60")
     await expect(page.locator(".past-banner")).to_be_visible()
     await wheel(page, await pixel(page, 3.75, 2.0), 5)
@@ -377,6 +379,7 @@ async def test_nothing_scrolls_and_height_zoom_and_time_are_on_the_screen_at_fiv
 ) -> None:
     await fly(console)
     await expect(page.locator(".curve .speed").first).to_be_visible()
+    await open_earlier(page)
     for width, height in FIVE_SIZES:
         await page.set_viewport_size({"width": width, "height": height})
         for one in (".profile .hull", ".zoom button >> nth=0", ".zoom button >> nth=1"):
@@ -415,6 +418,7 @@ async def test_the_time_bar_of_a_phone_reaches_back_and_its_words_are_whole(
     page: Page, width: int, height: int
 ) -> None:
     await page.set_viewport_size({"width": width, "height": height})
+    await open_earlier(page)
     reach = page.get_by_label("How far back")
     for name in ("10 min", "1 week"):
         await reach.select_option(name)

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from console_page import open_orders
 from playwright.async_api import Browser, FloatRect, Page, expect
 
 from housefly.config.limits import LimitsConfig
@@ -77,8 +78,12 @@ def lie_apart(one: FloatRect, other: FloatRect) -> bool:
     return above or one["x"] + one["width"] <= other["x"]
 
 
+ORDERS = (".command", ".acts")
+
+
 async def hold_take_off(page: Page) -> None:
     if await page.locator(".drawer").count() == 0:
+        await open_orders(page)
         await page.get_by_role("button", name="More", exact=True).click()
     await page.locator("role=button[name='Take off']").hover()
     await page.mouse.down()
@@ -105,6 +110,7 @@ async def test_a_low_battery_is_told_and_refuses_the_take_off_until_it_is_mended
 
 
 async def test_a_press_that_does_nothing_says_why(page: Page) -> None:
+    await open_orders(page)
     await page.get_by_role("button", name="Land").click(force=True)
     await expect(page.locator(".plan .why")).to_have_text("The drone is on the ground.")
     await expect(page.locator(".said")).to_have_text("The drone is on the ground.")
@@ -171,14 +177,21 @@ async def test_a_take_off_moves_none_of_the_orders_under_the_finger(
         console.pilot.status = DroneStatus.LANDED
         await page.set_viewport_size({"width": width, "height": height})
         await expect(line(page)).to_contain_text("Ready")
-        before = [await box(page, one) for one in (".command", ".acts", ".stop")]
-        assert before[1]["y"] + before[1]["height"] < before[2]["y"], "all orders are on the screen"
+        if await page.locator(".acts").count() == 0:
+            await open_orders(page)
+        before, at_rest = [await box(page, one) for one in ORDERS], await box(page, ".stop")
         console.pilot.status = DroneStatus.FLYING
-        await expect(page.locator(".headline")).to_contain_text("Hovering")
-        assert [await box(page, one) for one in (".command", ".acts", ".stop")] == before
+        await expect(page.locator(".stopbar")).to_have_attribute("data-whole", "true")
+        await page.wait_for_timeout(400)  # STOP grows
+        assert [await box(page, one) for one in ORDERS] == before
+        stop = await box(page, ".stop")
+        assert stop["y"] == at_rest["y"] and stop["width"] > 1.5 * at_rest["width"]
+        assert stop["x"] < at_rest["x"], "it grows over where it was"
+        assert before[1]["y"] + before[1]["height"] <= stop["y"], "all orders are on the screen"
 
 
 async def test_what_the_pilot_refuses_is_told_beside_the_buttons(page: Page, console: Any) -> None:
+    await open_orders(page)
     text = "service sofa refused: the charge is not enough for the way"
     console.pilot.add_event(Severity.WARNING, "order_refused", text)
     await expect(page.locator(".plan .why")).to_have_text(f"{text.capitalize()}.")

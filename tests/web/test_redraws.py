@@ -18,7 +18,7 @@ TOPICS = DroneTopics()
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 
-MOVES = ("drone", "trail", "way", "height", "battery", "facts", "detail", "time-bar", "video")
+MOVES = ("drone", "trail", "way", "height", "battery", "pill", "detail", "time-bar", "video")
 """What moves, is counted or is measured."""
 WATCHED = """([moves, seconds]) => new Promise((done) => {
   const others = new Set(), moved = new Set(), lines = new Set();

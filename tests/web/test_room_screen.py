@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from console_page import open_details, open_earlier
 from playwright.async_api import Browser, Page, expect
 
 from housefly.config.hub import HubConfig
@@ -169,28 +170,28 @@ async def test_old_things_fade_and_say_their_age(page: Page, room: Room) -> None
 
 async def test_a_nickname_is_answered_in_words_and_ringed_on_the_map(page: Page) -> None:
     await ask(page, "mug")
-    await expect(page.locator(".find .words")).to_contain_text("the red cup: in the cabinet")
-    await expect(page.locator(".find .words")).to_contain_text("last seen")
+    await expect(page.locator(".answer .words")).to_contain_text("the red cup: in the cabinet")
+    await expect(page.locator(".answer .words")).to_contain_text("last seen")
     ring, cabinet = (
         await middle(page.locator(".found")),
         await middle(mark(page, "cabinet").locator("circle.reach")),
     )
     assert abs(ring[0] - cabinet[0]) < 3 and abs(ring[1] - cabinet[1]) < 3
-    await page.locator(".find").get_by_role("button", name="the cabinet").click()
-    await expect(page.locator(".find .words")).to_contain_text("the cabinet: at")
+    await page.locator(".answer").get_by_role("button", name="the cabinet").click()
+    await expect(page.locator(".answer .words")).to_contain_text("the cabinet: at")
 
 
 async def test_what_nobody_knows_is_said_and_what_was_meant_is_one_press_away(page: Page) -> None:
     await ask(page, "rad cub")
-    await expect(page.locator(".find")).to_contain_text("Nothing is called 'rad cub'")
-    await page.locator(".find").get_by_role("button", name="the red cup").click()
-    await expect(page.locator(".find .words")).to_contain_text("in the cabinet")
+    await expect(page.locator(".answer")).to_contain_text("Nothing is called 'rad cub'")
+    await page.locator(".answer").get_by_role("button", name="the red cup").click()
+    await expect(page.locator(".answer .words")).to_contain_text("in the cabinet")
 
 
 async def test_a_thing_on_the_map_is_found_by_keyboard(page: Page, room: Room) -> None:
     await mark(page, "person-1").focus()
     await page.keyboard.press("Enter")
-    await expect(page.locator(".find .words")).to_contain_text(
+    await expect(page.locator(".answer .words")).to_contain_text(
         "the resident: at (3.00, 0.80, 0.00) m"
     )
     assert room.console.pilot.orders == []
@@ -209,11 +210,12 @@ async def test_a_sensor_that_is_ill_comes_first_and_says_why(page: Page) -> None
 
 async def test_the_past_is_shown_unmistakably_and_now_is_one_press_away(page: Page) -> None:
     await ask(page, "the red cup")
+    await open_earlier(page)
     slider = page.get_by_role("slider", name="Time shown")
     now = await middle(mark(page, "person-1").locator("circle.reach"))
     await slider.fill("-60")
     await expect(page.locator(".past-banner")).to_contain_text("The past")
-    await expect(page.locator(".find")).to_contain_text("in the small refrigerator")
+    await expect(page.locator(".answer")).to_contain_text("in the small refrigerator")
     await expect(mark(page, "refrigerator-2")).to_contain_text("in it: the red cup")
     await expect(page.locator(".live")).to_have_attribute("data-past", "true")
     assert re.search(
@@ -223,10 +225,11 @@ async def test_the_past_is_shown_unmistakably_and_now_is_one_press_away(page: Pa
     assert abs(now[0] - then[0]) + abs(now[1] - then[1]) > 50
     await page.get_by_role("button", name="Back to live", exact=True).click()
     await expect(page.locator(".past-banner")).to_have_count(0)
-    await expect(page.locator(".find .words")).to_contain_text("in the cabinet")
+    await expect(page.locator(".answer .words")).to_contain_text("in the cabinet")
 
 
 async def test_the_slider_is_moved_by_keys_and_space_on_it_is_stop(page: Page, room: Room) -> None:
+    await open_earlier(page)
     slider = page.get_by_role("slider", name="Time shown")
     await slider.focus()
     for _ in range(3):
@@ -239,6 +242,8 @@ async def test_the_slider_is_moved_by_keys_and_space_on_it_is_stop(page: Page, r
 
 async def test_an_event_is_listed_filtered_and_shows_its_moment(page: Page, room: Room) -> None:
     room.happen("door opened", "entrance-door", "entrance-door", 1.0)
+    await open_earlier(page)
+    await open_details(page)
     event = page.locator(".log li").filter(has_text="Object put: the red cup (the cabinet)")
     await expect(event).to_be_visible()
     await expect(page.locator(".log")).to_contain_text("Door opened: entrance door")
@@ -276,6 +281,7 @@ async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, r
     await expect(mark(page, "person-1")).to_contain_text("△ lies on the floor, 84 %")
     await expect(page.locator(".live .legend")).to_contain_text("low for 12 s")
     await expect(page.locator(".obstacle")).to_contain_text("0.5 m/s, 90 % sure")
+    await open_earlier(page)
     await page.get_by_role("slider", name="Time shown").fill("-60")
     await expect(page.locator(".past-banner")).to_be_visible()
     assert await page.locator(".obstacle").count() == 0
@@ -331,16 +337,16 @@ async def test_only_the_newest_question_is_answered_whatever_comes_first(page: P
     await page.route("**/api/v1/where/the%20red%20cup*", late)
     await ask(page, "the red cup")
     await ask(page, "the small refrigerator")
-    await expect(page.locator(".find .words")).to_contain_text("the small refrigerator: at")
+    await expect(page.locator(".answer .words")).to_contain_text("the small refrigerator: at")
     await asyncio.sleep(1.3)
-    await expect(page.locator(".find .words")).to_contain_text("the small refrigerator: at")
+    await expect(page.locator(".answer .words")).to_contain_text("the small refrigerator: at")
     await ask(page, "salt/pepper")
-    await expect(page.locator(".find .answer")).to_contain_text("Nothing is called 'salt pepper'")
+    await expect(page.locator(".answer")).to_contain_text("Nothing is called 'salt pepper'")
 
 
 async def test_what_was_found_is_one_hold_from_being_looked_at(page: Page, room: Room) -> None:
     await ask(page, "where is the resident")
-    await expect(page.locator(".find .words")).to_contain_text("the resident")
+    await expect(page.locator(".answer .words")).to_contain_text("the resident")
     look = page.get_by_role("button", name="Look there")
     await look.hover()
     await page.mouse.down()
@@ -357,16 +363,17 @@ async def test_a_bell_is_a_card_in_words_and_in_the_title_and_the_picture_takes_
 ) -> None:
     assert await page.title() == "Housefly"
     await ask(page, "the red cup")
-    await expect(page.locator(".find .answer")).to_be_visible()
+    await expect(page.locator(".answer")).to_be_visible()
     room.happen("bell pressed", "doorbell", "doorbell", 0.0)
     card = page.get_by_role("article", name="Doorbell")
     await expect(card).to_contain_text("Someone at the entrance")
     await expect(page).to_have_title(re.compile("Someone at the entrance"))
     await expect(page.locator(".app")).to_have_attribute("data-swapped", "true")
-    await expect(page.locator(".find .answer")).to_have_count(0)
+    await expect(page.locator(".answer")).to_have_count(0)
     stage, card_at = await page.locator(".view.video").bounding_box(), await card.bounding_box()
     assert stage is not None and card_at is not None
-    assert stage["width"] > 600 and card_at["x"] >= stage["x"] + stage["width"]
+    assert stage["width"] > 600 and card_at["y"] > stage["y"] + 0.4 * stage["height"]
+    assert card_at["y"] + card_at["height"] <= stage["y"] + stage["height"], "over no order"
     await card.get_by_role("button", name="Ignore").click()
     await expect(card).to_have_count(0)
     await expect(page.locator(".app")).to_have_attribute("data-swapped", "false")

@@ -254,7 +254,7 @@ async def test_an_answer_over_the_map_is_put_away_after_a_minute(page: Page, hou
     await page.get_by_role("button", name="Live").first.click()
     await page.get_by_role("combobox", name="Where is").fill("where is the cup")
     await page.keyboard.press("Enter")
-    answer = page.locator(".find .answer")
+    answer = page.locator(".answer")
     await expect(answer).to_contain_text("“where is the cup”, answered now")
     house.tasks.clock_ahead, house.tasks.notices = 70.0, ("somebody is at the door",)
     house.tasks.tell()

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from console_page import choose_place, open_earlier
 from playwright.async_api import Browser, Page, expect
 
 from housefly.bus.topics import DroneTopics
@@ -77,6 +78,7 @@ async def kept(
         page.on("pageerror", lambda error: troubles.append(str(error)))
         await page.goto(console.link)
         await expect(page.locator(".headline")).to_contain_text("Your drone is home")
+        await open_earlier(page)
         yield page, console
         await context.close()
         assert troubles == []
@@ -183,7 +185,7 @@ async def test_what_happens_now_brings_the_present_back(
         await page.locator(".stop").click()
         await until(lambda: console.stops)
     else:
-        await page.get_by_role("button", name="Entrance", exact=True).click()
+        await choose_place(page, "Entrance")
     await expect(page.locator(".time-bar")).to_contain_text(words)
     await is_live(page)
 

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 
 import pytest
 import pytest_asyncio
+from console_page import choose_place, open_orders
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, OrderKind, Phase
@@ -43,6 +44,7 @@ async def hold(page: Page, name: str) -> None:
 
 
 async def more(page: Page) -> None:
+    await open_orders(page)
     await page.get_by_role("button", name="More", exact=True).click()
 
 
@@ -100,7 +102,7 @@ async def test_a_tap_on_what_must_be_held_says_so_at_the_button(page: Page, cons
     await expect(said).to_contain_text("Hold it for 0.6 s")
     where, at = await said.bounding_box(), await button.bounding_box()
     assert where is not None and at is not None
-    assert abs(where["y"] + where["height"] - at["y"]) < 20
+    assert where["x"] >= at["x"] + at["width"], "over no order"
     assert console.pilot.orders == []
 
 
@@ -123,7 +125,7 @@ async def test_what_ends_a_hold_is_told_although_it_is_over_at_once(
 async def test_a_refusal_comes_back_to_the_button_that_was_held_and_stays_until_it_is_read(
     page: Page, console: Any, until: Until
 ) -> None:
-    await page.get_by_role("button", name="Sofa", exact=True).click()
+    await choose_place(page, "Sofa")
     await expect(page.locator(".ghost .preview")).to_be_visible()
     await hold(page, "and come back")
     await until(lambda: len(console.pilot.orders) == 1)
@@ -132,7 +134,7 @@ async def test_a_refusal_comes_back_to_the_button_that_was_held_and_stays_until_
     await expect(said).to_contain_text("Too near.")
     where, at = await said.bounding_box(), await button.bounding_box()
     assert where is not None and at is not None
-    assert where["y"] + where["height"] <= at["y"] and at["y"] - where["y"] < 150
+    assert where["x"] >= at["x"] + at["width"] and abs(where["y"] - at["y"]) < 60, "beside it"
     for name in SCREENS:
         await screen(page, name)
         await expect(said).to_contain_text("Too near")
@@ -281,7 +283,7 @@ async def test_a_page_without_its_server_says_what_held_and_no_more(
     async with serving(loopback) as served:
         await page.goto(served.link)
         await expect(page.locator(".headline")).to_contain_text("Your drone is home")
-        await page.get_by_role("button", name="Entrance", exact=True).click()
+        await choose_place(page, "Entrance")
         await hold(page, "and come back")
         await expect(page.locator(".headline")).to_contain_text("Flying to", timeout=10_000)
     banner = page.locator(".banner")

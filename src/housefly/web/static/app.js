@@ -1,1 +1,1 @@
-import"./chunk-chunk-HFBMFLOW.js";
+import"./chunk-chunk-HJMVTFW2.js";

@@ -6,8 +6,8 @@ import { endHints, HINTS, nextHint, step } from "./hints";
 
 /** What is said, and what it is about. */
 const SAID: { words: Key; about: string }[] = [
-  { words: "Choose a place on the map, or ask above.", about: ".places" },
-  { words: "Hold the large button to fly.", about: ".acts > :first-child" },
+  { words: "Ask for anything, or choose a place on the map.", about: ".dock" },
+  { words: "Hold the large button to fly.", about: ".to-fly" },
   { words: "STOP stops at once. It works for everybody, at any time.", about: ".stop" },
 ];
 const EDGE = 8;

@@ -434,7 +434,7 @@ const texts: Speech["texts"] = {
   "Taken by": "Aufgenommen von",
   // first steps
   "First steps": "Erste Schritte",
-  "Choose a place on the map, or ask above.": "Einen Ort auf der Karte wählen oder oben fragen.",
+  "Ask for anything, or choose a place on the map.": "Fragen Sie, oder wählen Sie einen Ort auf der Karte.",
   "Hold the large button to fly.": "Zum Fliegen die große Taste halten.",
   "STOP stops at once. It works for everybody, at any time.":
     "STOP hält sofort an. Für alle, jederzeit.",

@@ -405,7 +405,7 @@ export const EN = [
   "Taken by",
   // first steps
   "First steps",
-  "Choose a place on the map, or ask above.",
+  "Ask for anything, or choose a place on the map.",
   "Hold the large button to fly.",
   "STOP stops at once. It works for everybody, at any time.",
   "OK",

@@ -415,7 +415,7 @@ const texts: Speech["texts"] = {
   "Taken by": "撮影",
   // first steps
   "First steps": "はじめに",
-  "Choose a place on the map, or ask above.": "地図で場所を選ぶか、上の欄で聞いてください。",
+  "Ask for anything, or choose a place on the map.": "何でも頼めます。地図で場所を選ぶこともできます。",
   "Hold the large button to fly.": "大きなボタンを長押しすると飛びます。",
   "STOP stops at once. It works for everybody, at any time.": "STOPを押すとすぐ止まります。誰でも、いつでも使えます。",
   "OK": "OK",
