@@ -25,11 +25,19 @@ DESKTOP: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 390, "height": 844}
 FLAGS = [
     "--no-sandbox",
-    "--disable-gpu",
     "--disable-background-networking",
     "--disable-component-update",
     "--no-first-run",
 ]
+
+SPACE_FLAGS = [
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+]
+"""With these the room is drawn in space without a graphics card, slowly."""
+IN_SPACE = "localStorage.setItem('housefly space', 'true')"
 
 MORE = """
 [drone]
@@ -85,16 +93,36 @@ def hold(page: Page, button: Locator) -> None:
     page.mouse.up()
 
 
+def begin_with_space(browser: Browser, address: str, size: ViewportSize) -> Page:
+    """Open the home screen with the room in space."""
+    context = browser.new_context(viewport=size, color_scheme="light")
+    context.add_init_script(IN_SPACE)
+    page = context.new_page()
+    page.goto(address)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
+    expect(page.locator(".space-canvas canvas")).to_be_visible(timeout=30_000)
+    page.wait_for_timeout(6000)
+    return page
+
+
 def begin(browser: Browser, address: str) -> dict[str, Page]:
-    """Open the demo as its address says, photograph what can be asked, and return the pages."""
-    context = browser.new_context(viewport=DESKTOP, color_scheme="light")
+    """Open the demo as its address says, photograph the home screen, and return the pages."""
+    first = begin_with_space(browser, address, DESKTOP)
+    photograph({"console": first}, "home")
+    first.set_viewport_size(PHONE)
+    first.wait_for_timeout(4000)
+    photograph({"phone": first}, "home")
+    cookies = first.context.storage_state()
+    first.context.close()
+    context = browser.new_context(viewport=DESKTOP, color_scheme="light", storage_state=cookies)
+    context.add_init_script("localStorage.removeItem('housefly space')")
     desktop, phone, dark = (context.new_page() for _ in range(3))
     phone.set_viewport_size(PHONE)
     dark.emulate_media(color_scheme="dark")
-    desktop.goto(address)
-    expect(state(desktop, "Your drone is home")).to_be_visible(timeout=60_000)
-    phone.goto(address.split("?")[0] + "#tasks")
-    dark.goto(address.split("?")[0])
+    home = address.split("?")[0]
+    for page in (desktop, phone):
+        page.goto(f"{home}#tasks")
+    dark.goto(home)
     pages = {"tasks": desktop, "phone-tasks": phone}
     for page in pages.values():
         services = page.get_by_role("region", name="Services")
@@ -119,6 +147,7 @@ def choose(pages: dict[str, Page]) -> None:
         if page.get_by_role("button", name="Close").is_visible():
             page.get_by_role("button", name="Close").click()
         show(page, "Live")
+    desktop.get_by_role("button", name="Fly to …").first.click()
     desktop.get_by_role("button", name="Entrance", exact=True).click()
     desktop.wait_for_timeout(2000)
     photograph({"console": desktop, "phone": phone}, "ready")
@@ -139,16 +168,16 @@ def fly(pages: dict[str, Page]) -> None:
 
 
 def ring(page: Page) -> None:
-    """Press the bell of the simulated room, and wait for what the house does."""
-    bell = page.get_by_role("region", name="Simulated doorbell")
-    bell.get_by_role("button").click()
-    expect(bell.get_by_role("status")).to_contain_text("a person must say yes", timeout=30_000)
+    """Press the bell of the simulated room, and wait for the question."""
+    page.get_by_role("button", name="Ring the doorbell").click()
+    expect(page.get_by_role("article").first).to_be_visible(timeout=30_000)
 
 
 def look_who_rings(pages: dict[str, Page]) -> None:
     """Let the bell ring, say yes, and photograph question, tasks and clip."""
     desktop, phone = pages["console"], pages["phone"]
-    show(phone, "Tasks")
+    show(phone, "Live")
+    show(desktop, "Live")
     ring(phone)
     question = desktop.get_by_role("article")
     expect(question.locator(".rehearsal")).to_be_visible(timeout=120_000)
@@ -175,15 +204,20 @@ def look_who_rings(pages: dict[str, Page]) -> None:
         photograph({name: page}, "clip")
 
 
-def photograph_demo(browser: Browser, folder: Path) -> None:
-    """Run the demo with a store of its own, and photograph its story."""
+def demo_command(folder: Path) -> tuple[str, ...]:
+    """Write a site with a memory of its own and return the command that shows it."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = int(probe.getsockname()[1])
     shipped = (Path(sites.__file__).parent / "bsen.toml").read_text()
     (folder / "site.toml").write_text(shipped + MORE.format(folder=folder, port=port))
+    return ("demo", "--site", str(folder / "site.toml"))
+
+
+def photograph_demo(browser: Browser, folder: Path) -> None:
+    """Run the demo with a store of its own, and photograph its story."""
     log = folder / "demo.log"
-    command = ("demo", "--site", str(folder / "site.toml"))
+    command = demo_command(folder)
     demo = housefly(*command, stdout=log.open("w"), stderr=subprocess.STDOUT)
     try:
         pages = begin(browser, address_in(log))
@@ -217,7 +251,8 @@ def main() -> None:
     """Take all pictures."""
     IMAGES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=chromium_path(), args=FLAGS)
+        flags = [*FLAGS, *SPACE_FLAGS]
+        browser = play.chromium.launch(executable_path=chromium_path(), args=flags)
         photograph_demo(browser, Path(folder))
         photograph_report(browser, Path(folder) / "flight")
         browser.close()

@@ -20,7 +20,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
 SIZES = [(390, 844), (844, 390), (768, 1024), (1440, 900)]
 FIRST_TIME = "localStorage.getItem('housefly hints') ?? localStorage.setItem('housefly hints', '')"
 """A browser that a program drives is not shown around unless it says so."""
-WORDS = ("Ask for anything", "Hold the large button", "STOP stops at once")
+WORDS = ("Ask for anything", "hold the large button", "STOP stops at once")
 
 
 @pytest_asyncio.fixture(loop_scope="session")
@@ -154,6 +154,6 @@ async def test_a_watcher_is_shown_around_only_when_it_asks(page: Page, console: 
 
 async def test_the_hints_are_not_in_the_first_load() -> None:
     scripts = {file: file.read_text(encoding="utf-8") for file in STATIC_FOLDER.glob("*.js")}
-    hinting = {file.name for file, text in scripts.items() if "Hold the large button" in text}
+    hinting = {file.name for file, text in scripts.items() if "hold the large button" in text}
     english = {name for name in hinting if not name.startswith(("chunk-de-", "chunk-ja-"))}
     assert len(english) == 1 and english.pop().startswith("chunk-later-")

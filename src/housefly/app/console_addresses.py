@@ -26,17 +26,16 @@ class ConsoleAddresses:
 
     Args:
         runtime: of the run.
-        screen: what stands behind the address for this machine.
     """
 
-    def __init__(self, runtime: Runtime, screen: str = "") -> None:
-        self._runtime, self._screen = runtime, screen
+    def __init__(self, runtime: Runtime) -> None:
+        self._runtime = runtime
         self._site = runtime.site()
         self._invitations = Invitations(runtime.secret, RealClock())
 
     def print_address(self) -> None:
         """Print the address, and an invitation where other machines get in."""
-        address = f"{console_address(self._site)}/?token={self._runtime.token}{self._screen}"
+        address = f"{console_address(self._site)}/?token={self._runtime.token}"
         console.print(f"console:  [bold]{address}[/bold]  (works once)", soft_wrap=True)
         if guest_address(self._site):
             self._print_invitation()

@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from dataclasses import replace
-from enum import Enum
 from pathlib import Path
 
 from housefly.app.console_addresses import ConsoleAddresses
@@ -40,18 +39,8 @@ _WISHES = 2
 """So many wishes to use edits are answered at once: a second one hears that there is a first."""
 
 
-class Screen(Enum):
-    """With which screen the console begins; the value is what stands behind its address."""
-
-    FLY = ""
-    TASKS = "#tasks"
-
-
-_NEXT = {
-    Screen.FLY: "Open the address, choose a place, hold the button.",
-    Screen.TASKS: "Open the address and ask for something, or ring the doorbell there.",
-}
-"""What to do first."""
+_ASK = "Open the address and ask for something, or ring the doorbell there."
+_FLY = "Open the address, choose a place, hold the button."
 _NO_FLIGHT = "Open the address: who and what is where, and what happened. Ctrl-C ends."
 
 
@@ -89,16 +78,13 @@ class _Teller:
             time.sleep(0.5)
 
 
-def run_interactively(
-    loaded: LoadedSite, folder: Path, record: Path | None, first: Screen = Screen.FLY
-) -> int:
+def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> int:
     """Start everything, print the console's address when it answers, and stay until Ctrl-C.
 
     Args:
         loaded: what to start.
         folder: for the output of the processes.
         record: folder for a recording; None records nothing.
-        first: screen with which the console begins.
     """
     started = time.monotonic()
     checked_exposure(loaded.site)
@@ -125,9 +111,9 @@ def run_interactively(
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         renewal = RoomRenewal(launcher, bus, is_recorded=record is not None)
         stack.callback(bus.answer(USE_EDITS_QUERY, renewal.answer, _WISHES).close)
-        teller = _Teller(launcher, ConsoleAddresses(runtime, first.value))
+        teller = _Teller(launcher, ConsoleAddresses(runtime))
         try:
-            _introduce(runtime, bus, teller, started, first)
+            _introduce(runtime, bus, teller, started)
             for name, recorder in recorders.items():
                 stack.callback(_record(recorder, bus, DroneTopics(name)))
             if record is not None:
@@ -142,7 +128,7 @@ def run_interactively(
     return 0
 
 
-def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, first: Screen) -> None:
+def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float) -> None:
     site = runtime.site()
     console.print(f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {_kind_of(site)}")
     if site.tasks.enabled:
@@ -167,7 +153,9 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
     def said_ready() -> bool:
         if readiness.wait(0.0):
             return False
-        then = f"{_NEXT[first]} Ctrl-C lands and ends." if site.drone_names else _NO_FLIGHT
+        is_demo = site.tasks.enabled and site.twin.enabled
+        first = _ASK if is_demo else _FLY
+        then = f"{first} Ctrl-C lands and ends." if site.drone_names else _NO_FLIGHT
         console.print(f"ready after {time.monotonic() - started:.1f} s. {then}", soft_wrap=True)
         return True
 

@@ -60,7 +60,7 @@ def _demo(options: Namespace) -> int:
     """
     if options.instance is None:
         options.instance = _free_instance(options)
-    return _run(options, opens_tasks=True)
+    return _run(options)
 
 
 def _free_instance(options: Namespace) -> int:
@@ -81,10 +81,10 @@ def _free_instance(options: Namespace) -> int:
     return instance
 
 
-def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
+def _run(options: Namespace) -> int:
     """Start what the site needs and stay until Ctrl-C; the drone lands first."""
     from housefly.app.compiling import CompiledPart, compile_once
-    from housefly.app.interactive import Screen, run_interactively
+    from housefly.app.interactive import run_interactively
     from housefly.app.run_folder import temporary_run_folder
     from housefly.twin.installed import require_simulator
     from housefly.web.access.exposure import checked_exposure
@@ -97,9 +97,7 @@ def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
         compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with temporary_run_folder("logs") as folder:
-        asks = opens_tasks and loaded.site.tasks.enabled and bool(loaded.site.drone_names)
-        first = Screen.TASKS if asks else Screen.FLY
-        return run_interactively(loaded, folder, record, first)
+        return run_interactively(loaded, folder, record)
 
 
 DEMO_COMMAND = Subcommand(

@@ -93,6 +93,7 @@ await build({
   chunkNames: "chunk-[name]-[hash]",
 });
 await build({ ...options, entryPoints: { app: "src/styles.css" } });
+await build({ ...options, entryPoints: { later: "src/later.css" } });
 await build({ ...options, entryPoints: { drones: "src/drones/drones.ts" } });
 await build({ ...options, entryPoints: { drones: "src/drones/drones.css" } });
 await build({ ...options, entryPoints: { "video-worker": "src/wire/video-worker.ts" } });
@@ -116,7 +117,7 @@ for (const name of await readdir(target))
     await smaller(`${target}/${name}`);
 // What the service worker keeps, and which build it is of.
 const shell = (await readdir(target))
-  .filter((name) => /^(app|chunk-.*)\.(js|css)$/.test(name))
+  .filter((name) => /^(app|later|chunk-.*)\.(js|css)$/.test(name))
   .filter((name) => !name.startsWith("chunk-room-in-space"));
 shell.push("favicon.svg", "inter.woff2");
 const hash = createHash("sha256");

@@ -1,1 +1,1 @@
-import"./chunk-chunk-HJMVTFW2.js";
+import"./chunk-chunk-UG3WXJSK.js";

@@ -1,4 +1,6 @@
 // What the first paint does not need, in one file: fetched soon after it, or when it is opened.
+import "./later-style";
+
 export { Invite } from "./device/invite";
 export { Feed } from "./feed/feed";
 export { AfterCard } from "./scene/after-card";

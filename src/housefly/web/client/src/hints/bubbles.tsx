@@ -7,7 +7,7 @@ import { endHints, HINTS, nextHint, step } from "./hints";
 /** What is said, and what it is about. */
 const SAID: { words: Key; about: string }[] = [
   { words: "Ask for anything, or choose a place on the map.", about: ".dock" },
-  { words: "Hold the large button to fly.", about: ".to-fly" },
+  { words: "Fly to … lists the places; hold the large button to fly.", about: ".to-fly" },
   { words: "STOP stops at once. It works for everybody, at any time.", about: ".stop" },
 ];
 const EDGE = 8;

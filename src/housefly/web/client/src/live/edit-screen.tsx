@@ -1,3 +1,4 @@
+import "../later-style";
 import { useEffect } from "preact/hooks";
 import { PlanFrame } from "../map/map";
 import { RoomLayer } from "../map/room";

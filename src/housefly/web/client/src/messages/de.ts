@@ -435,7 +435,7 @@ const texts: Speech["texts"] = {
   // first steps
   "First steps": "Erste Schritte",
   "Ask for anything, or choose a place on the map.": "Fragen Sie, oder wählen Sie einen Ort auf der Karte.",
-  "Hold the large button to fly.": "Zum Fliegen die große Taste halten.",
+  "Fly to … lists the places; hold the large button to fly.": "Fliegen zu … zeigt die Orte; zum Fliegen die große Taste halten.",
   "STOP stops at once. It works for everybody, at any time.":
     "STOP hält sofort an. Für alle, jederzeit.",
   "OK": "OK",

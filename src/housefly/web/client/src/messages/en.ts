@@ -406,7 +406,7 @@ export const EN = [
   // first steps
   "First steps",
   "Ask for anything, or choose a place on the map.",
-  "Hold the large button to fly.",
+  "Fly to … lists the places; hold the large button to fly.",
   "STOP stops at once. It works for everybody, at any time.",
   "OK",
   "Close the hints",

@@ -416,7 +416,7 @@ const texts: Speech["texts"] = {
   // first steps
   "First steps": "はじめに",
   "Ask for anything, or choose a place on the map.": "何でも頼めます。地図で場所を選ぶこともできます。",
-  "Hold the large button to fly.": "大きなボタンを長押しすると飛びます。",
+  "Fly to … lists the places; hold the large button to fly.": "「行き先…」に場所が並びます。大きなボタンを長押しすると飛びます。",
   "STOP stops at once. It works for everybody, at any time.": "STOPを押すとすぐ止まります。誰でも、いつでも使えます。",
   "OK": "OK",
   "Close the hints": "説明を閉じる",

@@ -1,3 +1,4 @@
+import "../later-style";
 import { useEffect } from "preact/hooks";
 import { signal } from "@preact/signals";
 import { sentence } from "../format";

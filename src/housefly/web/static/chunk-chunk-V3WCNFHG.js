@@ -1,0 +1,1 @@
+var e=document.createElement("link");e.rel="stylesheet",e.href="/static/later.css",await new Promise(t=>{e.onload=e.onerror=t,document.head.append(e)});
