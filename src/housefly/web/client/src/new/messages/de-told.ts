@@ -480,4 +480,5 @@ export const DE_TOLD: Templates = {
   "{why}, {more}": "{why}, {more}",
   "{why}: {more}": "{why}: {more}",
   "{why}; {more}": "{why}; {more}",
+  "write the site first": "erst den Ort schreiben",
 };

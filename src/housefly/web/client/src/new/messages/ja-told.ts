@@ -397,4 +397,5 @@ export const JA_TOLD: Templates = {
   "{why}, {more}": "{why}、{more}",
   "{why}: {more}": "{why}：{more}",
   "{why}; {more}": "{why}。{more}",
+  "write the site first": "先に設置場所を書き出してください",
 };
