@@ -19,7 +19,7 @@ from housefly.web.api.simulated_room import SimulationView
 from housefly.web.flights.flight_book import FlightReplay, FlightsView
 from housefly.web.messages.client_messages import ClientMessage
 from housefly.web.messages.server_messages import ServerMessage
-from housefly.web.new_site.draft_answers import HeardView, WrittenView
+from housefly.web.new_site.draft_answers import HeardView, OpenedView, WrittenView
 from housefly.web.new_site.draft_view import DraftView
 from housefly.web.sockets.consoles import DronesView
 
@@ -81,7 +81,7 @@ def _room_types() -> str:
 
 def _draft_types() -> str:
     """Return the TypeScript text of the answers to the page of ``housefly new``."""
-    unions = {"DraftAnswer": DraftView | HeardView | WrittenView}
+    unions = {"DraftAnswer": DraftView | HeardView | WrittenView | OpenedView}
     return _text("housefly/web/new_site", unions, whole=True)
 
 

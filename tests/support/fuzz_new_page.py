@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterable
 from functools import cache
 from hashlib import blake2b
+from pathlib import Path
 
 from drafts import whole_draft
 from fuzz_asgi import HOST, SECRET, TOKEN, http_status
@@ -18,6 +19,7 @@ from housefly.room.draft.files import save_draft
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard, HeardBody
 from housefly.web.access.session_auth import SessionAuth
+from housefly.web.new_site.draft_answers import OpenedState, OpenedView
 from housefly.web.new_site.draft_api import DraftApi
 from housefly.web.new_site.draft_service import DraftService
 from housefly.web.new_site.server import create_new_site_app
@@ -51,6 +53,16 @@ def _check_drone(drone: DraftDrone) -> tuple[Words, ...]:
     return (Words("no report came from {name}", name=drone.address),)
 
 
+class _NoRoom:
+    """Starts nothing."""
+
+    def open(self, site: Path) -> None:
+        assert site.is_file()
+
+    def view(self) -> OpenedView:
+        return OpenedView(OpenedState.CLOSED)
+
+
 def _new_page(data: bytes) -> None:
     """Requests after one another, a record separator between them, to a page of a whole draft."""
     folder, files = scratch() / "lab", scratch() / "uploads"
@@ -59,9 +71,8 @@ def _new_page(data: bytes) -> None:
         for path in place.iterdir():
             path.unlink()
     save_draft(whole_draft(), folder)
-    api = DraftApi(
-        DraftService(folder), Uploads(files), SessionAuth(TOKEN, SECRET), _hear, _check_drone
-    )
+    auth, room = SessionAuth(TOKEN, SECRET), _NoRoom()
+    api = DraftApi(DraftService(folder), Uploads(files), auth, _hear, _check_drone, room)
     app = create_new_site_app(api, SessionAuth(TOKEN, SECRET))
     try:
         for request in data.split(b"\x1e")[:3]:

@@ -17,6 +17,7 @@ from housefly.app.new_site.page import serve_draft
 from housefly.messages.words import UNSAID, Words, from_tree
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard, HeardBody
+from housefly.web.new_site.draft_answers import OpenedState, OpenedView
 
 TOKEN = "a-token-for-tests-only"
 
@@ -107,12 +108,33 @@ def check_drone(drone: DraftDrone) -> tuple[Words, ...]:
     return (Words("no report came from {name}", name=drone.address),)
 
 
+class StandInRoom:
+    """A room that is ready at the second look."""
+
+    def __init__(self) -> None:
+        self.site: Path | None = None
+        self._looks = 0
+
+    def open(self, site: Path) -> None:
+        self.site = site
+
+    def view(self) -> OpenedView:
+        if self.site is None:
+            return OpenedView(OpenedState.CLOSED)
+        self._looks += 1
+        if self._looks < 3:
+            return OpenedView(OpenedState.STARTING, "compiling the control loop")
+        return OpenedView(OpenedState.READY, "", f"http://127.0.0.1:1/{self.site.name}")
+
+
 @asynccontextmanager
 async def drawing(host: str, folder: Path) -> AsyncIterator[Drawer]:
     """Serve the page for a folder."""
     port: asyncio.Future[int] = asyncio.get_running_loop().create_future()
     serving = asyncio.create_task(
-        serve_draft(folder, TOKEN, hear, check_drone, port.set_result, host=host)
+        serve_draft(
+            folder, TOKEN, hear, check_drone, port.set_result, room=StandInRoom(), host=host
+        )
     )
     try:
         yield Drawer(host, await port, folder)

@@ -110,6 +110,11 @@ async def test_a_room_is_drawn_from_nothing_and_its_site_passes_the_doctor(
     await open_step(page, "Write the site")
     await page.locator(".body").get_by_role("button", name="Write the site").click()
     await expect(page.get_by_text("housefly doctor --site")).to_be_visible()
+    await button(page, "Open it now").click()
+    await expect(page.get_by_text("compiling the control loop")).to_be_visible()
+    await expect(page.get_by_role("link", name="Go to your room")).to_have_attribute(
+        "href", "http://127.0.0.1:1/site.toml"
+    )
     loaded = load_site(str(page_of_nothing.folder))
     checks = [one for one in check_machine(loaded.site) if not one.name.startswith("ports")]
     assert all(one.well or one.optional for one in checks)

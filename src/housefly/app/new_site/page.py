@@ -8,13 +8,14 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
+from housefly.app.new_site.opened_room import OpenedRoom
 from housefly.app.run_folder import temporary_run_folder
 from housefly.app.terminal import console
 from housefly.messages.words import Words
 from housefly.room.draft.model import DraftDrone, DraftTracking
 from housefly.tracking.live_check import Heard
 from housefly.web.console_port import listening
-from housefly.web.new_site.draft_api import DraftApi
+from housefly.web.new_site.draft_api import DraftApi, RoomOpener
 from housefly.web.new_site.draft_service import DraftService
 from housefly.web.new_site.server import create_new_site_app, new_site_session
 from housefly.web.new_site.uploads import Uploads
@@ -45,10 +46,15 @@ def serve_new_page(folder: Path, port: int | None = None) -> int:
             soft_wrap=True,
         )
 
-    with suppress(KeyboardInterrupt):  # the server raises it again after it has ended
-        asyncio.run(
-            serve_draft(folder, token, hear_tracking, check_drone, announce, port=port or 0)
-        )
+    room = OpenedRoom()
+    serving = serve_draft(
+        folder, token, hear_tracking, check_drone, announce, room=room, port=port or 0
+    )
+    try:
+        with suppress(KeyboardInterrupt):  # the server raises it again after it has ended
+            asyncio.run(serving)
+    finally:
+        room.close()
     return 0
 
 
@@ -59,6 +65,7 @@ async def serve_draft(
     check_drone: Callable[[DraftDrone], tuple[Words, ...]],
     announce: Callable[[int], None],
     *,
+    room: RoomOpener,
     host: str = _HOST,
     port: int = 0,
 ) -> None:
@@ -70,12 +77,13 @@ async def serve_draft(
         hear: listens to a tracking system for so many seconds; blocks.
         check_drone: asks whether a drone answers; blocks.
         announce: is told the port, once browsers can connect.
+        room: starts the simulated room of the site.
         host: loopback address.
         port: 0 takes a free one.
     """
     with listening(host, port) as listener, temporary_run_folder("new") as files:
         auth = new_site_session(token)
-        api = DraftApi(DraftService(folder), Uploads(files), auth, hear, check_drone)
+        api = DraftApi(DraftService(folder), Uploads(files), auth, hear, check_drone, room)
         announce(listener.getsockname()[1])
         app = create_new_site_app(api, auth, frozenset({host, "localhost"}))
         server = make_server(app)

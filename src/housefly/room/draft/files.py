@@ -22,6 +22,7 @@ from housefly.room.draft.suggestions import clearance_profile
 from housefly.room.files import room_to_toml, toml_string
 
 DRAFT_FILE = "draft.json"
+SITE_FILE = "site.toml"
 SIMULATED_FILE = "simulated.toml"
 """The same room with the simulated drone, beside a site with real hardware."""
 
@@ -78,7 +79,7 @@ def write_site(draft: SiteDraft, folder: Path) -> tuple[Path, ...]:
     if hindrances:
         first = hindrances[0]
         raise ConfigError(first.step.value, joined("; ", (first.words, first.mend)))
-    texts = {"room.toml": _room_text(draft), "site.toml": _site_text(draft)}
+    texts = {"room.toml": _room_text(draft), SITE_FILE: _site_text(draft)}
     if draft.hardware:
         texts[SIMULATED_FILE] = _site_text(draft, simulated=True)
     paths = []

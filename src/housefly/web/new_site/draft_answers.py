@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from starlette.responses import JSONResponse
 
@@ -40,6 +41,30 @@ class WrittenView:
     """The files of the site."""
 
     files: tuple[WrittenFile, ...]
+
+
+class OpenedState(Enum):
+    """How far a room is that the page opened."""
+
+    CLOSED = "closed"
+    STARTING = "starting"
+    READY = "ready"
+    ENDED = "ended"
+
+
+@dataclass(frozen=True, slots=True)
+class OpenedView:
+    """The simulated room that the page opened.
+
+    Attributes:
+        state: how far it is.
+        line: what it printed last.
+        address: of its console; works once. "" before it answers.
+    """
+
+    state: OpenedState
+    line: str = ""
+    address: str = ""
 
 
 def draft_refusal(error: HouseflyError) -> JSONResponse:

@@ -10,6 +10,8 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from pathlib import Path
+from typing import Protocol
 
 from pydantic import TypeAdapter
 from starlette.requests import ClientDisconnect, Request
@@ -26,6 +28,7 @@ from housefly.web.new_site.draft_actions import ACTIONS, DraftRequest, parsed_re
 from housefly.web.new_site.draft_answers import (
     BodyView,
     HeardView,
+    OpenedView,
     WrittenFile,
     WrittenView,
     draft_refusal,
@@ -41,6 +44,17 @@ DRAFT_SIZE_MAX = 4 * 2**20
 _VIEW: TypeAdapter[DraftView] = TypeAdapter(DraftView)
 _HEARD: TypeAdapter[HeardView] = TypeAdapter(HeardView)
 _WRITTEN: TypeAdapter[WrittenView] = TypeAdapter(WrittenView)
+_OPENED: TypeAdapter[OpenedView] = TypeAdapter(OpenedView)
+
+
+class RoomOpener(Protocol):
+    """What starts the simulated room of a site that was written."""
+
+    def open(self, site: Path) -> None:
+        """Start it, unless it is there."""
+
+    def view(self) -> OpenedView:
+        """Return how far it is."""
 
 
 class DraftApi:
@@ -52,6 +66,7 @@ class DraftApi:
         auth: the page's session.
         hear: listens to a tracking system for so many seconds; blocks.
         check_drone: asks whether a drone answers; blocks.
+        room: starts the simulated room.
     """
 
     def __init__(
@@ -61,9 +76,10 @@ class DraftApi:
         auth: SessionAuth,
         hear: Callable[[DraftTracking, float], Heard],
         check_drone: Callable[[DraftDrone], tuple[Words, ...]],
+        room: RoomOpener,
     ) -> None:
         self._service, self._uploads, self._auth = service, uploads, auth
-        self._hear, self._check_drone = hear, check_drone
+        self._hear, self._check_drone, self._room = hear, check_drone, room
         self._thread = ThreadPoolExecutor(1, "draft")
         self._listener = ThreadPoolExecutor(1, "listener")
 
@@ -76,6 +92,8 @@ class DraftApi:
             Route("/tracking/heard", self._heard, methods=["POST"]),
             Route("/drone/heard", self._drone, methods=["POST"]),
             Route("/site", self._write, methods=["POST"]),
+            Route("/room", self._opened, methods=["GET"]),
+            Route("/room", self._open, methods=["POST"]),
         ]
 
     def close(self) -> None:
@@ -103,6 +121,14 @@ class DraftApi:
 
     async def _write(self, request: Request) -> Response:
         return await self._asked(request, self._write_site)
+
+    async def _opened(self, request: Request) -> Response:
+        if not self._auth.has_session(request):
+            return refused(401, Words("this browser has no session"))
+        return json_response(_OPENED.dump_json(self._room.view()))
+
+    async def _open(self, request: Request) -> Response:
+        return await self._asked(request, self._open_room)
 
     async def _upload(self, request: Request) -> Response:
         if not self._auth.is_own_page(request):
@@ -140,6 +166,14 @@ class DraftApi:
         paths = self._service.write(parsed_request(DraftRequest, body).based_on)
         files = (WrittenFile(str(path), path.read_text(encoding="utf-8")) for path in paths)
         return _WRITTEN.dump_json(WrittenView(tuple(files)))
+
+    def _open_room(self, body: bytes) -> bytes:
+        parsed_request(DraftRequest, body)
+        site = self._service.simulated_site()
+        if not site.is_file():
+            raise ConfigError("site", Words("write the site first"))
+        self._room.open(site)
+        return _OPENED.dump_json(self._room.view())
 
     async def _asked(
         self,

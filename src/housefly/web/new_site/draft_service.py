@@ -10,7 +10,7 @@ from pathlib import Path
 from housefly.errors import StaleEdits
 from housefly.messages.words import UNSAID, Words
 from housefly.room.draft.codec import draft_to_json
-from housefly.room.draft.files import load_draft, save_draft, write_site
+from housefly.room.draft.files import SIMULATED_FILE, SITE_FILE, load_draft, save_draft, write_site
 from housefly.room.draft.model import SiteDraft
 from housefly.web.new_site.draft_checker import DraftChecker
 from housefly.web.new_site.draft_view import DraftView, model_views, without_scan
@@ -94,6 +94,10 @@ class DraftService:
     def write(self, based_on: str) -> tuple[Path, ...]:
         """Write room and site file; raises ConfigError in words while something hinders it."""
         return write_site(self._checked(based_on), self.folder)
+
+    def simulated_site(self) -> Path:
+        """Return the file by which all of it is simulated, whether it is written or not."""
+        return self.folder / (SIMULATED_FILE if self.draft().hardware else SITE_FILE)
 
     def close(self) -> None:
         """Stop checking."""

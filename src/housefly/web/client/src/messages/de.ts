@@ -296,7 +296,7 @@ const texts: Speech["texts"] = {
   "services not running": "Dienste laufen nicht",
   "Simulated room": "Simulierter Raum",
   "Ring the doorbell": "Klingeln",
-  "Put the drone on its pad": "Drohne auf den Landeplatz stellen",
+  "Put it on its pad": "Auf den Landeplatz stellen",
   "Charge it": "Aufladen",
   "Let somebody walk": "Jemanden gehen lassen",
   "What fails": "Was gestört wird",

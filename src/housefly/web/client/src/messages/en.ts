@@ -272,7 +272,7 @@ export const EN = [
   "services not running",
   "Simulated room",
   "Ring the doorbell",
-  "Put the drone on its pad",
+  "Put it on its pad",
   "Charge it",
   "Let somebody walk",
   "What fails",

@@ -281,7 +281,7 @@ const texts: Speech["texts"] = {
   "services not running": "サービス停止中",
   "Simulated room": "模擬の部屋",
   "Ring the doorbell": "呼び鈴を鳴らす",
-  "Put the drone on its pad": "ドローンをパッドに置く",
+  "Put it on its pad": "パッドに置く",
   "Charge it": "充電する",
   "Let somebody walk": "人を歩かせる",
   "What fails": "起こす異常",

@@ -1,6 +1,13 @@
 // The draft as the page holds it: changed at once, kept by the server a moment later.
 import { batch, computed, signal } from "@preact/signals";
-import type { DraftView, HeardView, Said, SiteDraft, WrittenView } from "../wire/draft-messages";
+import type {
+  DraftView,
+  HeardView,
+  OpenedView,
+  Said,
+  SiteDraft,
+  WrittenView,
+} from "../wire/draft-messages";
 import { fetchAsSession } from "../wire/session";
 import { t } from "./messages/texts";
 
@@ -91,7 +98,7 @@ export async function act(path: string, body: object, words = ""): Promise<boole
 }
 
 /** Ask something that leaves the draft alone; null when it was refused. */
-export async function ask<Answer extends HeardView | WrittenView>(
+export async function ask<Answer extends HeardView | WrittenView | OpenedView>(
   path: string,
   words: string,
 ): Promise<Answer | null> {

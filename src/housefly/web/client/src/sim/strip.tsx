@@ -71,7 +71,7 @@ export function Strip() {
           <Deed run={ring} words={t("Ring the doorbell")} />
           {hasDrone.value && (
             <>
-              <Deed run={() => simulate("put back")} words={t("Put the drone on its pad")} />
+              <Deed run={() => simulate("put back")} words={t("Put it on its pad")} />
               <Deed run={() => simulate("charge")} words={t("Charge it")} />
               <Deed run={() => simulate("walk")} words={t("Let somebody walk")} />
               <Faults />
@@ -80,12 +80,18 @@ export function Strip() {
         </div>
       </details>
       <p role="status">
-        {busy.value ? "…" : failed.value && "△ "}
-        {!busy.value && <Told words={sentence(translated(said.value))} />}
+        {busy.value ? "…" : said.value && <Outcome />}
       </p>
     </section>
   );
 }
+
+const Outcome = () => (
+  <>
+    {failed.value && "△ "}
+    <Told words={sentence(translated(said.value))} />
+  </>
+);
 
 const Deed = ({ run, words }: { run: () => Promise<void>; words: string }) => (
   <button type="button" aria-disabled={busy.value} onClick={() => void run()}>

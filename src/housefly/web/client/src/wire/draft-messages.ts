@@ -144,4 +144,12 @@ export interface WrittenView {
   files: WrittenFile[];
 }
 
-export type DraftAnswer = DraftView | HeardView | WrittenView;
+export type OpenedState = "closed" | "starting" | "ready" | "ended";
+
+export interface OpenedView {
+  state: OpenedState;
+  line: string;
+  address: string;
+}
+
+export type DraftAnswer = DraftView | HeardView | WrittenView | OpenedView;

@@ -485,4 +485,5 @@ export const DE_TOLD: Templates = {
     "{p} % des freien Bodens sind vom Landeplatz nicht erreichbar",
   "move what stands in between, or leave it: the drone does not fly there":
     "verrücken, was dazwischen steht, oder so lassen: Dort fliegt die Drohne nicht",
+  "write the site first": "erst den Ort schreiben",
 };

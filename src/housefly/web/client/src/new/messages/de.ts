@@ -202,6 +202,12 @@ const texts: Record<Key, string> = {
     "Raum und Standort werden als Dateien geschrieben, die man lesen und ändern kann.",
   "Writing …": "Schreiben …",
   "Written to {folder}. In a terminal:": "Geschrieben nach {folder}. In einem Terminal:",
+  "Opening the room …": "Der Raum wird geöffnet …",
+  "Go to your room": "Zum Raum",
+  "Open it now": "Jetzt öffnen",
+  "The simulated room starts; the first time takes minutes.":
+    "Der simulierte Raum startet; beim ersten Mal dauert das Minuten.",
+  "The room has ended.": "Der Raum ist beendet.",
   "Is this machine fit for it?": "Ist dieser Rechner dafür geeignet?",
   "The whole thing, simulated": "Das Ganze, simuliert",
   "Before the first flight, the drone in your hands": "Vor dem ersten Flug, die Drohne in der Hand",

@@ -402,4 +402,5 @@ export const JA_TOLD: Templates = {
     "床の空いた所の{p}%へはパッドから行けません",
   "move what stands in between, or leave it: the drone does not fly there":
     "間にあるものを動かすか、そのままにしてください。ドローンはそこへは飛びません",
+  "write the site first": "先に設置場所を書き出してください",
 };
