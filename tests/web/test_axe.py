@@ -84,6 +84,12 @@ async def test_axe_finds_nothing_on_tasks_clips_and_a_clip(
         await page.goto(console.link + "#tasks")
         await expect(page.get_by_role("region", name="Services")).to_be_visible()
         assert await axe_findings(page, PHONE_AND_DESKTOP) == []
+        for tab in ("Clips", "Rules"):
+            await page.get_by_role("tab", name=tab).click()
+            await expect(page.get_by_role("tabpanel").get_by_role("listitem")).to_have_count(1)
+            if tab == "Rules":
+                await page.locator(".rules summary").click()
+            assert await axe_findings(page, PHONE_AND_DESKTOP) == [], tab
         await page.close()
 
 

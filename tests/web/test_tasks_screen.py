@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from axe_audit import axe_findings
 from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 from stand_in_tasks import REHEARSAL, StandInTasks
 
@@ -395,6 +396,7 @@ async def test_what_happened_lately_is_told_by_person_and_task_with_pictures(
         await expect(lines.first).to_contain_text("The resident")
         await expect(lines.first).to_contain_text("kitchen, then sofa")
         await expect(lines.first.get_by_role("time")).to_have_text(re.compile(r"^[56]\d s ago$"))
+        assert await axe_findings(page, ((390, 844), (1440, 900))) == []
         await feed.get_by_role("button", name="Tasks").click()
         await expect(lines).to_have_count(1)
         await expect(lines).to_contain_text("the visitor was seen")

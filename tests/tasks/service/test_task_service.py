@@ -23,6 +23,7 @@ from housefly.tasks.api.answers import TASK_ANSWER_TYPES
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
+    ChangeRule,
     ContinueTask,
     DryRunQuestion,
     PauseTask,
@@ -388,6 +389,7 @@ def test_every_question_of_the_contract_is_answered_with_its_answer(stage: TaskS
         Sentence("where is the refrigerator"),
         SetMode(HouseMode.AWAY),
         RulesQuestion(),
+        ChangeRule("bell", enabled=False),
         DryRunQuestion(0.0),
         ClipsQuestion(),
         Webhook("x"),
