@@ -157,8 +157,10 @@ def _flown(
 
 def _may_fly(bus: ZenohBus, drone: str) -> bool:
     """Return whether a drone is ready, as the tasks ask before they order."""
-    view = from_json(PreflightView, bus.ask(DroneTopics(drone).preflight, "", 0.5))
-    return view.ready
+    try:
+        return from_json(PreflightView, bus.ask(DroneTopics(drone).preflight, "", 0.5)).ready
+    except LinkError:  # a busy machine: it is asked again
+        return False
 
 
 def _judged(heard: _Heard, path: Path, home: tuple[float, float]) -> FlownService:
