@@ -23,6 +23,7 @@ from housefly.hub.api.pilot_queries_json import from_json
 from housefly.lab.lockstep.service_monitor import ServiceMonitor
 from housefly.lab.lockstep.simulation import sites_of_drones
 from housefly.messages import Order, PilotStep
+from housefly.messages.event_code import EventCode
 from housefly.record.truth import TRUTH_FILE, judged_outcome, read_truth
 from housefly.sites.loaded_site import LoadedSite
 from scores.fleet_flight import WAITING_MAX, FlownService
@@ -35,17 +36,47 @@ _SETTLING_TIME = 3.0
 
 @dataclass
 class _Heard:
-    """What one pilot published since its order."""
+    """What one pilot published since its order.
 
-    monitor: ServiceMonitor
-    steps: list[PilotStep] = field(default_factory=list)
+    Attributes:
+        due: when the service is to be ordered [s].
+        home: its pad [m].
+        patience: how long the service may take [s].
+        monitor: of the service; None until an order was taken.
+        late: how late each step began [s].
+    """
+
+    due: float
+    home: tuple[float, float]
+    patience: float
+    monitor: ServiceMonitor | None = None
     late: list[float] = field(default_factory=list)
+
+    @property
+    def outcome(self) -> str:
+        """What became of the service; "" while it goes on."""
+        return self.monitor.outcome if self.monitor else ""
+
+    def has_waited(self, now: float) -> bool:
+        """Return whether the drone was not ready for too long."""
+        return now > self.due + WAITING_MAX
+
+    def order(self, order: Order, now: float) -> Order:
+        """Return the order as it is given now [s]."""
+        self.monitor = ServiceMonitor(now, self.home, self.patience, grace=5.0)
+        return replace(order, issued_at=now)
 
     def take(self, step: PilotStep) -> None:
         """Follow the service by a step; those of before the order do not count."""
         self.late.append(step.inputs.late)
-        if step.now >= self.monitor.started_at and not self.monitor.outcome:
-            self.monitor = self.monitor.updated(step)
+        monitor = self.monitor
+        if monitor is None or step.now < monitor.started_at or monitor.outcome:
+            return
+        codes = [event.code for event in step.outputs.events]
+        # What the list said is up to half a second old: who is refused on the pad asks again.
+        is_refused = EventCode.ORDER_REFUSED in codes and not monitor.seen
+        asks_again = is_refused and not self.has_waited(step.now)
+        self.monitor = None if asks_again else monitor.updated(step)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,24 +138,14 @@ def _flown(
     patience: float,
 ) -> dict[str, _Heard]:
     began = time.monotonic() + _SETTLING_TIME
-    due = {name: began + after.get(name, 0.0) for name in orders}
-    heard = {
-        name: _Heard(ServiceMonitor(due[name], homes[name], patience, grace=5.0)) for name in orders
-    }
+    heard = {name: _Heard(began + after.get(name, 0.0), homes[name], patience) for name in orders}
     listening = [bus.subscribe(DroneTopics(name).step, heard[name].take) for name in orders]
-    ordered: set[str] = set()
-    while not all(one.monitor.outcome for one in heard.values()):
+    while not all(one.outcome for one in heard.values()):
         now = time.monotonic()
-        for name, at in due.items():
-            if (
-                now >= at
-                and name not in ordered
-                and (now > at + WAITING_MAX or _may_fly(bus, name))
-            ):
-                ordered.add(name)
-                now = time.monotonic()
-                heard[name].monitor = replace(heard[name].monitor, started_at=now)
-                bus.publish(DroneTopics(name).order, replace(orders[name], issued_at=now))
+        for name, one in heard.items():
+            is_due = one.monitor is None and now >= one.due
+            if is_due and (one.has_waited(now) or _may_fly(bus, name)):
+                bus.publish(DroneTopics(name).order, one.order(orders[name], time.monotonic()))
         if now > began + patience:
             break
         time.sleep(0.01)
@@ -136,8 +157,10 @@ def _flown(
 
 def _may_fly(bus: ZenohBus, drone: str) -> bool:
     """Return whether a drone is ready, as the tasks ask before they order."""
-    view = from_json(PreflightView, bus.ask(DroneTopics(drone).preflight, "", 0.5))
-    return view.ready
+    try:
+        return from_json(PreflightView, bus.ask(DroneTopics(drone).preflight, "", 0.5)).ready
+    except LinkError:  # a busy machine: it is asked again
+        return False
 
 
 def _judged(heard: _Heard, path: Path, home: tuple[float, float]) -> FlownService:
@@ -146,7 +169,7 @@ def _judged(heard: _Heard, path: Path, home: tuple[float, float]) -> FlownServic
     contacts = tuple(one for one in truth.contacts if one.motors_turned)
     x, y, _ = truth.position[-1]
     off_pad = float(np.hypot(x - home[0], y - home[1]))
-    outcome = judged_outcome(heard.monitor.outcome or "not done", contacts, off_pad)
+    outcome = judged_outcome(heard.outcome or "not done", contacts, off_pad)
     flying = truth.time[truth.airborne]
     return FlownService(
         outcome,

@@ -155,7 +155,7 @@ class RoomNavigator:
         if self._space is not None:
             self._space.update(known, now)
             self._note_openings(now)
-        self.people.update(known, self._things, now)
+        self.people.update(known, self._things, now, self._drones.restless)
 
     def _note_openings(self, now: float) -> None:
         """Count what stood and is gone, or has stood elsewhere for a while."""

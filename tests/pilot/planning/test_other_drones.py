@@ -16,6 +16,7 @@ from housefly.pilot.planning.other_drones import (
     LOST_KEPT,
     LOST_MARGIN,
     PASSING_MARGIN,
+    SETTLED_TIME,
     OtherDrones,
 )
 from housefly.sites.loaded_site import open_site
@@ -160,3 +161,46 @@ def test_the_pad_of_another_is_no_floor_and_its_body_is_told_once() -> None:
     navigator.update((), (sighting("a", (9.0, 1.25, 1.1), 0.0),), 0.0)
     assert navigator.people.separation((8.05, 1.25), (0.0, 0.0), 0.0, 0.0).name == "anna"
     assert len(navigator.people) == 1
+
+
+def take_off_faults(navigator: RoomNavigator, ways: list[tuple[Vec3, Vec3, float]]) -> list[str]:
+    """Show anna on ways that she flies one after the other: from, to, for so long [s].
+
+    Return what forbids a take-off from the pad of bert at the end of each.
+    """
+    now, found = 0.0, []
+    pad = (8.05, 1.25)
+    for start, end, seconds in ways:
+        steps = round(seconds / 0.02)
+        for n in range(1, steps + 1):
+            share, now = n / steps, now + 0.02
+            x, y, z = (a + share * (b - a) for a, b in zip(start, end, strict=True))
+            seen = (sighting("a", (x, y, z), now), sighting("bert", (*pad, 0.05), now))
+            navigator.update((), seen, now)
+        found.append(str(navigator.people.take_off_fault(pad, now)))
+    return found
+
+
+def test_a_take_off_waits_for_one_that_may_set_off_this_way_at_any_moment() -> None:
+    loaded = open_site(FLEET.for_drone("bert"))
+    navigator = RoomNavigator(loaded.site, loaded.room, loaded.grid)
+    pad, up, away = (10.55, 1.25, 0.05), (10.55, 1.25, 1.1), (10.2, 4.0, 1.1)
+    stands, rises, hovers, stays, leaves, stops, stays_there, comes = take_off_faults(
+        navigator,
+        [
+            (pad, pad, 1.0),
+            (pad, up, 2.6),
+            (up, up, 2.0),
+            (up, up, SETTLED_TIME + 1.0),
+            (up, away, 5.6),
+            (away, away, 2.0),
+            (away, away, SETTLED_TIME),
+            (away, up, 5.6),
+        ],
+    )
+    assert stands == "" and "anna is near" in rises and "anna is near" in hovers
+    assert stays == "", "one that hovers for long is not waited for"
+    assert leaves == "", "nor one that flies elsewhere"
+    assert "anna is near" in stops and stays_there == "" and comes == ""
+    far = (3.0, 4.0, 1.1)
+    assert take_off_faults(navigator, [(pad, far, 20.0), (far, far, 1.0)])[1] == ""

@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import hypot, inf, isfinite
 
+from housefly.config.airframe import TakeOffConstants
 from housefly.config.site import Site
 from housefly.geometry import distance
 from housefly.messages.obstacles import Obstacle, ObstacleKind
@@ -48,6 +49,8 @@ URGENT_SPEED = 0.3
 """... because it flies at us, faster than this [m/s] ..."""
 URGENT_KEPT = 2.0
 """... and for so long after that [s]."""
+SETTLED_TIME = 5.0
+"""One that has just come to hover, or up, sets off at any moment for so long [s]."""
 _TOP = 9.0
 """Nothing is flown over that flies [m]."""
 _STANDING_TOP = 0.3
@@ -62,12 +65,14 @@ class OtherDrone:
         name: as the site has it.
         radius: of the disc around its hull [m].
         standing_height: of its middle when it stands [m].
+        rising_time: from the floor to where it can be steered [s].
         gives_way: whether it gives way to us.
     """
 
     name: str
     radius: float
     standing_height: float
+    rising_time: float
     gives_way: bool
 
 
@@ -77,6 +82,7 @@ class _Seen:
     flies: bool
     is_low: bool
     urgent_until: float = -inf
+    settles_at: float = -inf
 
 
 class OtherDrones:
@@ -87,6 +93,7 @@ class OtherDrones:
 
     Attributes:
         lost: names of those that were lost sight of in the air, and whose place is kept clear.
+        restless: names of those that hover, or rise, and may set off at any moment.
     """
 
     def __init__(self, site: Site) -> None:
@@ -99,12 +106,14 @@ class OtherDrones:
                 drone.name,
                 drone.reach,
                 drone.airframe.body.standing_height,
+                _rising_time(drone.airframe.take_off),
                 names.index(drone.name) > own,
             )
             for drone in site.drones
             if own is not None and drone.enabled and drone.name != site.drone.name
         }
         self.lost: tuple[str, ...] = ()
+        self.restless: frozenset[str] = frozenset()
         self._seen: dict[str, _Seen] = {}
         self._told_at: dict[str, float] = {}
         self._here: TrackedPose | None = None
@@ -131,6 +140,9 @@ class OtherDrones:
             for body, seen in self._seen.items()
             if seen.flies and self._is_lost(seen)
         )
+        self.restless = frozenset(
+            self._drones[body].name for body, seen in self._seen.items() if now < seen.settles_at
+        )
         due = [
             body
             for body in sorted(self._seen)
@@ -150,7 +162,8 @@ class OtherDrones:
         until = before.urgent_until if before else -inf
         if flies and drone.gives_way and self._comes_at_us(pose, drone.radius):
             until = now + URGENT_KEPT
-        self._seen[body] = _Seen(pose, flies, height < self._low, until)
+        settles = _settles_at(before, pose, drone, now) if flies else -inf
+        self._seen[body] = _Seen(pose, flies, height < self._low, until, settles)
 
     def _comes_at_us(self, pose: TrackedPose, radius: float) -> bool:
         """Return whether a drone flies at ours, were that to stay where it is."""
@@ -192,6 +205,19 @@ class OtherDrones:
             source=DRONE_SOURCE,
             kind=ObstacleKind.DRONE if is_met else ObstacleKind.THING,
         )
+
+
+def _settles_at(before: _Seen | None, pose: TrackedPose, drone: OtherDrone, now: float) -> float:
+    """Return when a drone in the air will have hovered for so long that it stays [s]."""
+    if before is not None and not before.flies:
+        return now + drone.rising_time + SETTLED_TIME
+    if hypot(*pose.velocity) >= HOVER_SPEED:
+        return now + SETTLED_TIME
+    return before.settles_at if before else -inf
+
+
+def _rising_time(climb: TakeOffConstants) -> float:
+    return climb.steerable_height / climb.climb_rate
 
 
 def _updated(before: TrackedPose | None, sighting: Sighting, now: float) -> TrackedPose | None:

@@ -32,7 +32,8 @@ LANDING_LEAD = 1.5
 """... or lands [s]."""
 DRONE_PASSING_TIME = 6.0
 """Another drone may not come past a take-off within this time [s]: in half of it this one is up,
-and until then gives up for who comes near within the other half.
+and until then gives up for who comes near within the other half. One that has just come up, or to
+hover, may set off this way as it likes.
 """
 ON_PAD = 0.3
 """So near to the pad it is landed on, whatever stands there [m]."""
@@ -69,6 +70,8 @@ class PeopleMap:
             (name, pad[:2], reaches[name] + self.hull) for name, pad in room.other_pads
         )
         self._drones: frozenset[str] = frozenset()
+        self._restless: frozenset[str] = frozenset()
+        self._cruise = site.limits.speed
         self._obstacles: tuple[Obstacle, ...] = ()
         self._things: ThingsMap = lambda height: grid
         self._people: ObservedPeople = NOBODY
@@ -79,9 +82,23 @@ class PeopleMap:
     def __len__(self) -> int:
         return len(self._people)
 
-    def update(self, obstacles: Iterable[Obstacle], things: ThingsMap, now: float) -> None:
-        """Take in what is known at a time [s]; ``things`` makes the map without people."""
+    def update(
+        self,
+        obstacles: Iterable[Obstacle],
+        things: ThingsMap,
+        now: float,
+        restless: frozenset[str] = frozenset(),
+    ) -> None:
+        """Take in what is known at a time [s].
+
+        Args:
+            obstacles: everybody and everything.
+            things: makes the map without people.
+            now: time [s].
+            restless: names of other drones that may set off at any moment.
+        """
         self._obstacles, self._things, self._at = tuple(obstacles), things, now
+        self._restless = restless
         self._people, self._later = people_at(self._obstacles, now, self._grid), None
         self._drones = frozenset(
             one.id for one in self._obstacles if one.kind is ObstacleKind.DRONE
@@ -263,15 +280,17 @@ class PeopleMap:
         """Return which of the other drones comes near a place [m] soon, in words, or UNSAID."""
         if not self._drones:
             return UNSAID
-        walking = self.walking(now)
-        is_drone = np.array([name in self._drones for name in walking.names], dtype=bool)
-        names = tuple(name for name in walking.names if name in self._drones)
-        drones = ObservedPeople(walking.rows[is_drone], names)
-        if not names:
-            return UNSAID
-        found = separation(drones, place, (0.0, 0.0), self.hull, DRONE_PASSING_TIME)
-        comes = found.closest < self.config.min_distance
-        return Words("{who} comes near", who=found.name) if comes else UNSAID
+        people = self._now(now)
+        walking = people.walking()
+        coming = _among(walking, self._drones)
+        least = self.config.min_distance
+        found = separation(coming, place, (0.0, 0.0), self.hull, DRONE_PASSING_TIME)
+        if found.closest < least:
+            return Words("{who} comes near", who=found.name)
+        waiting = _among(people, self._restless - frozenset(walking.names))
+        found = separation(waiting, place, (0.0, 0.0), self.hull, 0.0)
+        is_reached = found.now - self._cruise * DRONE_PASSING_TIME < least
+        return Words("{thing} is near", thing=found.name) if is_reached else UNSAID
 
     def _now(self, now: float) -> ObservedPeople:
         if now - self._at < 1e-9:
@@ -279,6 +298,12 @@ class PeopleMap:
         if self._later is None or self._later[0] != now:
             self._later = now, people_at(self._obstacles, now, self._grid)
         return self._later[1]
+
+
+def _among(people: ObservedPeople, names: Collection[str]) -> ObservedPeople:
+    """Return those that have one of the names."""
+    chosen = np.array([name in names for name in people.names], dtype=bool)
+    return ObservedPeople(people.rows[chosen], tuple(n for n in people.names if n in names))
 
 
 def _is_open_way(grid: OccupancyGrid, start: Vec2, end: Vec2) -> bool:
