@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import pytest_asyncio
 from axe_audit import axe_findings
-from console_page import choose_place
+from console_page import choose_place, open_orders
 from playwright.async_api import Browser, Page, expect
 
 from housefly.messages import DroneStatus, Phase
@@ -143,7 +143,9 @@ async def test_a_hint_that_waits_does_not_come_up_in_flight(page: Page, console:
 async def test_a_watcher_is_shown_around_only_when_it_asks(page: Page, console: Any) -> None:
     watcher = await page.context.new_page()
     await watcher.goto(console.origin)
+    await open_orders(watcher)
     await expect(watcher.locator(".caption")).to_be_visible()
+    await watcher.keyboard.press("Escape")
     await expect(page.locator(".hint")).to_have_count(1)
     await expect(watcher.locator(".hint")).to_have_count(0)
     await watcher.keyboard.press("?")

@@ -36,7 +36,7 @@ WORDS = """() => [...document.querySelectorAll(
     ".things text, .obstacles text, .names text")].map((one) => {
     const { x, y, width, height } = one.getBoundingClientRect();
     const mark = one.closest(".thing-mark, .obstacle");
-    return { text: one.textContent, of: mark?.dataset.thing ?? one.textContent,
+    return { text: one.textContent.trim(), of: mark?.dataset.thing ?? one.textContent,
         box: { x, y, width, height } };
 })"""
 

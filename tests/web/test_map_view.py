@@ -442,7 +442,7 @@ async def test_the_time_bar_of_a_phone_reaches_back_and_its_words_are_whole(
 async def test_no_button_lies_over_the_whole_room_on_a_desktop(page: Page) -> None:
     floor = await page.locator(".room .floor").bounding_box()
     assert floor is not None
-    for one in (".map > .to-space", ".map > .layers summary", ".zoom"):
+    for one in (".turns .to-space", ".map > .layers summary", ".zoom"):
         box = await page.locator(one).bounding_box()
         assert box is not None
         beside = box["x"] >= floor["x"] + floor["width"] or box["x"] + box["width"] <= floor["x"]

@@ -137,7 +137,10 @@ async def details(page: Page) -> None:
 
 
 async def ask(page: Page, words: str) -> None:
-    await page.get_by_role("combobox", name="Where is").fill(words)
+    field = page.get_by_role("combobox", name="Where is")
+    if not await field.is_visible():  # orders have its place
+        await page.get_by_role("banner").get_by_role("button", name="Ask", exact=True).click()
+    await field.fill(words)
     await page.keyboard.press("Enter")
 
 
@@ -325,7 +328,7 @@ async def test_no_key_sends_the_drone_where_its_goal_cannot_be_seen(page: Page, 
     await page.keyboard.up("Enter")
     assert room.console.pilot.orders == []
     await page.keyboard.press("r")
-    await expect(page.locator(".command")).to_be_visible()
+    await expect(page.locator(".ask-line")).to_be_visible()
     await expect(page.locator(".ghost .tag")).to_have_count(0)
 
 
@@ -395,6 +398,7 @@ async def test_a_memory_that_is_silent_is_said_to_be(page: Page, room: Room) -> 
             status=503, json={"error": "the room's memory does not answer"}
         ),
     )
-    await expect(page.locator(".live .legend")).to_contain_text("memory does not answer")
+    legend = page.locator(".live .legend")
+    await expect(legend).to_contain_text("memory does not answer", timeout=20_000)
     await page.unroute("**/api/v1/**")
     await expect(page.locator(".live .legend")).not_to_contain_text("memory", timeout=10_000)

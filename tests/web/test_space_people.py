@@ -68,7 +68,7 @@ async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Ho
         found.see("person-2", (6.0, 1.0, 0.0), ago=70.0)
         await page.goto(console.link)
         await expect(page.locator(".thing-mark[data-thing=person-1]")).to_be_visible()
-        await page.locator(".map > .to-space").click()
+        await page.locator(".turns .to-space").click()
         await expect(page.locator(".space-canvas canvas, .space-view [role=status]")).to_be_visible(
             timeout=20_000
         )

@@ -114,7 +114,17 @@ def test_the_screen_of_the_tasks_is_not_in_the_first_load() -> None:
 
 def test_nothing_is_shipped_that_no_page_loads() -> None:
     found = {file.name.removesuffix(".br") for file in STATIC_FOLDER.iterdir()}
-    loaded = {*CONSOLE, LETTERS, LATER_STYLE, *INSTALLED, *FIRST, *LATER, *NEW_PAGE, *NEW_LATER, *SEVERAL}
+    loaded = {
+        *CONSOLE,
+        LETTERS,
+        LATER_STYLE,
+        *INSTALLED,
+        *FIRST,
+        *LATER,
+        *NEW_PAGE,
+        *NEW_LATER,
+        *SEVERAL,
+    }
     assert found == loaded | {"LICENSES.txt"}
 
 

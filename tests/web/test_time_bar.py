@@ -268,6 +268,6 @@ async def test_without_webgl_the_view_in_space_says_so_and_the_plan_comes_back(
     assert not [url for url in asked if "room-in-space" in url], "fetched before it is wanted"
     await page.get_by_role("button", name="3-D").click()
     await expect(page.locator(".space-view")).to_contain_text("cannot draw in space")
-    await page.locator(".map > .to-space").click()
+    await page.locator(".turns .to-space").click()
     await expect(page.locator(".drone")).to_be_visible()
     await context.close()

@@ -1,1 +1,1 @@
-import"./chunk-chunk-UG3WXJSK.js";
+import"./chunk-chunk-B5MUSA5M.js";

@@ -9,8 +9,9 @@ import { NoDrone } from "./no-drone";
 export const ordering = computed(() => {
   const open = panel.value;
   if (!hasDrone.value || open === "ask") return false;
-  const next = verdict.value?.next_order ?? "service";
-  const rests = lineLives.value && !flying.value && next === "service" && goal.value === null;
+  const { next_order, standing } = verdict.value ?? {};
+  const isHome = (next_order ?? "service") === "service" && standing !== "off the pad";
+  const rests = lineLives.value && !flying.value && isHome && goal.value === null;
   return !rests || open === "fly" || open === "more";
 });
 
