@@ -398,6 +398,9 @@ async def test_a_memory_that_is_silent_is_said_to_be(page: Page, room: Room) -> 
             status=503, json={"error": "the room's memory does not answer"}
         ),
     )
+    # Who still tells news is there: here nobody does.
+    await page.route_web_socket("**/api/v1/watch", lambda _: None)
+    await page.reload()
     legend = page.locator(".live .legend")
     await expect(legend).to_contain_text("memory does not answer", timeout=20_000)
     await page.unroute("**/api/v1/**")
