@@ -120,8 +120,7 @@ function StepItem({ index }: { index: number }) {
   const hinders = missing.some((one) => one.hinders);
   const anything = view.value!.missing.some((one) => one.hinders);
   const lacks = hinders || (name === "save" && anything);
-  const isWell = draft.value!.bounds && missing.length === 0;
-  const state = lacks ? "lacks" : isWell ? "well" : "later";
+  const state = lacks ? "lacks" : missing[0] || !draft.value!.bounds ? "later" : "well";
   const open = step.value === name;
   const next = STEPS[index + 1];
   const row = useRef<HTMLLIElement>(null);

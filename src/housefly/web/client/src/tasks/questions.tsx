@@ -11,7 +11,7 @@ import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
 import { reply, request } from "./tasks-client";
 import type { RehearsalReport, TaskStatus } from "../wire/task-messages";
-import { proposal, rehearsed, why, withAdvice } from "./words";
+import { isSpoken, proposal, rehearsed, why, withAdvice } from "./words";
 import { t, translated } from "../messages/language";
 
 const HOLD = 0.6;
@@ -74,17 +74,23 @@ export function Questions({ over }: { over: boolean }) {
   );
 }
 
+/** What a question belongs to and who wanted it, as far as the question does not say so. */
+function behind(task: TaskStatus, caused: boolean): string {
+  const parts = [caused ? "" : translated(task.title), isSpoken(task) ? "" : why(task)];
+  return capital(parts.filter(Boolean).join(" · "));
+}
+
 function Card({ one: { task, question } }: { one: Asked }) {
   const caused = question.id === CONFIRMATION && task.cause !== "";
-  const left = question.until === null ? null : question.until - unixNow.value;
+  // While a task is paused, its times stand still.
+  const ends = task.state === "paused" ? null : question.until;
+  const left = ends === null ? null : ends - unixNow.value;
   return (
     <article class="question" aria-label={t("Question of task {n}", { n: task.id })}>
       <p class="words" role="alert">
         <Told words={caused ? proposal(task) : sentence(translated(question.words))} />
       </p>
-      <p class="quiet">
-        {caused ? sentence(why(task)) : `${translated(task.title)} · ${why(task)}`}
-      </p>
+      <p class="quiet">{behind(task, caused)}</p>
       <div class="choices">
         {question.choices.map((choice, k) => (
           <Choice
