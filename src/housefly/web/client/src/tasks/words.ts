@@ -7,9 +7,6 @@ import { t, translated } from "../messages/language";
 
 /** Where a task was asked for; of the others their name says it. */
 const SURFACES: Partial<Record<TaskStatus["surface"], Key>> = {
-  "console": "in the console",
-  "command line": "on the command line",
-  "http": "over HTTP",
   "mqtt": "over MQTT",
   "webhook": "by a webhook",
   "assistant": "by an assistant",
