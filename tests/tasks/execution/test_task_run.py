@@ -105,6 +105,21 @@ def test_a_paused_look_shows_the_same_and_has_no_end() -> None:
     assert again is not None and again.words == before.words and again.until is not None
 
 
+def test_a_question_of_a_paused_task_is_asked_again_with_the_time_that_was_left() -> None:
+    flying = flight(task("  - look_at: fridge\n  - ask: {question: Well, wait: 20 s}"))
+    while not flying.of(AskPerson):
+        flying.tick()
+    for _ in range(50):
+        flying.tick()
+    flying.run.pause()
+    for _ in range(300):
+        flying.tick()
+    flying.run.resume()
+    flying.tick()
+    first, again = flying.of(AskPerson)
+    assert again.words == first.words and again.timeout == pytest.approx(15.0, abs=0.3)
+
+
 def test_a_task_that_forgets_to_come_home_is_brought_home() -> None:
     done = flight(task("  - look_at: fridge")).fly()
     assert done.run.stage is TaskStage.DONE

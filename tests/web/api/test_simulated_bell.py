@@ -16,6 +16,7 @@ from housefly.tasks.api.answers import FiringsAnswer, RuleFiring, RulesAnswer, R
 from housefly.tasks.api.json import task_answer_to_json, task_question_from_json
 from housefly.tasks.api.questions import Webhook
 from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.rules.rule_engine import ASKS_FIRST
 from housefly.web.api import simulated_bell
 from housefly.web.api.bell_routes import BellRoutes
 from housefly.web.api.simulated_bell import SimulatedBell
@@ -105,6 +106,11 @@ def test_a_clock_that_is_set_back_meanwhile_holds_nobody_up(
     bus.answer(BELL_QUERY, lambda _: press_to_json(press))
     view = SimulatedBell(bus, lambda: NOW - 86_400.0).press()
     assert view.rung and sum(slept) < 60.0
+
+
+def test_a_rule_that_asks_somebody_says_so_without_its_name() -> None:
+    view = House(rules=(fired(ASKS_FIRST),)).bell().press()
+    assert view.words == "a visitor rings; somebody is asked first"
 
 
 def test_a_bell_without_a_wire_calls_the_webhook() -> None:

@@ -338,7 +338,7 @@ def test_what_is_proposed_next_is_never_what_comes_to_nothing(known: ConsoleKnow
 def test_what_a_task_shows_is_said_and_its_picture_counts(phase: Phase) -> None:
     known = replace(knowing(status=DroneStatus.FLYING, phase=phase, goal="entrance"), unix=1000.0)
     assert not console_verdict(known).is_showing
-    look = TaskLook(Words("Looking at {goal}", goal="Entrance"), 1044.6)
+    look = TaskLook(Words("Looking at {goal}", goal="entrance"), 1044.6)
     told = console_verdict(replace(known, task_look=look))
     assert (told.headline, told.detail) == ("Looking at Entrance", "45 s left")
     assert told.is_showing and told.shape is HeadlineShape.HOLDING
@@ -348,6 +348,9 @@ def test_what_a_task_shows_is_said_and_its_picture_counts(phase: Phase) -> None:
     told = console_verdict(paused)
     assert told.headline == "Paused" and told.is_showing
     assert told.detail == "Looking at Entrance; waits until you press Go on"
+    between = replace(known, task_subject="Entrance")
+    told = console_verdict(between)
+    assert not told.is_showing and "waiting for an order" not in told.detail
     assert not console_verdict(replace(paused, task_look=None)).is_showing
 
 

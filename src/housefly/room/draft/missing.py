@@ -201,7 +201,7 @@ def _of_cut_off_floor(draft: SiteDraft, grid: OccupancyGrid, reached: Mask) -> I
         yield Missing(
             DraftStep.OBJECTS,
             Words("{p} % of the free floor cannot be reached from the pad", p=percentage(cut_off)),
-            Words("move what stands in between, or leave it: the drone does not fly there"),
+            Words("clear a way, or leave it so"),
             hinders=False,
         )
 

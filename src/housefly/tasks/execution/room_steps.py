@@ -134,6 +134,10 @@ class Ask(StepBehavior):
         self.context.results[self._id] = self._otherwise
         return True
 
+    def resume(self) -> None:
+        """Ask again: what was left of the time is left yet."""
+        self._send(max(0.0, self.number("wait") - self.elapsed))
+
     def end(self) -> None:
         """Nobody waits for a reply any more."""
         self.context.actions.append(CloseQuestion(self._id))

@@ -33,6 +33,8 @@ from housefly.tasks.rules.trigger import TimeTrigger, Trigger, fits
 
 SLOT_GRACE = 600.0
 """A time that was missed by more than this [s], because nothing ran, is skipped."""
+ASKS_FIRST, ASKS_FOR_TASK = Words("somebody is asked first"), Words("its task is asked for")
+"""What a rule that fires does: still true when somebody has said no."""
 _HOUR = 3600.0
 _CLOCK_ERROR = 26 * _HOUR
 """A time of a rule that is done and lies further ahead was done by a wrong clock [s]."""
@@ -203,8 +205,7 @@ class RuleEngine:
             now + rule.deadline if rule.deadline else None,
         )
         asks = permit.confirm is Confirm.ASK
-        # Still true when somebody has said no.
-        words = Words("somebody is asked first") if asks else Words("its task is asked for")
+        words = ASKS_FIRST if asks else ASKS_FOR_TASK
         firing = RuleFiring(rule.name, now, trigger.id, rule.then.service, ReasonCode.OK, words)
         return RuleDecision(firing, request), depth
 

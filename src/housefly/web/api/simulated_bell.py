@@ -16,6 +16,7 @@ from housefly.errors import HouseflyError
 from housefly.tasks.api.answers import FiringsAnswer, RulesAnswer
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
 from housefly.tasks.api.questions import RulesQuestion, Webhook
+from housefly.tasks.rules.rule_engine import ASKS_FIRST, ASKS_FOR_TASK
 
 _EVENT = "bell pressed/"
 """How the cause of whatever a bell sets off begins."""
@@ -74,7 +75,7 @@ class SimulatedBell:
                 for rule in self._rules().rules:
                     is_new = rule.last_at is not None and rule.last_at >= press.at
                     if is_new and rule.last_cause.startswith(_EVENT):
-                        return rule.last_words
+                        return _rule_words(rule.name, rule.last_words)
             except HouseflyError:
                 trouble = _SILENT
             time.sleep(_REACTION_PERIOD)
@@ -97,5 +98,10 @@ class SimulatedBell:
         except HouseflyError:
             return _SILENT
         assert isinstance(answer, FiringsAnswer)
-        told = [firing.words for firing in answer.firings]
+        told = [_rule_words(firing.rule, firing.words) for firing in answer.firings]
         return "; ".join(told) or f"no rule of the house waits for the webhook {BELL_WEBHOOK}"
+
+
+def _rule_words(rule: str, words: str) -> str:
+    """Return what a rule did; why it did nothing is told with its name."""
+    return words if words in (ASKS_FIRST, ASKS_FOR_TASK) else f"rule {rule}: {words}"

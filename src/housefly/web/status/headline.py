@@ -16,6 +16,7 @@ from housefly.web.messages.verdict_message import (
     StopProgress,
 )
 from housefly.web.status.console_knowledge import ConsoleKnowledge, last_seen, place_in_words
+from housefly.web.status.goal_words import goal_words
 from housefly.web.status.lost_contact import NOBODY_TOLD, goal_title
 
 
@@ -155,20 +156,32 @@ def _at_task(known: ConsoleKnowledge) -> Headline | None:
     look = known.task_look
     if known.hand_motion is not None:
         return None
+    shown = _look_in_words(known, look.words) if look is not None else UNSAID
     if known.task_is_paused:
-        detail = joined("; ", (look.words, _PAUSED) if look else (_PAUSED,))
+        detail = joined("; ", (shown, _PAUSED) if shown else (_PAUSED,))
         return Headline(HeadlineShape.HOLDING, Words("Paused"), detail)
     if look is None:
         return None
     left = UNSAID
     if look.until is not None:
         left = Words("{n} s left", n=figure(max(0.0, look.until - known.unix), ".0f"))
-    return Headline(HeadlineShape.HOLDING, look.words, left)
+    return Headline(HeadlineShape.HOLDING, shown, left)
+
+
+def _look_in_words(known: ConsoleKnowledge, words: Words) -> Words:
+    """Return what a task does; a place has the title by which the page calls it everywhere."""
+    goal = words.value("goal")
+    if not goal:
+        return words
+    places = known.room.places if known.room else ()
+    return Words("Looking at {goal}", goal=goal_words(goal, places))
 
 
 def _at_rest(known: ConsoleKnowledge) -> Headline:
     if (who := known.hand_motion) is None:
-        return Headline(HeadlineShape.HOLDING, Words("Hovering"), Words("waiting for an order"))
+        # Between two steps of a task nobody is waited for.
+        detail = UNSAID if known.task_subject else Words("waiting for an order")
+        return Headline(HeadlineShape.HOLDING, Words("Hovering"), detail)
     text = Words("Moved by hand by {who}", who=who) if who else Words("Moved by hand")
     return Headline(HeadlineShape.MOVING, text, Words("hovers when it is let go"))
 

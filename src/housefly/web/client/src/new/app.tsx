@@ -117,11 +117,9 @@ export async function redo(): Promise<void> {
 function StepItem({ index }: { index: number }) {
   const { step: name, title, words } = STEPS[index]!;
   const missing = view.value!.missing.filter((one) => one.step === name);
-  const hinders = missing.some((one) => one.hinders);
-  const anything = view.value!.missing.some((one) => one.hinders);
-  const lacks = hinders || (name === "save" && anything);
-  const isWell = draft.value!.bounds && missing.length === 0;
-  const state = lacks ? "lacks" : isWell ? "well" : "later";
+  const all = name === "save" ? view.value!.missing : missing;
+  const lacks = all.some((one) => one.hinders);
+  const state = lacks ? "lacks" : missing[0] || !draft.value!.bounds ? "later" : "well";
   const open = step.value === name;
   const next = STEPS[index + 1];
   const row = useRef<HTMLLIElement>(null);

@@ -11,7 +11,7 @@ import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
 import { reply, request } from "./tasks-client";
 import type { TaskStatus } from "../wire/task-messages";
-import { proposal, rehearsed, why, withAdvice } from "./words";
+import { isSpoken, proposal, rehearsed, why, withAdvice } from "./words";
 import { t, translated } from "../messages/language";
 
 const HOLD = 0.6;
@@ -78,19 +78,23 @@ export function Questions({ over }: { over: boolean }) {
   );
 }
 
+/** What a question belongs to and who wanted it, as far as the question does not say so. */
+function behind(task: TaskStatus): string {
+  const parts = [translated(task.title), isSpoken(task) ? "" : why(task)];
+  return capital(parts.filter(Boolean).join(" · "));
+}
+
 function Card({ one: { task, question } }: { one: Asked }) {
   const caused = question.id === CONFIRMATION && task.cause !== "";
-  const left = question.until === null ? null : question.until - unixNow.value;
+  // While a task is paused, its times stand still.
+  const ends = task.state === "paused" ? null : question.until;
+  const left = ends === null ? null : ends - unixNow.value;
   return (
     <article class="question" aria-label={t("Question of task {n}", { n: task.id })}>
       <p class="words" role="alert">
         <Told words={caused ? proposal(task) : sentence(translated(question.words))} />
       </p>
-      {!caused && (
-        <p class="quiet">
-          {translated(task.title)} · {why(task)}
-        </p>
-      )}
+      {!caused && <p class="quiet">{behind(task)}</p>}
       <div class="choices">
         {question.choices.map((choice, k) => (
           <Choice
@@ -109,7 +113,7 @@ function Card({ one: { task, question } }: { one: Asked }) {
       </div>
       <details class="quiet">
         <summary>{question.id === CONFIRMATION ? <InShort task={task} /> : t("Details")}</summary>
-        {caused && <p>{sentence(why(task))}</p>}
+        {caused && !isSpoken(task) && <p>{sentence(why(task))}</p>}
         {task.rehearsal?.may_fly && (
           <p>
             <Told words={rehearsed(task.rehearsal)} />

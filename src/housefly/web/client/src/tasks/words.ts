@@ -1,16 +1,12 @@
 // Tasks as people say them.
-import { sentence } from "../format";
+import { capital, sentence } from "../format";
 import type { Key } from "../messages/en";
 import { nameOf } from "../live/store";
-import { room } from "../store";
 import type { RehearsalReport, Said, TaskStage, TaskStatus } from "../wire/task-messages";
 import { t, translated } from "../messages/language";
 
 /** Where a task was asked for; of the others their name says it. */
 const SURFACES: Partial<Record<TaskStatus["surface"], Key>> = {
-  "console": "in the console",
-  "command line": "on the command line",
-  "http": "over HTTP",
   "mqtt": "over MQTT",
   "webhook": "by a webhook",
   "assistant": "by an assistant",
@@ -30,6 +26,9 @@ const SPOKEN: Record<string, Key> = {
   "webhook bell": "The bell rings",
   "person fallen": "Somebody may have fallen",
 };
+
+/** Whether people have words for what caused a task: "The bell rings". */
+export const isSpoken = (task: TaskStatus): boolean => partsOf(task.cause)[0]! in SPOKEN;
 
 /** What has happened and what would be done about it, as a question. */
 export function proposal(task: TaskStatus): string {
@@ -78,8 +77,7 @@ export const MARKS: Record<Outcome, string> = {
 /** The place, thing or person that a task is about, or "": documents name that first. */
 export function details(task: TaskStatus): string {
   const about = Object.values(task.parameters).find((one) => one && typeof one === "string");
-  const place = room.value?.places.find((one) => one.name === about);
-  return place?.title ?? nameOf(`${about ?? ""}`);
+  return capital(nameOf(`${about ?? ""}`));
 }
 
 const CLOSED = "Who walks there may close the way for a moment: ask again when it is free.";

@@ -483,7 +483,6 @@ export const DE_TOLD: Templates = {
   "the simulated room": "der simulierte Raum",
   "{p} % of the free floor cannot be reached from the pad":
     "{p} % des freien Bodens sind vom Landeplatz nicht erreichbar",
-  "move what stands in between, or leave it: the drone does not fly there":
-    "verrücken, was dazwischen steht, oder so lassen: Dort fliegt die Drohne nicht",
   "write the site first": "erst den Ort schreiben",
+  "clear a way, or leave it so": "Weg frei machen oder so lassen",
 };

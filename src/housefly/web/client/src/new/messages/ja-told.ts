@@ -400,7 +400,6 @@ export const JA_TOLD: Templates = {
   "the simulated room": "シミュレーションの部屋",
   "{p} % of the free floor cannot be reached from the pad":
     "床の空いた所の{p}%へはパッドから行けません",
-  "move what stands in between, or leave it: the drone does not fly there":
-    "間にあるものを動かすか、そのままにしてください。ドローンはそこへは飛びません",
   "write the site first": "先に設置場所を書き出してください",
+  "clear a way, or leave it so": "道を空けるか、そのままで",
 };
