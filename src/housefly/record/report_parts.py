@@ -42,9 +42,14 @@ def report_number(name: str, value: float | None, digits: int, unit: str) -> str
     )
 
 
+SCROLLS = '<div class="plot" tabindex="0">'
+"""Around what is wider than a phone; keys scroll it, too."""
+
+
 def report_figure(svg: str, caption: str) -> str:
     """Return a drawing with its caption."""
-    return f'<figure><div class="plot">{svg}</div><figcaption>{caption}</figcaption></figure>'
+    words = f"<figcaption>{caption}</figcaption>"
+    return f"<figure>{SCROLLS}{svg}</div>{words}</figure>"
 
 
 def report_events(events: Sequence[EventRecord]) -> str:
@@ -58,7 +63,7 @@ def report_events(events: Sequence[EventRecord]) -> str:
         for event in events
     )
     head = "<tr><th>time [s]</th><th>severity</th><th>what</th><th>code</th></tr>"
-    return f'<div class="plot"><table><thead>{head}</thead><tbody>{rows}</tbody></table></div>'
+    return f"{SCROLLS}<table><thead>{head}</thead><tbody>{rows}</tbody></table></div>"
 
 
 def report_text(value: str) -> str:

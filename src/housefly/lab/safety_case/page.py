@@ -13,6 +13,7 @@ from housefly.lab.safety_case.plan import FAULT_FREE
 from housefly.lab.safety_case.statistics import RowFigures, Spread, row_figures, row_number
 from housefly.lab.safety_case.trial import PersonOrder, TrialResult
 from housefly.lab.safety_case.wired_flight import WiredResult
+from housefly.record.report_parts import SCROLLS
 from housefly.record.report_style import REPORT_CSS
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE
 from housefly.twin.faults.fault_row import FaultRow
@@ -54,8 +55,8 @@ def write_safety_case(
     headings = "".join(f"<th>{words}</th>" for words in _HEADINGS)
     body = (
         _head(results, wired, made)
-        + f'<section><h2>The fault matrix</h2><div class="wide"><table><tr>{headings}</tr>{rows}'
-        "</table></div></section>"
+        + '<section><h2>The fault matrix</h2><div class="wide" tabindex="0">'
+        f"<table><tr>{headings}</tr>{rows}</table></div></section>"
         + _pairs(results)
         + _fault_free(results)
         + _unsafe(results, wired)
@@ -215,8 +216,8 @@ def _unsafe(results: Sequence[TrialResult], wired: Sequence[WiredResult]) -> str
     more = len(unsafe) - _UNSAFE_LISTED
     rest = f"<p>and {more} more</p>" if more > 0 else ""
     return (
-        "<section><h2>Unsafe flights</h2><table><tr><th>row</th><th>phase</th><th>what</th>"
-        f"<th>told</th><th>again</th></tr>{rows}</table>{rest}</section>"
+        f"<section><h2>Unsafe flights</h2>{SCROLLS}<table><tr><th>row</th><th>phase</th>"
+        f"<th>what</th><th>told</th><th>again</th></tr>{rows}</table></div>{rest}</section>"
     )
 
 
@@ -233,8 +234,8 @@ def _missed(results: Sequence[TrialResult]) -> str:
     more = len(found) - _MISSED_LISTED
     rest = f"<p>and {more} more</p>" if more > 0 else ""
     return (
-        "<section><h2>Safe, and not as promised</h2><table><tr><th>row</th><th>phase</th>"
-        f"<th>what</th><th>again</th></tr>{rows}</table>{rest}</section>"
+        f"<section><h2>Safe, and not as promised</h2>{SCROLLS}<table><tr><th>row</th>"
+        f"<th>phase</th><th>what</th><th>again</th></tr>{rows}</table></div>{rest}</section>"
     )
 
 
