@@ -206,6 +206,7 @@ export interface RuleStatus {
   confirm: Confirm;
   modes: HouseMode[];
   parameters: ParameterInfo[];
+  is_remembered: boolean;
   changed_by: string;
 }
 
