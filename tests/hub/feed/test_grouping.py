@@ -117,6 +117,10 @@ def test_a_task_is_one_entry_with_its_pictures_and_says_how_it_ended() -> None:
         ("See who is at the door", "the visitor was seen", ("s-1",)),
         ("doorbell", "rang", ()),
     ]
+    said = task("said", 47.5, words="At the entrance: the visitor")
+    ends = [task("task ended", 48.0, words="done", outcome=one) for one in ("done", "failed")]
+    assert told(*events[:4], said, ends[0])[0][1] == "At the entrance: the visitor"
+    assert told(*events[:4], said, ends[1])[0][1] == "done"
     assert told(*events[:3])[0][1] == "asked for by rule bell"
     assert told(*events, topic="drone") == [("ardrone", "Entrance, 41 s in the air")]
 

@@ -40,6 +40,7 @@ def test_a_rule_is_a_sentence_whose_values_a_person_sets_beside_its_file(
     assert told["bell"].modes == (HouseMode.HOME, HouseMode.AWAY, HouseMode.NIGHT)
     assert told["person-fallen"].when == "When somebody may have fallen, if 50 % sure"
     assert "person" not in [one.name for one in told["person-fallen"].parameters]
+    assert told["bell"].is_remembered and not told["bell-webhook"].is_remembered
     evening = told["evening"]
     assert evening.when == "Every day at 21:00"
     assert {one.name: one.default for one in evening.parameters}["subject"] == "sofa"

@@ -57,6 +57,7 @@ class _Group:
     pictures: list[str] = field(default_factory=list)
     alarms: bool = False
     of_task: bool = False
+    has_found: bool = False
 
     def add(self, step: Words) -> None:
         """Add what happened next, unless it goes on as before."""
@@ -180,9 +181,12 @@ class _Groups:
     def _task(self, event: EventAnswer, key: str) -> None:
         title = event.facts.get("title") or event.facts.get("service", "")
         group = self._group("tasks", event, key, literal(str(title)), gap=float("inf"))
-        # That it waits for a yes goes without saying beside who asked for it.
-        if not (event.kind == "person asked" and len(group.steps) == 1):
+        # Who asked for it says that it waits for a yes; what it found says more than "done".
+        waits = event.kind == "person asked" and len(group.steps) == 1
+        is_told = group.has_found and event.facts.get("outcome") == "done"
+        if not waits and not is_told:
             group.add(task_step(event))
+        group.has_found |= event.kind in ("found", "said")
         group.alarms |= event.facts.get("outcome") == "failed"
 
     def _picture(self, event: EventAnswer, clip: str) -> None:

@@ -129,6 +129,7 @@ class RuleStatus:
         confirm: whether it asks first.
         modes: of the house, in which it counts; () is any.
         parameters: what a person may set, each with its value as default.
+        is_remembered: whether what it waits for is kept, so that the past tells when it came.
         changed_by: who changed it on the page; "" while it is as its file says.
     """
 
@@ -143,6 +144,7 @@ class RuleStatus:
     confirm: Confirm = Confirm.ASK
     modes: tuple[HouseMode, ...] = ()
     parameters: tuple[ParameterInfo, ...] = ()
+    is_remembered: bool = True
     changed_by: str = ""
 
 

@@ -143,6 +143,7 @@ class RuleEngine:
                 rule.then.service,
                 Confirm(rule.confirm),
                 tuple(map(HouseMode, rule.conditions.mode)),
+                is_remembered=rule.when.kind not in ("mqtt", "webhook"),
             )
             found.append(status)
         return tuple(found)

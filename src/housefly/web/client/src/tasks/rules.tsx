@@ -81,6 +81,8 @@ function Rule({ rule }: { rule: RuleStatus }) {
     if (left.length) change(name, { mode: left });
   };
   const names = rule.parameters.map((one) => one.default).filter((one) => isNaN(Number(one)));
+  const said = modes.map((mode) => t(`${mode}^mode`));
+  if (!said.length) said.push(`${t("Mode")}: ${t("any")}`);
   // What was refused is shown as it is, not as somebody wanted it.
   const key = refusedOf(name);
   return (
@@ -104,7 +106,8 @@ function Rule({ rule }: { rule: RuleStatus }) {
       <Trouble rule={name} />
       <details>
         <summary class="quiet">
-          {[...modes.map((mode) => t(`${mode}^mode`)), ...names].join(", ")} · <Today rule={name} />
+          {[...said, ...names].join(", ")}
+          {rule.is_remembered && <Today rule={name} />}
         </summary>
         <fieldset key={key} class="filters" disabled={mayNot}>
           <select
@@ -158,5 +161,6 @@ function Today({ rule }: { rule: string }) {
   if (!today.value) return null;
   const fired = today.value.filter((one) => one.rule === rule && one.code === "ok");
   const times = fired.map((one) => clock(one.at).slice(0, 5)).join(", ");
-  return <>{times ? t("{n}× today: {times}", { n: fired.length, times }) : t("Not once today.")}</>;
+  const n = fired.length;
+  return <span>{n ? t("{n}× today: {times}", { n, times }) : t("Not once today.")}</span>;
 }

@@ -213,6 +213,7 @@ export interface RuleStatus {
   confirm: Confirm;
   modes: HouseMode[];
   parameters: ParameterInfo[];
+  is_remembered: boolean;
   changed_by: string;
 }
 
