@@ -1,1 +1,1 @@
-import"./chunk-chunk-B5MUSA5M.js";
+import"./chunk-chunk-3NFYYY3G.js";
