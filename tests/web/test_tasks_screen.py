@@ -21,7 +21,7 @@ from housefly.errors import TaskError
 from housefly.evidence.clip_export import ClipExport
 from housefly.evidence.clip_values import ClipInfo
 from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
-from housefly.tasks.api.values import ReasonCode, TaskStage
+from housefly.tasks.api.values import Confirm, ReasonCode, TaskStage
 from housefly.web.api.simulated_bell import BellView, SimulatedBell
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="session")]
@@ -247,7 +247,7 @@ async def test_a_service_asks_for_what_it_needs_and_is_rehearsed_before_the_yes(
     await hold(page, start)
     await until(lambda: 1 in house.tasks.tasks)
     assert house.tasks.tasks[1].parameters == rehearsed.parameters
-    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("refrigerator")
+    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("Refrigerator")
 
 
 async def test_a_task_is_followed_paused_continued_and_ended(
@@ -351,6 +351,13 @@ async def test_who_said_yes_hears_on_every_screen_why_nothing_flies(
     await expect(told).to_contain_text("ask again when it is free")
     await expect(told).to_contain_text("See who is at the door:")
     await expect(card(page)).to_have_count(0)
+    await told.get_by_role("button", name="Try again").click()
+    await expect(told).to_have_count(0)
+    again = [one for one in house.tasks.asked if isinstance(one, RequestTask)][-1]
+    assert (again.service, again.parameters) == (task.service, task.parameters)
+    assert again.confirm is Confirm.ASK, "nothing flies again without a yes"
+    again_refused = max(house.tasks.tasks)
+    house.tasks.refuse(again_refused, "no free way leads to the entrance")
     await told.get_by_role("button", name="Close").click()
     await expect(told).to_have_count(0)
 
