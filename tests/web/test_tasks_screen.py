@@ -209,8 +209,10 @@ async def test_a_sentence_is_answered_and_what_flies_waits_for_a_yes(
     said = [one for one in house.tasks.asked if isinstance(one, Sentence)][-1]
     assert (said.text, said.by, said.language) == ("look at the entrance", "Viewer 1", "en")
     assert stage_of(house) is TaskStage.WAITING
+    await expect(answer).to_contain_text("I go and look.")
     await hold(page, card(page).get_by_role("button", name="Yes"))
     await until(lambda: stage_of(house) is TaskStage.QUEUED)
+    await expect(answer).to_have_count(0)  # somebody has said yes
 
 
 async def test_an_answer_over_the_map_is_put_away_after_a_minute(page: Page, house: House) -> None:
