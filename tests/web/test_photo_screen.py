@@ -140,9 +140,15 @@ async def test_in_mode_privacy_the_picture_is_hidden_and_the_page_says_why(
     page: Page, darkroom: Darkroom
 ) -> None:
     picture, veil = page.locator(".video canvas"), page.locator(".video .veil")
+    darkroom.mode = HouseMode.PRIVACY
+    await asyncio.sleep(0.2)
+    await page.get_by_role("button", name="Snap").click()
+    kept = page.locator(".photo-kept")
+    await expect(kept).to_contain_text("Nothing is recorded in the mode privacy")
     darkroom.tasks.mode = HouseMode.PRIVACY
     darkroom.tasks.tell()
     await expect(veil).to_have_text("Privacy")
+    await expect(kept).to_have_count(0)  # it was said of the mode before
     await expect(picture).to_be_hidden()
     last = await picture.get_attribute("data-picture")
     await asyncio.sleep(0.5)

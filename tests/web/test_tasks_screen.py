@@ -245,8 +245,10 @@ async def test_a_sentence_is_answered_and_what_flies_waits_for_a_yes(
     said = [one for one in house.tasks.asked if isinstance(one, Sentence)][-1]
     assert (said.text, said.by, said.language) == ("look at the entrance", "Viewer 1", "en")
     assert stage_of(house) is TaskStage.WAITING
+    await expect(answer).to_contain_text("I go and look.")
     await hold(page, card(page).get_by_role("button", name="Yes"))
     await until(lambda: stage_of(house) is TaskStage.QUEUED)
+    await expect(answer).to_have_count(0)  # somebody has said yes
 
 
 async def test_an_answer_over_the_map_is_put_away_after_a_minute(page: Page, house: House) -> None:
@@ -283,7 +285,7 @@ async def test_a_service_asks_for_what_it_needs_and_is_rehearsed_before_the_yes(
     await hold(page, start)
     await until(lambda: 1 in house.tasks.tasks)
     assert house.tasks.tasks[1].parameters == rehearsed.parameters
-    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("refrigerator")
+    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("Refrigerator")
 
 
 async def test_a_task_is_followed_paused_continued_and_ended(
@@ -471,6 +473,13 @@ async def test_who_said_yes_hears_on_every_screen_why_nothing_flies(
     await expect(told).to_contain_text("ask again when it is free")
     await expect(told).to_contain_text("See who is at the door:")
     await expect(card(page)).to_have_count(0)
+    await told.get_by_role("button", name="Try again").click()
+    await expect(told).to_have_count(0)
+    again = [one for one in house.tasks.asked if isinstance(one, RequestTask)][-1]
+    assert (again.service, again.parameters) == (task.service, task.parameters)
+    assert again.confirm is Confirm.ASK, "nothing flies again without a yes"
+    again_refused = max(house.tasks.tasks)
+    house.tasks.refuse(again_refused, "no free way leads to the entrance")
     await told.get_by_role("button", name="Close").click()
     await expect(told).to_have_count(0)
 
