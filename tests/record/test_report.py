@@ -87,6 +87,7 @@ def test_all_colours_come_from_the_style_sheet(report: Path) -> None:
     plots = report.read_text().split("</style>", 1)[1]
     assert re.findall(r"(?:fill|stroke): #[0-9a-f]{6}", plots) == []
     assert "DejaVu" not in plots
+    assert plots.count('class="plot"') == plots.count('class="plot" tabindex="0"'), "keys scroll"
 
 
 def test_ids_of_the_plots_do_not_collide(report: Path) -> None:

@@ -11,6 +11,16 @@ from fuzz_target import DEEP, HUGE, FuzzTarget, as_file, scratch, split
 
 from housefly import sites
 from housefly.bus.simulated_bell import BellPress, press_from_json, press_to_json
+from housefly.bus.simulated_room import (
+    SimulatedAct,
+    SimulatedDeed,
+    SimulatedFault,
+    SimulatedOutcome,
+    act_from_json,
+    act_to_json,
+    outcome_from_json,
+    outcome_to_json,
+)
 from housefly.errors import ConfigError, RecordingError, WireError
 from housefly.hub.client.discovery import _read as read_announcement
 from housefly.hub.things.catalogue import load_catalogue
@@ -25,6 +35,7 @@ from housefly.lab.safety_case.flown_by import FLOWN_BY_FILE, read_flown_by
 from housefly.lab.safety_case.page import write_safety_case
 from housefly.lab.safety_case.trial import TrialKey, TrialResult
 from housefly.lab.safety_case.wired_flight import WiredKey, WiredResult
+from housefly.messages.words import Words
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.hands import Carry, CarryOrder, decode_carry, encode_carry
 from housefly.twin.people.scene import load_scene
@@ -109,6 +120,24 @@ def _bell_seeds() -> Iterable[bytes]:
     yield b'{"pressed": ' + DEEP
 
 
+def _simulated(data: bytes) -> None:
+    """What is done to a simulated room behind a 0, what came of it behind anything else."""
+    text = data[1:].decode(errors="surrogateescape")
+    if data[:1] == b"\0":
+        act_to_json(act_from_json(text))
+    else:
+        outcome_to_json(outcome_from_json(text))
+
+
+def _simulated_seeds() -> Iterable[bytes]:
+    yield b"\0" + act_to_json(SimulatedAct(SimulatedDeed.FAULT, "drone", "F03", 30.0)).encode()
+    fault = SimulatedFault("F47", Words("the drone's sonar fails"))
+    outcome = SimulatedOutcome(True, Words("the drone has a full battery"), (fault,), 1)
+    yield b"\1" + outcome_to_json(outcome).encode()
+    yield b'\0{"deed": "fault", "seconds": ' + HUGE + b"}"
+    yield b'\1{"done": ' + DEEP
+
+
 def _announcement(data: bytes) -> None:
     with as_file(data, "1.json") as path:
         read_announcement(path)
@@ -180,6 +209,9 @@ TWIN: dict[str, FuzzTarget] = {
         words=(b"[[people]]", b"[[people.steps]]", b"[[things]]", b"[[devices]]", b'do = "go"'),
     ),
     "carry": FuzzTarget(_carry, _carry_seeds, (WireError,), 512, (b'"position"', b"1e309", b"NaN")),
+    "simulated_room": FuzzTarget(
+        _simulated, _simulated_seeds, (WireError,), 512, (b'"deed"', b'"done"')
+    ),
     "bell_press": FuzzTarget(_bell, _bell_seeds, (WireError,), 512, (b'"pressed"', b'"at"')),
     "announcement": FuzzTarget(
         _announcement, _announcement_seeds, length_max=512, words=(b'"site"', b'"pid"', b"1e309")

@@ -19,6 +19,8 @@ from housefly.web.new_site.draft_answers import OpenedState, OpenedView
 _DEMO = (sys.executable, "-m", "housefly.cli", "demo")
 _ADDRESS = re.compile(r"http://127\.\S+")
 _READY = "ready after"
+_PROGRESS = ("compil", "not ready")
+"""How a line begins that tells how far it is; the others are for a terminal."""
 _LANDING_TIME = 90.0
 """Longest time from the wish to end to the end [s]: it lands first."""
 _LINE_MAX = 200
@@ -75,11 +77,12 @@ class OpenedRoom:
 
     def _read(self, process: subprocess.Popen[str]) -> None:
         assert process.stdout is not None
-        address, state, line = "", OpenedState.STARTING, ""
+        address, state, line, told = "", OpenedState.STARTING, "", ""
         for text in process.stdout:
             line = text.strip()[:_LINE_MAX] or line
             address = found[0] if (found := _ADDRESS.search(text)) else address
             if address and text.startswith(_READY):
                 state = OpenedState.READY
-            self._view = OpenedView(state, "" if address in line and address else line, address)
+            told = line if line.startswith(_PROGRESS) else told
+            self._view = OpenedView(state, told, address)
         self._view = OpenedView(OpenedState.ENDED, line)
