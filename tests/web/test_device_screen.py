@@ -179,4 +179,4 @@ async def test_a_page_that_was_thrown_away_says_that_control_is_lost(
         await asyncio.sleep(LEASE_TIMEOUT + 1.0)
         await page.goto(served.origin)
         await expect(page.locator(".said")).to_contain_text("silent and lost control")
-        await expect(page.locator(".who")).to_contain_text("Take control")
+        await expect(page.locator(".who")).to_contain_text("Nobody has control")

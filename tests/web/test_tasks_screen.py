@@ -355,7 +355,7 @@ async def test_history_leads_from_the_trigger_to_the_clip_and_who_watched_is_kno
     await page.keyboard.press("Enter")
     await expect(page.get_by_role("tabpanel").get_by_role("listitem")).to_have_count(1)
     await page.get_by_role("navigation").get_by_role("button", name="Live").click()
-    await page.get_by_role("link", name="Clip").click()
+    await page.locator(".on-picture").get_by_role("link", name="Clip").click()
     await expect(page.get_by_role("dialog", name="Clip: guest, entrance")).to_be_visible()
 
 

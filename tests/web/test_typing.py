@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
-from console_page import choose_place
 from playwright.async_api import Browser, Locator, Page, expect
 from stand_in_tasks import StandInTasks
 
@@ -99,7 +98,7 @@ async def test_a_place_and_its_half_typed_numbers_stay(desk: Desk) -> None:
     page = desk.page
     await page.goto(f"{desk.console.origin}/#edit")
     await page.reload()
-    await choose_place(page, "Entrance")
+    await page.get_by_role("button", name="Entrance", exact=True).click()
     await desk.type(page.get_by_label("Name", exact=True), "Reading corner")
     x = page.get_by_label("x", exact=True).first
     await x.focus()
