@@ -128,7 +128,7 @@ class Pilot:
         self._held = False
         self._reckoned_height: ReckonedHeight | None = None
         self._motion: KnownMotion | None = None
-        self._seen: Sighting | None = None
+        self._seen: tuple[Sighting | None, Estimate | None] = (None, None)
         self._has_sonar = settings.airframe.sonar is not None
 
     @property
@@ -161,7 +161,12 @@ class Pilot:
         One that does not take the time of a pose is told where it is by now: its place moved on,
         its attitude as it was seen.
         """
-        return self._seen
+        (seen, estimate), able = self._seen, self._settings.airframe.capabilities
+        if seen is None or estimate is None or able.external_pose_stamped:
+            return seen
+        age = min(max(estimate.at - seen.captured_at, 0.0), POSE_LEAD_MAX)
+        x, y, z = (p + age * v for p, v in zip(seen.pose.position, estimate.velocity, strict=True))
+        return replace(seen, pose=replace(seen.pose, position=(x, y, z)))
 
     @property
     def origin_confirmed(self) -> bool:
@@ -327,15 +332,6 @@ class Pilot:
         turn = wrapped(self._stepped.yaw_target - estimate.yaw)
         return abs(turn) < self._settings.facing_tolerance
 
-    def _external_pose(self, estimate: Estimate | None) -> Sighting | None:
-        able = self._settings.airframe.capabilities
-        seen = self._estimator.accepted if self._estimator else None
-        if seen is None or estimate is None or able.external_pose_stamped:
-            return seen
-        age = min(max(estimate.at - seen.captured_at, 0.0), POSE_LEAD_MAX)
-        x, y, z = (p + age * v for p, v in zip(seen.pose.position, estimate.velocity, strict=True))
-        return replace(seen, pose=replace(seen.pose, position=(x, y, z)))
-
     # --- the compiled step ---
 
     def _command(
@@ -367,7 +363,8 @@ class Pilot:
         verdict = gate_verdict(action, output.command, assessment, output.formed)
         self._climb = output.command.vz if verdict.command.action is Action.FLY else 0.0
         self._sent, self._motion = verdict.command, self._known_motion(here, assessment)
-        self._seen = self._external_pose(vehicle.estimate) if assessment.knows_place else None
+        seen = self._estimator.accepted if assessment.knows_place else None
+        self._seen = seen, vehicle.estimate
         is_off = assessment.held or assessment.waits
         self._held = is_off or not is_flown_in(self._stepped.gate)
         self._maneuvering, self._height = override.active and not blind, output.target.z

@@ -48,6 +48,7 @@ LOWEST = 1.0
 NOWHERE = Words("no clear place to land within 2 m: holding by the drone's own motion")
 _STEP = 0.1
 """Over so long the velocity of the setpoint is taken [s]."""
+_UNTOLD = Words("the drone does not tell how it moves")
 
 
 class BlindLanding:
@@ -78,7 +79,7 @@ class BlindLanding:
     def _events(self, vehicle: VehicleStatus) -> list[Event]:
         here = vehicle.reckoned
         if self._paper or here is None or vehicle.status is not DroneStatus.FLYING:
-            return self._end(vehicle, Words("the drone does not tell how it moves"))
+            return self._end(vehicle, _UNTOLD)
         below = self._below(vehicle, here)
         fault = below or self._unsettled(vehicle, here)
         if not fault:

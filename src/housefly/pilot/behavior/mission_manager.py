@@ -182,7 +182,9 @@ class MissionManager:
             events.extend(self._nudges.heard(order, answer, vehicle.now))
         events.extend(self._monitor.step(vehicle, target, facing))
         for monitor, silencers in self._rows:
-            silent = bool(silencers) and any(holds() for holds in silencers)
+            silent = False
+            for holds in silencers:
+                silent = silent or holds()
             rate, share = self._passing.rate, self._separation.speed_factor
             proposal = monitor.propose(Look(vehicle, target, silent, rate, share))
             if proposal is not NOTHING:

@@ -7,7 +7,7 @@ from math import hypot, inf
 from housefly.messages.event_code import EventCode
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Clearing, SafetyMode
-from housefly.messages.words import Words, figure, joined, percentage
+from housefly.messages.words import UNSAID, Words, figure, joined, percentage
 from housefly.pilot.behavior.drone_faults import LANDING_FAULTS, fault_list
 from housefly.pilot.safety.energy import CLIFF_SPAN, GAUGE_STILL_TIME
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
@@ -84,6 +84,8 @@ def _is_still_up(c: RuleContext) -> bool:
 
 
 def _complaints(c: RuleContext, *, ends_flight: bool) -> Words:
+    if not c.inputs.faults:
+        return UNSAID
     return fault_list(one for one in c.inputs.faults if (one in LANDING_FAULTS) is ends_flight)
 
 

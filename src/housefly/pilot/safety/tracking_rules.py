@@ -35,6 +35,8 @@ LATENCY_SLOW, LATENCY_HOLD = 0.12, 0.22
 """Poses are older than their stamps say by this: slow, hold [s]."""
 HEIGHT_DISAGREES = 0.3
 """Tracked and onboard height may differ by this [m]."""
+_UNCHECKED = Words("the drone does not tell how it moves: tracking is not checked")
+_FLOW_UNTOLD = Words("the drone does not see how it moves: it cannot hold itself")
 
 
 def seems_low(c: RuleContext) -> bool:
@@ -327,7 +329,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         scope=RuleScope.FLYING,
         condition="the drone does not tell its own motion: tracking is held against nothing",
         is_broken=lambda c: isnan(c.inputs.consistency.drift),
-        words=lambda _: Words("the drone does not tell how it moves: tracking is not checked"),
+        words=lambda _: _UNCHECKED,
         debounce=UNCHECKED_AFTER,
         needs=frozenset({Ability.VELOCITY}),
         instead="the list before the take-off says that it tells none",
@@ -338,7 +340,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         scope=RuleScope.FLYING,
         condition="the drone does not see how it moves, or says the same to the last bit",
         is_broken=lambda c: c.inputs.consistency.flow_untold,
-        words=lambda _: Words("the drone does not see how it moves: it cannot hold itself"),
+        words=lambda _: _FLOW_UNTOLD,
         debounce=0.3,
         needs=frozenset({Ability.VELOCITY}),
         instead="the list before the take-off says that it tells none",
