@@ -150,8 +150,8 @@ def _flown(
             break
         time.sleep(0.01)
     time.sleep(1.0)
-    for one in listening:
-        one.close()
+    for reader in listening:
+        reader.close()
     return heard
 
 

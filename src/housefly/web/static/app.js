@@ -1,1 +1,1 @@
-import"./chunk-chunk-3NFYYY3G.js";
+import"./chunk-chunk-RCJPULGH.js";

@@ -27,6 +27,7 @@ export const SwapIcon = outline("M4 9h14l-4-4M20 15H6l4 4");
 export const MoreIcon = outline("M5 12h.01M12 12h.01M19 12h.01");
 export const AskIcon = outline("M16 16l5 5M10.5 4a6.5 6.5 0 1 0 0 13a6.5 6.5 0 1 0 0-13z");
 export const PlaceIcon = outline("M12 21s-7-6.5-7-11a7 7 0 0 1 14 0c0 4.500-7 11-7 11zM12 10h.01");
+export const BatteryIcon = outline("M3 8h15v8H3zM21 11v2M6 12h5");
 export const ListIcon = outline("M5 6h14M5 12h14M5 18h9");
 export const CutIcon = outline("M13 3L6 13h6l-1 8 7-11h-6z");
 export const StopIcon = () => <Icon><path d={OCTAGON} fill="currentColor" /></Icon>;

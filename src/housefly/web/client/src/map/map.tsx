@@ -165,7 +165,12 @@ function Notes() {
       {showsMargins.value && <li class="virtual">{t("kept free by order")}</li>}
       {showsMargins.value && <li class="inflated">{t("too close to fly")}</li>}
       {hasDrone.value && hindering.value > 0 && (
-        <li class="plain">△ {t("{n} in the way that no map knows", { n: hindering.value })}</li>
+        <li class="plain">
+          △{" "}
+          {t("{n} obstacle that is not on the map|{n} obstacles that are not on the map", {
+            n: hindering.value,
+          })}
+        </li>
       )}
       {worthSaying(situations.value)
         .filter((one) => isWorry(one.kind))

@@ -431,8 +431,10 @@ const texts: Speech["texts"] = {
   "Taken by": "Aufgenommen von",
   // first steps
   "First steps": "Erste Schritte",
-  "Ask for anything, or choose a place on the map.": "Fragen Sie, oder wählen Sie einen Ort auf der Karte.",
-  "Fly to … lists the places; hold the large button to fly.": "Fliegen zu … zeigt die Orte; zum Fliegen die große Taste halten.",
+  "Ask for anything, or choose a place on the map.":
+    "Fragen Sie, oder wählen Sie einen Ort auf der Karte.",
+  "Fly to … lists the places; hold the large button to fly.":
+    "Fliegen zu … zeigt die Orte; zum Fliegen die große Taste halten.",
   "STOP stops at once. It works for everybody, at any time.":
     "STOP hält sofort an. Für alle, jederzeit.",
   "OK": "OK",
@@ -447,7 +449,8 @@ const texts: Speech["texts"] = {
   "People and things are not shown: {why}.": "Personen und Dinge fehlen: {why}.",
   "kept free by order": "Verbotszone",
   "too close to fly": "zu eng zum Fliegen",
-  "{n} in the way that no map knows": "{n} im Weg, der Karte unbekannt",
+  "{n} obstacle that is not on the map|{n} obstacles that are not on the map":
+    "{n} Hindernis, das nicht auf der Karte ist|{n} Hindernisse, die nicht auf der Karte sind",
   "{p} sure": "{p} sicher",
   "told before": "früher gemeldet",
   "Place unknown: {names}": "Ort unbekannt: {names}",

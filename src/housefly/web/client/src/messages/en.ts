@@ -416,7 +416,7 @@ export const EN = [
   "People and things are not shown: {why}.",
   "kept free by order",
   "too close to fly",
-  "{n} in the way that no map knows",
+  "{n} obstacle that is not on the map|{n} obstacles that are not on the map",
   "{p} sure",
   "told before",
   "Place unknown: {names}",

@@ -427,7 +427,7 @@ const texts: Speech["texts"] = {
   "People and things are not shown: {why}.": "人と物は表示していません：{why}。",
   "kept free by order": "飛行禁止の場所",
   "too close to fly": "近すぎて飛べない場所",
-  "{n} in the way that no map knows": "地図にない障害物 {n}個",
+  "{n} obstacle that is not on the map|{n} obstacles that are not on the map": "地図にない障害物 {n}個",
   "{p} sure": "確かさ {p}",
   "told before": "以前の情報",
   "Place unknown: {names}": "場所不明：{names}",

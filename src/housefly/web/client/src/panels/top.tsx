@@ -1,9 +1,20 @@
 import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { AskIcon, ListIcon, ShapeIcon } from "../controls/icons";
+import { AskIcon, BatteryIcon, ListIcon, ShapeIcon } from "../controls/icons";
 import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
-import { hasDrone, iFly, open, panel, room, screen, state, toggle, verdict } from "../store";
+import {
+  hasDrone,
+  iFly,
+  open,
+  panel,
+  room,
+  screen,
+  simulated,
+  state,
+  toggle,
+  verdict,
+} from "../store";
 import type { Panel } from "../store";
 import { ordering } from "../scene/dock";
 import { percent } from "../format";
@@ -66,7 +77,11 @@ export function Top() {
         )}
         <div class="pill">
           <House />
-          {charge.value && <span class="charge">{charge.value}</span>}
+          {charge.value && (
+            <span class="charge" title={t("Battery")}>
+              <BatteryIcon /> {charge.value}
+            </span>
+          )}
           {hasDrone.value && (
             <button
               type="button"
@@ -128,9 +143,10 @@ const charge = computed(() => {
 /** The site's name, and its mode when it is not the usual one. */
 function site(): string {
   if (!room.value) return " ";
-  return room.value.mode === "default"
-    ? room.value.site
-    : t("{site} · mode {mode}", { site: room.value.site, mode: room.value.mode });
+  const { site, mode } = room.value;
+  return mode === "default"
+    ? `${site}${simulated.value ? ` · ${t("Simulated room")}` : ""}`
+    : t("{site} · mode {mode}", { site, mode });
 }
 
 function who(): string {

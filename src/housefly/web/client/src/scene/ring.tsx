@@ -39,7 +39,8 @@ const BellIcon = () => (
   <svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true">
     <path
       fill="currentColor"
-      d="M12 2a2 2 0 0 1 2 2v.4a6 6 0 0 1 4 5.6v5l2 3H4l2-3v-5a6 6 0 0 1 4-5.6V4a2 2 0 0 1 2-2zM9.5 19.5h5a2.5 2.5 0 0 1-5 0z"
+      d="M12 2a2 2 0 0 1 2 2v.4a6 6 0 0 1 4 5.6v5l2 3H4l2-3v-5a6 6 0 0 1 4-5.6V4a2 2 0 0 1 2-2z"
     />
+    <path fill="currentColor" d="M9.5 19.5h5a2.5 2.5 0 0 1-5 0z" />
   </svg>
 );

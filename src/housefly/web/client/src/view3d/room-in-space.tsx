@@ -85,7 +85,7 @@ function drawn(box: HTMLElement): () => void {
   renderer.setPixelRatio(Math.min(2, devicePixelRatio));
   box.append(renderer.domElement);
   const scene = new Scene();
-  const camera = new PerspectiveCamera(50, 1, 0.1, 100);
+  const camera = new PerspectiveCamera(30, 1, 0.5, 200);
   camera.up.set(0, 0, 1);
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
@@ -225,7 +225,11 @@ function chooseByTap(canvas: HTMLElement, camera: PerspectiveCamera): () => void
 }
 
 /** Keep a part of the scene as what it is made of says. */
-function shownPart(scene: Scene, draw: () => void, made: () => Object3D | null | false): () => void {
+function shownPart(
+  scene: Scene,
+  draw: () => void,
+  made: () => Object3D | null | false,
+): () => void {
   let shown: Object3D | null | false = null;
   return effect(() => {
     if (shown) scene.remove(shown);
@@ -272,7 +276,7 @@ function drone(scene: Scene, draw: () => void): () => void {
 
 type Bounds = [number, number, number, number];
 
-const WIDE = 2.35;
+const WIDE = 2.2;
 /** A finger moves so far at most in a tap [px]. */
 const TAP = 6;
 
@@ -284,8 +288,8 @@ function look(
   aspect: number,
 ): void {
   const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
-  const far = Math.max(x1 - x0, WIDE * (y1 - y0)) * Math.max(1.1, WIDE / Math.max(aspect, 0.1));
-  camera.position.set(x, y - 0.33 * far, 0.42 * far);
+  const far = Math.max(x1 - x0, WIDE * (y1 - y0)) * Math.max(1.04, WIDE / Math.max(aspect, 0.1));
+  camera.position.set(x, y - 0.6 * far, 0.78 * far);
   controls.target.set(x, y, 0.5);
   controls.update();
 }

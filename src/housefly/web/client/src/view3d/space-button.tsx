@@ -62,7 +62,6 @@ export function SpaceButton() {
     <button
       type="button"
       class="to-space"
-      aria-pressed={inSpace.value}
       onClick={turn}
     >
       {inSpace.value ? t("Plan") : t("3-D")}
