@@ -101,13 +101,13 @@ def begin_with_space(browser: Browser, address: str, size: ViewportSize) -> Page
     page.goto(address)
     expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
     expect(page.locator(".space-canvas canvas")).to_be_visible(timeout=30_000)
-    page.wait_for_timeout(6000)
+    page.wait_for_timeout(60_000)  # people have done something, and the start is over
     return page
 
 
-def begin(browser: Browser, address: str) -> dict[str, Page]:
-    """Open the demo as its address says, photograph the home screen, and return the pages."""
-    first = begin_with_space(browser, address, DESKTOP)
+def begin(browser: Browser, drawing: Browser, address: str) -> dict[str, Page]:
+    """Photograph the home screen in the browser that draws in space; return the other's pages."""
+    first = begin_with_space(drawing, address, DESKTOP)
     photograph({"console": first}, "home")
     first.set_viewport_size(PHONE)
     first.wait_for_timeout(4000)
@@ -194,6 +194,7 @@ def look_who_rings(pages: dict[str, Page]) -> None:
         0, timeout=60_000
     )
     for page in (desktop, phone):
+        show(page, "Tasks")
         page.get_by_role("tab", name="History").click()
         page.get_by_role("tabpanel").locator("summary").first.click()
     desktop.wait_for_timeout(1000)
@@ -214,13 +215,14 @@ def demo_command(folder: Path) -> tuple[str, ...]:
     return ("demo", "--site", str(folder / "site.toml"))
 
 
-def photograph_demo(browser: Browser, folder: Path) -> None:
+def photograph_demo(browser: Browser, drawing: Browser, folder: Path) -> None:
     """Run the demo with a store of its own, and photograph its story."""
     log = folder / "demo.log"
     command = demo_command(folder)
     demo = housefly(*command, stdout=log.open("w"), stderr=subprocess.STDOUT)
     try:
-        pages = begin(browser, address_in(log))
+        pages = begin(browser, drawing, address_in(log))
+        drawing.close()
         choose(pages)
         look_who_rings(pages)
         choose(pages)
@@ -251,9 +253,10 @@ def main() -> None:
     """Take all pictures."""
     IMAGES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
-        flags = [*FLAGS, *SPACE_FLAGS]
-        browser = play.chromium.launch(executable_path=chromium_path(), args=flags)
-        photograph_demo(browser, Path(folder))
+        chromium = chromium_path()
+        drawing = play.chromium.launch(executable_path=chromium, args=[*FLAGS, *SPACE_FLAGS])
+        browser = play.chromium.launch(executable_path=chromium, args=[*FLAGS, "--disable-gpu"])
+        photograph_demo(browser, drawing, Path(folder))
         photograph_report(browser, Path(folder) / "flight")
         browser.close()
     housefly(
