@@ -144,8 +144,9 @@ def choose(pages: dict[str, Page]) -> None:
     """Choose where to fly, by hand, and photograph the way."""
     desktop, phone = pages["console"], pages["phone"]
     for page in (desktop, phone):
-        if page.get_by_role("button", name="Close").is_visible():
-            page.get_by_role("button", name="Close").click()
+        close = page.get_by_role("button", name="Close", exact=True)
+        if close.is_visible():
+            close.click()
         show(page, "Live")
     desktop.get_by_role("button", name="Fly to …").first.click()
     desktop.get_by_role("button", name="Entrance", exact=True).click()
