@@ -158,13 +158,15 @@ def test_the_room_says_where_the_cup_is_and_where_it_was(address: str, page: Pag
     page.keyboard.press("Enter")
     expect(answer).to_contain_text("in the cabinet", timeout=60_000)
     expect(page.locator(".thing-mark[data-thing='cabinet']")).to_contain_text("in it: the cup")
-    expect(page.locator(".log")).to_contain_text("Object put: the cup (the cabinet)")
+    expect(page.locator(".feed")).to_contain_text("The cup")
     page.get_by_role("button", name="Details", exact=True).click()
+    expect(page.locator(".log")).to_contain_text("Object put: the cup (the cabinet)")
     expect(page.locator(".sensors li").filter(has_text="cabinet")).to_have_attribute(
         "data-health", "well"
     )
     expect(past).to_have_count(0)
 
+    page.get_by_role("button", name="Earlier", exact=True).first.click()
     slider = page.get_by_role("slider", name="Time shown")
     for earlier in range(0, 60, 3):  # the resident may have been faster than a slow browser
         slider.fill(str(-round(time.time() - before) - earlier))

@@ -119,6 +119,7 @@ def picture(page: Page) -> bytes:
 
 
 def send_to_the_entrance(page: Page) -> None:
+    page.get_by_role("button", name="Fly to …").first.click()
     page.get_by_role("button", name="Entrance", exact=True).click()
     go = page.get_by_role("button", name="Look at Entrance and come back")
     expect(go).to_be_enabled()
@@ -128,6 +129,7 @@ def send_to_the_entrance(page: Page) -> None:
         expect(state(page, "Your drone is home")).not_to_be_visible(timeout=10_000)
         return
     if not go.count():  # on a starved machine an order may be too old for the pilot
+        page.get_by_role("button", name="Fly to …").first.click()
         page.get_by_role("button", name="Entrance", exact=True).click()
         page.wait_for_timeout(1500)
     hold(page, go, 3.0)  # a starved browser does not count the first one
@@ -149,8 +151,7 @@ def land_away_and_put_it_back(page: Page) -> None:
     expect(strip.get_by_role("status")).to_contain_text("Somebody carries the drone to its pad")
     strip.get_by_role("button", name="Charge it").click()
     expect(strip.get_by_role("status")).to_contain_text("full battery")
-    expect(state(page, "Ready on the pad")).to_be_visible(timeout=60_000)
-    expect(page.get_by_role("banner")).to_contain_text("battery 100 %")
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
     page.wait_for_timeout(3000)  # the hands have let go
     send_to_the_entrance(page)
     expect(state(page, "Flying to Entrance")).to_be_visible(timeout=60_000)

@@ -108,6 +108,7 @@ def test_the_demo_tells_its_story_from_the_bell_on_the_page_to_the_clip_that_pla
     ask = page.get_by_role("region", name="Ask")
     bell = page.get_by_role("region", name="Simulated room")
     expect(banner.get_by_text(ON_THE_PAD)).to_be_visible(timeout=30_000)
+    page.get_by_role("navigation").get_by_role("button", name="Tasks").click()
     expect(banner).to_contain_text("Mode of the house", timeout=15_000)
     said = ask.get_by_role("status")
     ask.get_by_role("button", name="Who is at the door?").click()

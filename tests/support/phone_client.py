@@ -54,7 +54,8 @@ def headline(page: Page) -> Any:
 
 
 def fly(page: Page) -> None:
-    """Look at the entrance and come back: one tap and one hold."""
+    """Look at the entrance and come back: two taps and one hold."""
+    page.get_by_role("button", name="Fly to …").first.tap()
     page.get_by_role("button", name="Entrance", exact=True).tap()
     go = page.get_by_role("button", name="Look at Entrance and come back")
     expect(go).to_be_enabled()
