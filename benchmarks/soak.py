@@ -6,7 +6,6 @@ service every three minutes.
 
 from __future__ import annotations
 
-import re
 import sys
 import tempfile
 import time
@@ -121,7 +120,7 @@ def main() -> None:
             page = browser.new_page(viewport={"width": 1280, "height": 800})
             web = state.runtime.site().web
             page.goto(f"http://{web.host}:{web.port}/?token={state.runtime.token}")
-            page.get_by_text(re.compile(r"Hz · \d+ ms")).first.wait_for()
+            page.locator(".headline").filter(has_text="Your drone is home").wait_for()
             samples, services = soak(state, count)
             restarts = sum(state.launcher.restarts(part.name) for part in state.launcher.processes)
             browser.close()
