@@ -19,9 +19,7 @@ from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwr
 from screenshots import (
     FLAGS,
     IMAGES,
-    SPACE_FLAGS,
     address_in,
-    begin_with_space,
     demo_command,
     hold,
     housefly,
@@ -100,7 +98,10 @@ class Film:
 
 def play(browser: Browser, address: str) -> None:
     """Play the story on the page and film it."""
-    page = begin_with_space(browser, address, SIZE)
+    page = browser.new_page(viewport=SIZE)
+    page.goto(address)
+    expect(state(page, "Your drone is home")).to_be_visible(timeout=60_000)
+    page.wait_for_timeout(10_000)
     film = Film(page)
     film.take("home", 2.5)
     page.get_by_role("button", name="Ring the doorbell").click()
@@ -125,9 +126,8 @@ def main() -> None:
         log = Path(folder) / "demo.log"
         command = demo_command(Path(folder))
         demo = housefly(*command, stdout=log.open("w"), stderr=subprocess.STDOUT)
-        browser = driver.chromium.launch(
-            executable_path=chromium_path(), args=[*FLAGS, *SPACE_FLAGS]
-        )
+        flags = [*FLAGS, "--disable-gpu"]
+        browser = driver.chromium.launch(executable_path=chromium_path(), args=flags)
         try:
             play(browser, address_in(log))
         finally:
