@@ -126,4 +126,4 @@ async def test_a_figure_is_drawn_and_its_name_goes_with_it(house: House) -> None
     assert await house.picture() != with_people
     await house.page.get_by_text("Layers").click()
     await house.page.get_by_role("button", name="People and things").click()
-    await expect(house.page.locator(".space-names li")).to_have_count(0)
+    await expect(house.page.locator(".space-names [data-person]")).to_have_count(0)

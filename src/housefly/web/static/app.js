@@ -1,1 +1,1 @@
-import"./chunk-chunk-RCJPULGH.js";
+import"./chunk-chunk-LZMT3TV6.js";

@@ -13,7 +13,7 @@ const OLD = 10;
 /** On a narrow map [px] that is not near [px/m] only names and worries have room. */
 const NARROW = 500;
 const NEAR = 50;
-/** Of what is at least as likely its figure is not said: it is in the answer about it. */
+/** Of what is at least as likely, and no worry, its figure is not said: the answer has it. */
 const SURE = 0.75;
 const SPARED: Line["kind"][] = ["content", "situation"];
 
@@ -110,13 +110,12 @@ export function linesOf(thing: Seen, age: number | null, contents: Seen[]): Line
   const lines: Line[] = [{ kind: "name", text: thing.name }];
   for (const held of at.value === null ? worthSaying(situations.value) : []) {
     if (held.thing !== thing.thing || held.kind === "person present") continue;
-    const doubt = t("{p} sure", { p: percent(held.confidence) });
-    const words =
-      held.confidence < SURE ? `${translated(held.words)}, ${doubt}` : translated(held.words);
+    const known = translated(held.words);
+    const doubted = `${known}, ${percent(held.confidence)}`;
     lines.push(
       isWorry(held.kind)
-        ? { kind: "worry", text: `△ ${words}` }
-        : { kind: "situation", text: words },
+        ? { kind: "worry", text: `△ ${doubted}` }
+        : { kind: "situation", text: held.confidence < SURE ? doubted : known },
     );
   }
   if (contents.length)
