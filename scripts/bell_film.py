@@ -111,7 +111,7 @@ def play(browser: Browser, address: str) -> None:
     rehearsed = page.locator(".rehearsal[data-may=true]")
     expect(rehearsed).to_be_visible(timeout=120_000)
     hold(page, yes)
-    film.until("way", page.get_by_text("Showing").first.is_visible)
+    film.until("way", state(page, "Looking at").is_visible)
     film.take("look", 8.0)
     page.get_by_role("button", name="Fly home").first.is_visible()
     home = state(page, "Your drone is home")
