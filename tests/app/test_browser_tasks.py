@@ -144,11 +144,9 @@ def test_the_demo_tells_its_story_from_the_bell_on_the_page_to_the_clip_that_pla
     history.locator("summary").first.click()
     expect(history).to_contain_text("because of bell pressed (doorbell)")
     expect(history).to_contain_text(re.compile(r"At the entrance: (the )?visitor"))
-    played = page.locator("video")
+    played = page.locator("video[controls]")
     history.get_by_role("button", name="Show clip").click()
     expect(played).to_be_visible()
-    page.wait_for_function(
-        "() => { const v = document.querySelector('video'); return v.currentTime > 1 }"
-    )
+    page.wait_for_function("() => document.querySelector('video[controls]').currentTime > 1")
     seen = played.evaluate("v => [v.videoWidth, v.duration]")
     assert seen[0] == 640 and seen[1] > 5.0, "five seconds before, and the visit"
