@@ -252,17 +252,24 @@ def _allowed(pattern: Pattern) -> str:
     }[pattern.kind]
 
 
-def _when_words(pattern: Pattern) -> str:
+def awaited_words(pattern: EventPattern | SituationPattern | MqttPattern) -> str:
+    """Return what must happen: "person fallen (person-1) begins"."""
     match pattern:
         case EventPattern():
             facts = " and ".join(f"{key} {_shown(value)}" for key, value in pattern.facts.items())
             about = ", ".join(part for part in (pattern.thing, facts) if part)
-            return f"when {pattern.event}{f' ({about})' if about else ''}"
+            return f"{pattern.event}{f' ({about})' if about else ''}"
         case SituationPattern():
             what = f"{pattern.situation}{f' ({pattern.thing})' if pattern.thing else ''}"
-            return f"when {what} {pattern.edge}"
+            return f"{what} {pattern.edge}"
         case MqttPattern():
-            return f"when {_message_words(pattern)}"
+            return _message_words(pattern)
+
+
+def _when_words(pattern: Pattern) -> str:
+    match pattern:
+        case EventPattern() | SituationPattern() | MqttPattern():
+            return f"when {awaited_words(pattern)}"
         case WebhookPattern():
             return f"when the webhook {pattern.webhook} is called"
         case TimePattern():

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from housefly.messages.words import Words, figure
-from housefly.tasks.rules.rule import WEEKDAYS, Rule, TimePattern, WebhookPattern
+from housefly.tasks.rules.rule import (
+    WEEKDAYS,
+    EventPattern,
+    Rule,
+    SituationPattern,
+    TimePattern,
+    WebhookPattern,
+    awaited_words,
+)
 
 _SPOKEN = {
     "bell pressed": Words("When the bell rings"),
@@ -30,7 +38,9 @@ def _when(rule: Rule) -> Words:
             if len(days) == len(WEEKDAYS):
                 return Words("Every day at {time}", time=told)
             return Words("On {days} at {time}", days=", ".join(days), time=told)
-        case _:
-            what = rule.when_words().removeprefix("when ")
-            known = _SPOKEN.get(what.removesuffix(" begins"))
-            return known or Words("When {what}", what=what)
+        case EventPattern(event=name, thing="", facts=facts) if not facts and name in _SPOKEN:
+            return _SPOKEN[name]
+        case SituationPattern(situation=name, thing="", edge="begins") if name in _SPOKEN:
+            return _SPOKEN[name]
+        case happens:
+            return Words("When {what}", what=awaited_words(happens))
