@@ -27,7 +27,7 @@ ALL_SCRIPT_LIMIT = 60_000
 somebody opens it (the view in space, editing, the strip of a simulated room)."""
 WHEN_OPENED_LIMIT = 6_000
 """Editing and the strip, together."""
-LANGUAGE_LIMIT = 22_000
+LANGUAGE_LIMIT = 20_000
 """One language on its way, compressed: only who reads it loads it."""
 LATER_STYLE = "later.css"
 IN_SPACE = "chunk-room-in-space"

@@ -26,11 +26,11 @@ const options = {
   logLevel: "warning",
   external: ["/static/*"],
 };
-/** The templates of a language are known by short names there: `short`. */
+/** Texts and templates of a language are known by short names there: `short`. */
 const shortNames = {
   name: "short names",
   setup({ onLoad }) {
-    onLoad({ filter: /[\\/]messages[\\/]\w+-told\.ts$/ }, async ({ path }) => {
+    onLoad({ filter: /[\\/]messages[\\/](de|ja)(-told)?\.ts$/ }, async ({ path }) => {
       const { DIGITS, short } = await imported("src/messages/short.ts");
       const [[name, templates]] = Object.entries(await imported(path));
       const named = Object.entries(templates).map(([english, own]) => [short(english), own]);

@@ -1,1 +1,1 @@
-import"./chunk-chunk-LZMT3TV6.js";
+import"./chunk-chunk-ETIHMRY5.js";

@@ -1,8 +1,7 @@
 // The page in German.
-import { DE_TOLD } from "./de-told";
-import type { Speech } from "./language";
+import type { Key } from "./en";
 
-const texts: Speech["texts"] = {
+export const DE_TEXTS: Record<Key, string> = {
   // orders, STOP and what stands beside them
   "STOP FAILED": "STOP GESCHEITERT",
   "STOPPED": "STOP AKTIV",
@@ -641,12 +640,3 @@ const texts: Speech["texts"] = {
   "Floor plan of the room":
     "Grundriss des Raums",
 };
-
-const ideas = [
-  "Wer ist an der Tür?",
-  "Ist jemand da?",
-  "Ist alles in Ordnung?",
-  "Was ist heute passiert?",
-];
-
-export const DE: Speech = { texts, ideas, templates: DE_TOLD };

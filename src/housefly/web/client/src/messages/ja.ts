@@ -1,8 +1,7 @@
 // The page in Japanese.
-import { JA_TOLD } from "./ja-told";
-import type { Speech } from "./language";
+import type { Key } from "./en";
 
-const texts: Speech["texts"] = {
+export const JA_TEXTS: Record<Key, string> = {
   // orders, STOP and what stands beside them
   "STOP FAILED": "STOP 未達",
   "STOPPED": "STOP 停止中",
@@ -609,7 +608,3 @@ const texts: Speech["texts"] = {
   "Floor plan of the room":
     "部屋の間取り図",
 };
-
-const ideas = ["玄関に誰がいますか", "誰かいますか", "大丈夫ですか", "今日何がありましたか"];
-
-export const JA: Speech = { texts, ideas, templates: JA_TOLD };

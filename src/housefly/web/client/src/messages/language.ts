@@ -1,14 +1,12 @@
 // The texts of the console in the language of the device; see `speech.ts`.
 import type { Key } from "./en";
-import { speakBy, text, type Speech as AnySpeech, type Values } from "./speech";
-
-export type Speech = AnySpeech<Key>;
+import { speakBy, text, type Values } from "./speech";
 
 export const t: (key: Key, values?: Values) => string = text;
 
 speakBy({
-  ja: async () => (await import("./ja")).JA,
-  de: async () => (await import("./de")).DE,
+  ja: async () => (await import("./ja-speech")).JA,
+  de: async () => (await import("./de-speech")).DE,
 });
 
 export { decimal, language, type Language } from "./numbers";

@@ -7,10 +7,11 @@ import { short } from "./short";
 /** English template to the same in another language; the names in braces are the same in both. */
 export type Templates = Readonly<Record<string, string>>;
 
-/** What a language's file gives. */
-export interface Speech<Text extends string = string> {
-  texts: Record<Text, string>;
-  /** What the server says by a template: `short` of the English one to that of this language. */
+/** What a language's file gives; English texts and templates are known by their `short` there. */
+export interface Speech {
+  /** What the page itself says. */
+  texts: Templates;
+  /** What the server says by a template. */
   templates: Templates;
   /** What one may ask here; English ideas come with the names of the room. */
   ideas?: string[];
@@ -82,7 +83,7 @@ export type Values = Record<string, string | number>;
  * replaced by a value, numbers as people write them; what follows a ^ tells two meanings apart.
  */
 export function text(key: string, values: Values = {}): string {
-  const forms = (speech.value?.texts[key] ?? key).replace(/\^.*/, "").split("|");
+  const forms = (speech.value?.texts[short(key)] ?? key).replace(/\^.*/, "").split("|");
   const isMany = forms.length > 1 && pluralOf(Number(values["n"])) !== "one";
   return forms[Number(isMany)]!.replace(/\{(\w+)\}/g, (_, name: string) => {
     const value = values[name]!;

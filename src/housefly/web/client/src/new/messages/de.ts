@@ -1,9 +1,7 @@
 // The page of a new site in German.
-import type { Speech } from "../../messages/speech";
 import type { Key } from "./en";
-import { DE_TOLD } from "./de-told";
 
-const texts: Record<Key, string> = {
+export const DE_TEXTS: Record<Key, string> = {
   // the frame of the page
   "New site": "Neuer Standort",
   "Waiting for the draft …": "Warten auf den Entwurf …",
@@ -213,5 +211,3 @@ const texts: Record<Key, string> = {
   "Before the first flight, the drone in your hands": "Vor dem ersten Flug, die Drohne in der Hand",
   "The real room": "Der echte Raum",
 };
-
-export const DE: Speech = { texts, templates: DE_TOLD };

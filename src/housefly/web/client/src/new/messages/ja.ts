@@ -1,9 +1,7 @@
 // The page of a new site in Japanese.
-import type { Speech } from "../../messages/speech";
 import type { Key } from "./en";
-import { JA_TOLD } from "./ja-told";
 
-const texts: Record<Key, string> = {
+export const JA_TEXTS: Record<Key, string> = {
   // the frame of the page
   "New site": "新しいサイト",
   "Waiting for the draft …": "下書きを待っています…",
@@ -201,5 +199,3 @@ const texts: Record<Key, string> = {
   "Before the first flight, the drone in your hands": "初飛行の前に、ドローンを手に持って",
   "The real room": "実際の部屋で",
 };
-
-export const JA: Speech = { texts, templates: JA_TOLD };

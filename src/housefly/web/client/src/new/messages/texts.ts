@@ -5,6 +5,6 @@ import type { Key } from "./en";
 export const t: (key: Key, values?: Values) => string = text;
 
 speakBy({
-  ja: async () => (await import("./ja")).JA,
-  de: async () => (await import("./de")).DE,
+  ja: async () => (await import("./ja-speech")).JA,
+  de: async () => (await import("./de-speech")).DE,
 });
