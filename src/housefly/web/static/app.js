@@ -1,1 +1,1 @@
-import"./chunk-chunk-ETIHMRY5.js";
+import"./chunk-chunk-QEPOEA4C.js";

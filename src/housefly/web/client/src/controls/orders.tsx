@@ -15,12 +15,13 @@ import {
 import { goal, POINT } from "../goal";
 import { headline } from "../headline";
 import type { Hold } from "../hold";
-import { flying, iFly, lineLives, me, panel, toggle, verdict, type Panel } from "../store";
+import { flying, iFly, lineLives, me, panel, toggle, verdict } from "../store";
 import { looking } from "../preflight";
 import { Drawer } from "./drawer";
 import { HoldButton } from "./hold-button";
 import { HomeIcon, HoverIcon, LandIcon, MoreIcon, PlaceIcon, ResetIcon, ResumeIcon } from "./icons";
 import { Plan, Places } from "./mission";
+import { Opens } from "./opens";
 import { NudgeHere } from "./nudge-here";
 import { t } from "../messages/language";
 
@@ -42,11 +43,13 @@ export function Orders() {
             <span>{t("Hover")}</span>
           </PressButton>
         )}
-        <Opens name="fly" words={t("Fly to …")}>
+        <Opens name="fly" class="action">
           <PlaceIcon />
+          <span>{t("Fly to …")}</span>
         </Opens>
-        <Opens name="more" words={t("More")}>
+        <Opens name="more" class="action">
           <MoreIcon />
+          <span>{t("More")}</span>
         </Opens>
       </div>
       <Drawer />
@@ -54,24 +57,6 @@ export function Orders() {
     </section>
   );
 }
-
-interface OpensProps {
-  name: Panel;
-  words: string;
-  children: ComponentChildren;
-}
-
-const Opens = ({ name, words, children }: OpensProps) => (
-  <button
-    type="button"
-    class="action"
-    aria-expanded={panel.value === name}
-    onClick={() => toggle(name)}
-  >
-    {children}
-    <span>{words}</span>
-  </button>
-);
 
 interface Press {
   label: string;

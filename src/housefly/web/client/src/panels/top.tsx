@@ -1,21 +1,18 @@
 import { computed } from "@preact/signals";
-import type { ComponentChildren } from "preact";
 import { AskIcon, BatteryIcon, ListIcon, ShapeIcon } from "../controls/icons";
+import { Opens } from "../controls/opens";
 import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
 import {
   hasDrone,
   iFly,
   open,
-  panel,
   room,
   screen,
   simulated,
   state,
-  toggle,
   verdict,
 } from "../store";
-import type { Panel } from "../store";
 import { ordering } from "../scene/dock";
 import { percent } from "../format";
 import { banner, headline } from "../headline";
@@ -66,11 +63,11 @@ export function Top() {
         {screen.value === "live" && (
           <>
             {ordering.value && (
-              <Opens name="ask" words={t("Ask")} class="to-ask">
+              <Opens name="ask" label={t("Ask")} class="quiet-button to-ask">
                 <AskIcon />
               </Opens>
             )}
-            <Opens name="side" words={t("What happened")} class="to-side">
+            <Opens name="side" label={t("What happened")} class="quiet-button to-side">
               <ListIcon />
             </Opens>
           </>
@@ -83,49 +80,19 @@ export function Top() {
             </span>
           )}
           {hasDrone.value && (
-            <button
-              type="button"
-              class="control"
-              aria-expanded={panel.value === "control"}
-              onClick={() => toggle("control")}
-            >
+            <Opens name="control" class="control">
               {who()}
-            </button>
+            </Opens>
           )}
         </div>
-        <button
-          type="button"
-          class="quiet-button key"
-          aria-label={t("Keys")}
-          aria-expanded={panel.value === "help"}
-          onClick={() => toggle("help")}
-        >
+        <Opens name="help" label={t("Keys")} class="quiet-button key">
           ?
-        </button>
+        </Opens>
       </div>
       <Banner />
     </header>
   );
 }
-
-interface OpensProps {
-  name: Panel;
-  words: string;
-  class: string;
-  children: ComponentChildren;
-}
-
-const Opens = ({ name, words, class: kind, children }: OpensProps) => (
-  <button
-    type="button"
-    class={`quiet-button ${kind}`}
-    aria-label={words}
-    aria-expanded={panel.value === name}
-    onClick={() => toggle(name)}
-  >
-    {children}
-  </button>
-);
 
 const Banner = () => (
   <p class="banner" role="alert" lang={tongue(banner.value)} hidden={!banner.value}>

@@ -9,8 +9,8 @@ import { clock } from "../live/words";
 import { refuse } from "../said";
 import { hasDrone, panel } from "../store";
 import { answer, said, trouble } from "../tasks/ask";
+import { AskForm } from "../tasks/ask-form";
 import { running } from "../tasks/board";
-import { learnNames } from "../tasks/names";
 import { SentenceAnswerView } from "../tasks/sentence-answer";
 import { askFor, ideasFor, lookThere, unask } from "./asked-words";
 import { t, tongue, translated } from "../messages/language";
@@ -38,20 +38,11 @@ async function go(words: string): Promise<void> {
 /** Where is it, go there, or whatever else one may ask. */
 export function Ask() {
   const field = useRef<HTMLInputElement>(null);
-  useEffect(learnNames, []);
   useEffect(() => {
     if (panel.value === "ask") field.current?.focus();
   }, [panel.value]);
   return (
-    <form
-      class="ask-line find"
-      role="search"
-      aria-label={t("Ask")}
-      onSubmit={(event) => {
-        event.preventDefault();
-        void go(field.current!.value);
-      }}
-    >
+    <AskForm class="ask-line" go={(words) => void go(words)}>
       <AskIcon />
       <input
         ref={field}
@@ -64,13 +55,12 @@ export function Ask() {
         autocomplete="off"
         onInput={(event) => event.currentTarget.value === "" && unask()}
       />
-      <button type="submit">{t("Ask")}</button>
       <datalist id="names">
         {ideasFor().map((one) => (
           <option key={one} value={one} />
         ))}
       </datalist>
-    </form>
+    </AskForm>
   );
 }
 

@@ -1,11 +1,12 @@
-import { hasDrone, panel, toggle } from "../store";
-import { RingButton } from "./ring";
+import { Opens } from "../controls/opens";
+import { hasDrone } from "../store";
 import { running } from "../tasks/board";
 import { ideas } from "../tasks/ideas";
 import { Chips } from "../tasks/sentence-answer";
 import { t } from "../messages/language";
 import { askFor } from "./asked-words";
 import { ordering } from "./dock";
+import { RingButton } from "./ring";
 
 const IDEAS = 4;
 
@@ -14,14 +15,9 @@ export function Quick() {
   return (
     <div class="quick">
       {hasDrone.value && (
-        <button
-          type="button"
-          class="to-fly"
-          aria-expanded={panel.value === "fly"}
-          onClick={() => toggle("fly")}
-        >
+        <Opens name="fly" class="to-fly">
           {t("Fly to …")}
-        </button>
+        </Opens>
       )}
       <RingButton />
       {running.value && !ordering.value && (

@@ -1,28 +1,21 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useRef } from "preact/hooks";
 import { answer, ask } from "./ask";
+import { AskForm } from "./ask-form";
 import { running } from "./board";
 import { ideas } from "./ideas";
-import { learnNames } from "./names";
 import { Chips, SentenceAnswerView } from "./sentence-answer";
 import { t } from "../messages/language";
 
 /** Ask in a sentence; what would fly shows its rehearsal and waits for a yes. */
 export function AskBar() {
   const field = useRef<HTMLInputElement>(null);
-  useEffect(learnNames, []);
   const go = (words: string): void => {
     if (field.current) field.current.value = words;
     void ask(words);
   };
   return (
     <section class="card ask" aria-label={t("Ask")}>
-      <form
-        role="search"
-        onSubmit={(event) => {
-          event.preventDefault();
-          go(field.current!.value);
-        }}
-      >
+      <AskForm go={go} isOff={!running.value}>
         <input
           ref={field}
           type="search"
@@ -32,10 +25,7 @@ export function AskBar() {
           maxLength={500}
           autocomplete="off"
         />
-        <button type="submit" class="primary" aria-disabled={!running.value}>
-          {t("Ask")}
-        </button>
-      </form>
+      </AskForm>
       <div class="answer" role="status">
         <SentenceAnswerView go={go} />
       </div>

@@ -7,7 +7,6 @@ import { role } from "../store";
 import { board, running, unixNow } from "./board";
 import { Field } from "./field";
 import { MODES } from "./mode";
-import { learnNames } from "./names";
 import { changeRule, dryRun, rules as askRules, type Parameters } from "./tasks-client";
 import type { RuleFiring, RulesAnswer, RuleStatus } from "../wire/task-messages";
 import { language, t, translated } from "../messages/language";
@@ -42,7 +41,6 @@ const change = (rule: string, changed: object): void =>
 /** What the house does by itself: a sentence with a switch each, and what it would have done. */
 export function Rules() {
   useEffect(() => {
-    learnNames();
     void learn(askRules());
   }, [running.value, board.value?.ended[0]?.id]);
   return (

@@ -7,7 +7,6 @@ import { hasDrone } from "../store";
 import { Told } from "../messages/told";
 import { running } from "./board";
 import { Field } from "./field";
-import { learnNames } from "./names";
 import {
   rehearse,
   request,
@@ -51,7 +50,6 @@ function choose(service: ServiceInfo | null): void {
   given.value = {};
   rehearsal.value = null;
   outcome.value = "";
-  learnNames();
   if (chosen.value?.flies && !missing.value) void look();
 }
 

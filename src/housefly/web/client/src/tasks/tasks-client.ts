@@ -63,7 +63,6 @@ export const setMode = (mode: string): Promise<ModeAnswer> => post("/mode", { mo
 export const pressBell = (): Promise<BellView> => fetchedFrom("/bell", { method: "POST" });
 
 export const services = (): Promise<ServicesAnswer> => fetched("/services");
-export const things = (): Promise<ThingsAnswer> => fetched("/things");
 export const rules = (): Promise<RulesAnswer> => fetched("/rules");
 /** What the rules would have done, also those that are off. */
 export const dryRun = (since: number): Promise<FiringsAnswer> =>

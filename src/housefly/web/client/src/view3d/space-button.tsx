@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import type { ComponentChild } from "preact";
 import { useEffect } from "preact/hooks";
-import { panel, toggle } from "../store";
+import { Opens } from "../controls/opens";
 import { t } from "../messages/language";
 
 const KEY = "housefly space";
@@ -46,14 +46,9 @@ export function RoomInSpace() {
 
 /** The past of the room and its flights, at the foot of the stage. */
 export const EarlierButton = () => (
-  <button
-    type="button"
-    class="earlier"
-    aria-expanded={panel.value === "past"}
-    onClick={() => toggle("past")}
-  >
+  <Opens name="past" class="earlier">
     {t("Earlier")}
-  </button>
+  </Opens>
 );
 
 /** From the plan to the view in space, and back. */
