@@ -182,7 +182,6 @@ async def test_a_take_off_moves_none_of_the_orders_under_the_finger(
         before, at_rest = [await box(page, one) for one in ORDERS], await box(page, ".stop")
         console.pilot.status = DroneStatus.FLYING
         await expect(page.locator(".stopbar")).to_have_attribute("data-whole", "true")
-        await page.wait_for_timeout(400)  # STOP grows
         assert [await box(page, one) for one in ORDERS] == before
         stop = await box(page, ".stop")
         assert stop["y"] == at_rest["y"] and stop["width"] > 1.5 * at_rest["width"]
