@@ -10,6 +10,7 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
+import aiomqtt
 import pytest
 from home_screen import Screen, site_at, watching
 from mqtt_broker import Broker, running_broker, until
@@ -90,7 +91,10 @@ async def test_everything_is_announced_before_housefly_is_there(broker: Broker) 
         configs = [topic for topic in told if topic.endswith("/config")]
         assert len(configs) == len(house.view.entities())
         assert told.index(TOPICS.availability) > told.index(configs[-1])
-        assert set(house.view.states()) <= set(screen.held)
+        states = list(house.view.states())
+        assert set(states) <= set(screen.held)
+        first_state = min(map(told.index, states[sum(map(TOPICS.is_attributes, states)) :]))
+        assert all(told.index(one) < first_state for one in filter(TOPICS.is_attributes, states))
         stop = json.loads(screen.held[TOPICS.entity_config("button", "drone-drone-stop")])
         assert (stop["command_topic"], stop["payload_press"]) == (DRONE, "stop")
 
@@ -126,6 +130,27 @@ async def test_it_is_announced_again_when_home_assistant_is_born(broker: Broker)
         stop = TOPICS.entity_config("button", "drone-drone-stop")
         await screen.client.publish(TOPICS.birth, b"online", qos=1)
         await until(lambda: [topic for topic, _ in screen.once].count(stop) >= 2)
+
+
+async def test_it_ends_though_its_library_loses_a_cancellation(
+    broker: Broker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lost = list[str]()
+
+    async def keep_waiting(client: aiomqtt.Client, answer: Any, timeout: float | None) -> Any:
+        # Python 3.11's wait_for does this when answer and cancellation come in one turn.
+        waiting = asyncio.ensure_future(answer)
+        try:
+            return await asyncio.shield(waiting)
+        except asyncio.CancelledError:
+            lost.append("one")
+            return await waiting
+
+    monkeypatch.setattr(aiomqtt.Client, "_wait_for", keep_waiting)
+    async with watching(broker) as screen:
+        async with asyncio.timeout(60.0), shown(site_at(broker.port)):
+            await until(lambda: len(screen.held) > 5)
+        assert lost
 
 
 async def test_a_command_that_the_broker_kept_flies_nothing(broker: Broker) -> None:

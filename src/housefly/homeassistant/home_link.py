@@ -15,7 +15,7 @@ import aiomqtt
 from paho.mqtt.subscribeoptions import SubscribeOptions
 
 from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem
-from housefly.bus.reconnect import ReconnectingClient
+from housefly.bus.reconnect import ReconnectingClient, stop_if_cancelled
 from housefly.clock import Clock
 from housefly.config.process_log import log_traceback
 from housefly.config.site import Site
@@ -110,6 +110,7 @@ class HomeLink(ReconnectingClient[None]):
                 options = SubscribeOptions(qos=1, noLocal=True)
                 for topic in (topics.commands, topics.birth, *topics.announcements):
                     await link.subscribe(topic, options=options)
+                stop_if_cancelled()
                 was_connected = True
                 self._problem = UNSAID
                 self._data_arrived(self._clock.now())
@@ -146,6 +147,7 @@ class HomeLink(ReconnectingClient[None]):
                 pass
             except Exception:  # a defect in one look must not end all others in silence
                 log_traceback()
+            stop_if_cancelled()
             await asyncio.sleep(_SHOWN_PERIOD)
 
     async def _publish_changes(self, link: aiomqtt.Client) -> None:
@@ -166,6 +168,7 @@ class HomeLink(ReconnectingClient[None]):
             topic, payload = await self._outgoing.get()
             with suppress(aiomqtt.MqttError):
                 await link.publish(topic, payload)
+            stop_if_cancelled()
 
     def _take(self, message: aiomqtt.Message) -> None:
         topic = message.topic.value

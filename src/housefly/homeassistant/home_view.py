@@ -139,7 +139,10 @@ class HomeView:
             return self._entities
 
     def states(self) -> dict[str, bytes]:
-        """Return what every topic is to hold now."""
+        """Return what every topic is to hold now, attributes first.
+
+        Whoever reacts to a state finds the attributes that belong to it.
+        """
         with self._lock:
             sensors, sources = tuple(self._sensors.values()), dict(self._sources)
         found = {
@@ -163,7 +166,7 @@ class HomeView:
                 self.topics,
                 is_heard=heard is not None and now - heard[0] <= STEP_AGE_MAX,
             )
-        return found
+        return dict(sorted(found.items(), key=lambda shown: not self.topics.is_attributes(shown[0])))
 
     def _all_entities(self, told: list[tuple[SensorAnswer, bool]]) -> tuple[HomeEntity, ...]:
         topics, home = self.topics, self._site.homeassistant

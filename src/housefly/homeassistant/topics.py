@@ -52,6 +52,10 @@ class HomeTopics:
         """Return where the attributes of an entity are, as JSON; retained."""
         return f"{_ROOT}/{self.site}/attributes/{key}"
 
+    def is_attributes(self, topic: str) -> bool:
+        """Return whether a topic holds attributes."""
+        return topic.startswith(self.attributes(""))
+
     def event(self, key: str) -> str:
         """Return where events of an entity are; never retained."""
         return f"{_ROOT}/{self.site}/event/{key}"

@@ -11,7 +11,7 @@ from math import inf
 import aiomqtt
 
 from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem
-from housefly.bus.reconnect import ReconnectingClient
+from housefly.bus.reconnect import ReconnectingClient, stop_if_cancelled
 from housefly.clock import Clock
 from housefly.config.devices import MqttConfig
 from housefly.errors import ConfigError, LinkError, WireError
@@ -129,6 +129,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             for topic in self._measured.topics:
                 await link.subscribe(topic, qos=1)
             await link.publish(presence, b"online", qos=1, retain=True)
+            stop_if_cancelled()
             self._connected, self._problem = True, UNSAID
             self._data_arrived(self._clock.now())
             self.counts["connections"] += 1

@@ -51,7 +51,7 @@ def ideas(language: Language) -> Iterator[str]:
     """Yield what the page offers to tap, its gaps filled."""
     file, begin = (CLIENT / "ideas.ts", "ideasToAsk() ??")
     if language != "en":
-        file, begin = (MESSAGES / f"{language}.ts", "const ideas =")
+        file, begin = (MESSAGES / f"{language}-speech.ts", "const ideas =")
     block = re.search(rf"{re.escape(begin)} \[(.*?)\];\n", file.read_text("utf-8"), re.S)
     assert block is not None
     for quoted in re.findall(r'"([^"]+)"|`([^`]+)`', block[1]):

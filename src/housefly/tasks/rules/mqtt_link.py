@@ -104,6 +104,7 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
                 options = SubscribeOptions(qos=1, noLocal=True)
                 for topic in (*self._triggers, *self._requests):
                     await link.subscribe(topic, options=options)
+                stop_if_cancelled()
                 was_connected, self._problem = True, UNSAID
                 self._data_arrived(self._clock.now())
                 working = {asyncio.create_task(self._send(link))}

@@ -87,7 +87,8 @@ class _Session:
         try:
             await self._say("220 AR.Drone")
             while True:
-                line = await asyncio.wait_for(self._reader.readline(), _PATIENCE)
+                async with asyncio.timeout(_PATIENCE):
+                    line = await self._reader.readline()
                 verb, _, rest = line.decode("ascii", "replace").strip().partition(" ")
                 if not line or verb.upper() == "QUIT":
                     await self._say("221 bye")
@@ -131,7 +132,8 @@ class _Session:
         if self._peer is None:
             return "425 PASV first"
         await self._say("150 it comes")
-        writer = await asyncio.wait_for(self._peer, _PATIENCE)
+        async with asyncio.timeout(_PATIENCE):
+            writer = await self._peer
         writer.write(content)
         await writer.drain()
         self._close_data()
