@@ -166,7 +166,9 @@ class HomeView:
                 self.topics,
                 is_heard=heard is not None and now - heard[0] <= STEP_AGE_MAX,
             )
-        return dict(sorted(found.items(), key=lambda shown: not self.topics.is_attributes(shown[0])))
+        return dict(
+            sorted(found.items(), key=lambda shown: not self.topics.is_attributes(shown[0]))
+        )
 
     def _all_entities(self, told: list[tuple[SensorAnswer, bool]]) -> tuple[HomeEntity, ...]:
         topics, home = self.topics, self._site.homeassistant
