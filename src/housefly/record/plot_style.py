@@ -7,16 +7,23 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-BLUE, ORANGE, GREEN, PINK, GREY, INK = (
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#777777", "#222222",
-)  # fmt: skip
-"""The palette of Okabe and Ito, which colour-blind people can tell apart, and two greys."""
-AMBER, SKY = "#e69f00", "#56b4e9"
-"""Two more of the same palette."""
+from housefly.theme import LIGHT
+
 PLOT_STYLE: Any = {
     "font.size": 9,
+    "text.color": LIGHT.ink,
+    "axes.axisbelow": True,
+    "axes.edgecolor": LIGHT.thing_edge,
+    "axes.labelcolor": LIGHT.quiet,
     "axes.spines.top": False,
     "axes.spines.right": False,
+    "axes.titlecolor": LIGHT.ink,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 9,
+    "xtick.color": LIGHT.quiet,
+    "ytick.color": LIGHT.quiet,
+    "grid.color": LIGHT.line,
+    "legend.frameon": False,
     "svg.fonttype": "none",
     "svg.hashsalt": "housefly",
 }

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-_LIGHT = """
-  --paper: #ffffff; --card: #f6f7f9; --ink: #14181f; --muted: #5c6675; --line: #dfe3e9;
-  --accent: #0b66d8; --second: #8a5a00; --warn: #c77700; --fault: #c9302c; --good: #17793a;
-  --occupied: #565f6e; --inflated: #d9dee6;
-  --virtual: #e9ddc3; --outside: #eef0f3; --furniture: #8b95a4;
+from housefly.theme import DARK, LIGHT, Theme
+
+
+def _variables(theme: Theme) -> str:
+    """Return a theme as variables of a style sheet."""
+    return f"""
+  --paper: {theme.paper}; --card: {theme.card}; --ink: {theme.ink}; --muted: {theme.quiet};
+  --line: {theme.line}; --accent: {theme.accent}; --second: {theme.second};
+  --warn: {theme.warn}; --fault: {theme.danger}; --good: {theme.good};
+  --occupied: {theme.wall}; --inflated: {theme.margin}; --virtual: {theme.virtual};
+  --outside: {theme.outside}; --furniture: {theme.thing_edge};
+"""
+
+
+_LIGHT = f"""{_variables(LIGHT)}
   --s0: #e6e9ee; --s1: #cfe3fb; --s2: #a9cdf7; --s3: #bfe5c8; --s4: #e3ecc2;
   --s5: #d7cff2; --s6: #f3d9c0;
   --v0: #3b1c8c; --v1: #7e03a8; --v2: #b5367a; --v3: #d1492f; --v4: #b87300;
 """
-_DARK = """
-  --paper: #11151b; --card: #191f27; --ink: #e8ecf2; --muted: #97a2b2; --line: #2b333e;
-  --accent: #58a6ff; --second: #e0b25c; --warn: #e09a3a; --fault: #f0655f; --good: #4cc27a;
-  --occupied: #8a94a4; --inflated: #2c3540;
-  --virtual: #4a4128; --outside: #1a2029; --furniture: #5d6877;
+_DARK = f"""{_variables(DARK)}
   --s0: #262d37; --s1: #1d3b5c; --s2: #24538a; --s3: #20492f; --s4: #424a1e;
   --s5: #3d3563; --s6: #5a3b22;
   --v0: #8f86ff; --v1: #c58bff; --v2: #f07bb0; --v3: #ff9a6b; --v4: #ffd166;

@@ -24,15 +24,15 @@ from housefly.geometry import Vec2, rotate
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room, Shape, Solid
 from housefly.room.outline import outline
+from housefly.theme import LIGHT
 
 _CELL_LOOK: dict[Cell, tuple[str, str, str]] = {
-    Cell.FREE: ("#fbfaf7", ".", "free"),
-    Cell.OCCUPIED: ("#3b4046", "#", "occupied"),
-    Cell.VIRTUAL: ("#f3d9b1", "v", "virtual obstacle"),
-    Cell.INFLATED: ("#dfe3e6", "+", "too close for the hull"),
-    Cell.OUTSIDE: ("#ffffff", " ", "outside"),
+    Cell.FREE: (LIGHT.paper, ".", "free"),
+    Cell.OCCUPIED: (LIGHT.wall, "#", "occupied"),
+    Cell.VIRTUAL: (LIGHT.virtual, "v", "virtual obstacle"),
+    Cell.INFLATED: (LIGHT.margin, "+", "too close for the hull"),
+    Cell.OUTSIDE: (LIGHT.outside, " ", "outside"),
 }
-_INK, _QUIET, _ACCENT, _PERSON = "#23272b", "#7b838a", "#0f6e78", "#b3392f"
 _UNLABELLED = frozenset(
     {"wall", "window", "decoration", "home pad", "carpet", "room door", "unexplored"}
 )
@@ -225,16 +225,16 @@ def _cells(axes: Axes, grid: OccupancyGrid) -> None:
     )
     if grid.resolution >= 0.25:
         for k in range(nx + 1):
-            axes.plot([x + k * grid.resolution] * 2, extent[2:], color="#c9ced2", lw=0.6, zorder=1)
+            axes.plot([x + k * grid.resolution] * 2, extent[2:], color=LIGHT.line, lw=0.6, zorder=1)
         for k in range(ny + 1):
-            axes.plot(extent[:2], [y + k * grid.resolution] * 2, color="#c9ced2", lw=0.6, zorder=1)
+            axes.plot(extent[:2], [y + k * grid.resolution] * 2, color=LIGHT.line, lw=0.6, zorder=1)
 
 
 def _patch(solid: Solid) -> Patch:
     fill = to_rgba(solid.colour[:3], 0.5 if solid.collides else 0.25)
     style: dict[str, Any] = {
         "facecolor": fill,
-        "edgecolor": to_rgba(_INK, 0.45),
+        "edgecolor": to_rgba(LIGHT.ink, 0.45),
         "linewidth": 0.4,
         "zorder": 2,
     }
@@ -265,7 +265,7 @@ def _labels(axes: Axes, room: Room) -> None:
             y,
             thing,
             fontsize=7.5,
-            color=_INK,
+            color=LIGHT.ink,
             ha="center",
             va="center",
             rotation=upright,
@@ -288,7 +288,14 @@ def _cameras(axes: Axes, room: Room) -> None:
         ahead = rotate(camera.orientation, (0.0, 0.0, 1.0))
         heading = degrees(atan2(ahead[1], ahead[0]))
         axes.plot(
-            x, y, marker=(3, 0, heading - 90.0), color=_QUIET, ms=7, mec="white", mew=0.6, zorder=7
+            x,
+            y,
+            marker=(3, 0, heading - 90.0),
+            color=LIGHT.quiet,
+            ms=7,
+            mec="white",
+            mew=0.6,
+            zorder=7,
         )
 
 
@@ -296,11 +303,13 @@ def _lines(axes: Axes, route: Sequence[Vec2] | None, trail: Sequence[Vec2] | Non
     if route:
         xs, ys = zip(*route, strict=True)
         axes.plot(xs, ys, color="white", lw=5.0, alpha=0.9, solid_joinstyle="round", zorder=7)
-        axes.plot(xs, ys, color=_ACCENT, lw=2.6, solid_joinstyle="round", zorder=8)
-        axes.plot(xs, ys, ls="", marker="o", ms=4.0, mfc="white", mec=_ACCENT, mew=1.3, zorder=9)
+        axes.plot(xs, ys, color=LIGHT.accent, lw=2.6, solid_joinstyle="round", zorder=8)
+        axes.plot(
+            xs, ys, ls="", marker="o", ms=4.0, mfc="white", mec=LIGHT.accent, mew=1.3, zorder=9
+        )
     if trail:
         xs, ys = zip(*trail, strict=True)
-        axes.plot(xs, ys, color=_PERSON, lw=1.4, alpha=0.9, zorder=9)
+        axes.plot(xs, ys, color=LIGHT.danger, lw=1.4, alpha=0.9, zorder=9)
 
 
 def _landmarks(axes: Axes, room: Room) -> None:
@@ -312,9 +321,9 @@ def _landmarks(axes: Axes, room: Room) -> None:
                 "",
                 (x + 0.34 * cos(yaw), y + 0.34 * sin(yaw)),
                 (x, y),
-                arrowprops={"arrowstyle": "->", "color": _ACCENT, "lw": 1.2},
+                arrowprops={"arrowstyle": "->", "color": LIGHT.accent, "lw": 1.2},
             )
-            axes.plot(x, y, marker="o", ms=6.5, mfc=_ACCENT, mec="white", mew=1.0, zorder=10)
+            axes.plot(x, y, marker="o", ms=6.5, mfc=LIGHT.accent, mec="white", mew=1.0, zorder=10)
             title = place.title or place.name
             axes.text(
                 x,
@@ -322,27 +331,27 @@ def _landmarks(axes: Axes, room: Room) -> None:
                 title,
                 fontsize=8.5,
                 weight="bold",
-                color=_ACCENT,
+                color=LIGHT.accent,
                 ha="center",
                 va="top",
                 zorder=11,
                 **_halo(3),
             )
     x, y = room.home
-    axes.plot(x, y, marker="o", ms=15, mfc=_ACCENT, mec="white", mew=1.6, zorder=10)
+    axes.plot(x, y, marker="o", ms=15, mfc=LIGHT.accent, mec="white", mew=1.6, zorder=10)
     axes.text(
         x, y, "H", fontsize=9, weight="bold", color="white", ha="center", va="center", zorder=11
     )
     if room.visitor:
         x, y = room.visitor
-        axes.plot(x, y, marker="o", ms=12, mfc=_PERSON, mec="white", mew=1.4, zorder=10)
+        axes.plot(x, y, marker="o", ms=12, mfc=LIGHT.danger, mec="white", mew=1.4, zorder=10)
         axes.text(
             x,
             y - 0.28,
             "visitor",
             fontsize=8.5,
             weight="bold",
-            color=_PERSON,
+            color=LIGHT.danger,
             ha="center",
             va="top",
             zorder=11,
@@ -363,31 +372,35 @@ def _frame_and_legend(
     axes.set_xlim(x_min, x_max)
     axes.set_ylim(y_min, y_max)
     axes.set_aspect("equal")
-    axes.tick_params(labelsize=7.5, colors=_QUIET, length=3)
+    axes.tick_params(labelsize=7.5, colors=LIGHT.quiet, length=3)
     for spine in axes.spines.values():
         spine.set_visible(False)
     axes.set_title(
         f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution:g} m",
         fontsize=12,
-        color=_INK,
+        color=LIGHT.ink,
         loc="left",
     )
     present = set(np.unique(grid.cells).tolist())
     entries: list[Any] = [
-        Rectangle((0, 0), 1, 1, facecolor=colour, edgecolor="#9aa1a7", linewidth=0.5, label=words)
+        Rectangle(
+            (0, 0), 1, 1, facecolor=colour, edgecolor=LIGHT.thing_edge, linewidth=0.5, label=words
+        )
         for kind, (colour, _, words) in _CELL_LOOK.items()
         if int(kind) in present and kind is not Cell.OUTSIDE
     ]
     if room.cameras:
         entries.append(
-            Line2D([], [], ls="", marker=(3, 0, 0), color=_QUIET, ms=7, label="tracking camera")
+            Line2D(
+                [], [], ls="", marker=(3, 0, 0), color=LIGHT.quiet, ms=7, label="tracking camera"
+            )
         )
     if route:
-        entries.append(Line2D([], [], color=_ACCENT, lw=2.6, label="planned route"))
+        entries.append(Line2D([], [], color=LIGHT.accent, lw=2.6, label="planned route"))
     if trail:
-        entries.append(Line2D([], [], color=_PERSON, lw=1.4, label="flown"))
+        entries.append(Line2D([], [], color=LIGHT.danger, lw=1.4, label="flown"))
     entries.append(
-        Line2D([], [], ls="", marker="o", color=_ACCENT, ms=6, label="viewpoint (H: home)")
+        Line2D([], [], ls="", marker="o", color=LIGHT.accent, ms=6, label="viewpoint (H: home)")
     )
     figure.legend(
         handles=entries,
@@ -395,5 +408,5 @@ def _frame_and_legend(
         ncols=min(len(entries), 7),
         fontsize=8,
         frameon=False,
-        labelcolor=_INK,
+        labelcolor=LIGHT.ink,
     )

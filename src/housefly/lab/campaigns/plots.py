@@ -20,19 +20,10 @@ from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec
 from housefly.lab.campaigns.summary import SHARES, GridPoint, value_text
 from housefly.lab.experiments.cases import BY_NAME
 from housefly.lab.experiments.outcomes import SUMMARY_MEASURES
-from housefly.record.plot_style import (
-    AMBER,
-    BLUE,
-    GREEN,
-    ORANGE,
-    PINK,
-    PLOT_STYLE,
-    SKY,
-    save_figure,
-)
+from housefly.record.plot_style import PLOT_STYLE, save_figure
+from housefly.theme import AMBER, GREEN, LIGHT, ORANGE, PINK, SKY
 
-_STYLE = PLOT_STYLE | {"axes.titlesize": 9}
-_COLOURS = (BLUE, ORANGE, GREEN, PINK, AMBER, SKY)
+_COLOURS = (LIGHT.accent, ORANGE, GREEN, PINK, AMBER, SKY)
 _MARKERS = "osD^vP"
 _MAX_LINES = len(_COLOURS)
 """An axis with more values than this becomes a heat map."""
@@ -83,7 +74,7 @@ def draw_campaign(
     picture = _arranged(spec, cells, measure)
     if picture is None:
         return ()
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(PLOT_STYLE):
         figure = _drawn(picture, spec.name)
         try:
             return save_figure(figure, stem, dpi=150)

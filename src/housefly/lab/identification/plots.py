@@ -15,7 +15,8 @@ from housefly.lab.identification.result import Identified
 from housefly.lab.identification.samples import Samples
 from housefly.lab.identification.tilt import TILT_DELAY, TILT_GAIN, TILT_LAG
 from housefly.numeric import FloatArray
-from housefly.record.plot_style import BLUE, GREEN, GREY, ORANGE, PLOT_STYLE, save_figure
+from housefly.record.plot_style import PLOT_STYLE, save_figure
+from housefly.theme import GREEN, LIGHT, ORANGE
 
 _TITLES = {Axis.PITCH: "Pitch", Axis.ROLL: "Roll", Axis.TURN: "Turn", Axis.CLIMB: "Climb"}
 
@@ -105,7 +106,7 @@ def _column(above: Any, below: Any, found: Identified, axis: Axis) -> None:
             block.at,
             sign * (model.measured[:count] * noise - start),
             ".",
-            color=BLUE,
+            color=LIGHT.accent,
             markersize=3,
             alpha=0.5,
         )
@@ -116,13 +117,13 @@ def _column(above: Any, below: Any, found: Identified, axis: Axis) -> None:
             block.at,
             1000 * model.residual[:count] * noise,
             ".",
-            color=GREY,
+            color=LIGHT.quiet,
             markersize=3,
             alpha=0.6,
         )
     if axis in (Axis.PITCH, Axis.ROLL) and own:
         _asked(above, own[0][0], found)
-    above.plot([], [], ".", color=BLUE, label="tracking")
+    above.plot([], [], ".", color=LIGHT.accent, label="tracking")
     above.plot([], [], color=ORANGE, label="model")
     above.set_title(f"{_TITLES[axis]} ({len(own)} blocks)", loc="left")
     above.set_ylabel(

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
 from housefly.numeric import FloatArray
-from housefly.record.plot_style import BLUE, GREY, INK
+from housefly.theme import LIGHT
 
 WINDOW = 9.0
 """Length of the part of a flight that is shown [s]."""
@@ -67,10 +67,10 @@ def draw_diagram(figure: Figure, forward: tuple[Panel, ...], feedback: tuple[Pan
         stop = right - _HALF[0] if right != ends[-1] else right - 0.5
         _arrow(frame, [(left + _HALF[0], row), (stop, row)])
         between = 0.5 * (left + right)
-        frame.plot([between, between], [row + 0.04, row + 0.75], color=GREY, linewidth=0.7)
+        frame.plot([between, between], [row + 0.04, row + 0.75], color=LIGHT.quiet, linewidth=0.7)
         _plot(figure, panel, between, row + 0.75)
     out, law = ends[-1] - 0.5, middles[1]
-    frame.plot([out, out], [row, low], color=INK, linewidth=1.0)
+    frame.plot([out, out], [row, low], color=LIGHT.ink, linewidth=1.0)
     if not feedback:
         _arrow(frame, [(out, low), (law, low), (law, row - _HALF[1])])
         return
@@ -93,12 +93,12 @@ def _filtered(
     _arrow(frame, [(out, low), (vicon + _HALF[0], low)])
     _arrow(frame, [(vicon - _HALF[0], low), (kalman + _HALF[0], low)])
     between = 0.5 * (kalman + vicon)
-    frame.plot([between, between], [low + 0.04, low + 0.5], color=GREY, linewidth=0.7)
+    frame.plot([between, between], [low + 0.04, low + 0.5], color=LIGHT.quiet, linewidth=0.7)
     _plot(figure, seen, between, low + 0.5)
     _arrow(frame, [(kalman - _HALF[0], low), (law, low), (law, row - _HALF[1])])
     _plot(figure, estimated, middles[0] + 0.2, low + 0.5)
     start = middles[0] + 0.2 + 0.5 * _PLOT[0]
-    frame.plot([start, law - 0.02], [low + 1.15] * 2, color=GREY, linewidth=0.7)
+    frame.plot([start, law - 0.02], [low + 1.15] * 2, color=LIGHT.quiet, linewidth=0.7)
     sent = 0.5 * (middles[2] + middles[3])
     corner = row - 0.75
     _arrow(
@@ -115,8 +115,8 @@ def _block(frame: Any, x: float, y: float, words: str) -> None:
             2 * _HALF[0] - 0.04,
             2 * _HALF[1] - 0.04,
             boxstyle="round,pad=0.02,rounding_size=0.1",
-            facecolor="#eaf3f8",
-            edgecolor=BLUE,
+            facecolor=LIGHT.card,
+            edgecolor=LIGHT.accent,
         )
     )
     frame.text(x, y, words, ha="center", va="center", fontsize=9)
@@ -125,14 +125,16 @@ def _block(frame: Any, x: float, y: float, words: str) -> None:
 def _arrow(frame: Any, points: list[tuple[float, float]], *, dashed: bool = False) -> None:
     style = "--" if dashed else "-"
     for a, b in pairwise(points[:-1]):
-        frame.plot([a[0], b[0]], [a[1], b[1]], color=INK, linewidth=1.0, linestyle=style, zorder=1)
+        frame.plot(
+            [a[0], b[0]], [a[1], b[1]], color=LIGHT.ink, linewidth=1.0, linestyle=style, zorder=1
+        )
     frame.add_patch(
         FancyArrowPatch(
             points[-2],
             points[-1],
             arrowstyle="-|>",
             mutation_scale=11,
-            color=INK,
+            color=LIGHT.ink,
             linewidth=1.0,
             linestyle=style,
             shrinkA=0.0,

@@ -10,20 +10,12 @@ from matplotlib.figure import Figure
 
 from housefly.record.plot_style import PLOT_STYLE, save_figure
 
-FIGURE_STYLE = PLOT_STYLE | {
-    "axes.axisbelow": True,
-    "axes.titlesize": 9,
-    "axes.titlelocation": "left",
-    "grid.color": "#dddddd",
-    "legend.frameon": False,
-}
-
 
 def write_figure(
     folder: Path, stem: str, size: tuple[float, float], draw: Callable[[Figure], None]
 ) -> None:
     """Draw a figure of this size [inches] and save it as PNG and SVG in an existing folder."""
-    with rc_context(FIGURE_STYLE):
+    with rc_context(PLOT_STYLE):
         figure = Figure(figsize=size, layout="constrained", facecolor="white")
         draw(figure)
         save_figure(figure, folder / stem, dpi=140)

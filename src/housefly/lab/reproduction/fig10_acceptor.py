@@ -16,7 +16,7 @@ from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import EXECUTION_ORDER, STATES, TABLE, Condition
-from housefly.record.plot_style import BLUE, INK
+from housefly.theme import LIGHT
 
 _PLACES: dict[Behavior, tuple[float, float]] = {
     Behavior.HOVER: (0.0, -0.6),
@@ -90,8 +90,8 @@ def _paint(figure: Figure, found: tuple[_Transition, ...]) -> None:
                 (x, y),
                 _WIDTH,
                 _HEIGHT,
-                facecolor="#eaf3f8",
-                edgecolor=BLUE,
+                facecolor=LIGHT.card,
+                edgecolor=LIGHT.accent,
                 linewidth=1.6,
                 zorder=3,
             )
@@ -125,7 +125,7 @@ def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...])
             end,
             connectionstyle=f"arc3,rad={_BEND}",
             arrowstyle=style,
-            color=INK,
+            color=LIGHT.ink,
             linewidth=0.5,
             zorder=2,
         )
@@ -146,7 +146,7 @@ def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...])
         ha="center",
         va="center",
         fontsize=9,
-        color=BLUE,
+        color=LIGHT.accent,
         bbox=_ON_WHITE,
         zorder=5,
     )
@@ -173,7 +173,7 @@ def _loop(axes: Any, state: Behavior, names: tuple[str, ...]) -> None:
             *ends,
             connectionstyle=f"arc3,rad={rad}",
             arrowstyle=style,
-            color="#888888",
+            color=LIGHT.thing_edge,
             linewidth=0.5,
             zorder=2,
         )
@@ -185,5 +185,5 @@ def _loop(axes: Any, state: Behavior, names: tuple[str, ...]) -> None:
         ha="center",
         va="center",
         fontsize=9,
-        color="#666666",
+        color=LIGHT.quiet,
     )

@@ -13,7 +13,7 @@ from housefly.lab.reproduction.angular_step import AngularStep, response
 from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.numeric import FloatArray
-from housefly.record.plot_style import BLUE, GREEN, GREY, ORANGE
+from housefly.theme import GREEN, LIGHT, ORANGE
 
 ALPHA, THETA_MAX = 0.4, 0.21
 """Commanded share of the largest angle, and that angle [rad]: the paper's."""
@@ -74,13 +74,13 @@ def _paint(
     axes.plot(
         [-0.1, 0.0, 0.0, end],
         [0.0, 0.0, asked, asked],
-        color=GREY,
+        color=LIGHT.quiet,
         linestyle="--",
         linewidth=1.2,
         label="commanded",
     )
     axes.plot(*tracked, ".", color=GREEN, markersize=4, alpha=0.6, label="tracking, all steps")
-    axes.plot(*onboard, color=BLUE, linewidth=1.6, label="drone's own sensors, one step")
+    axes.plot(*onboard, color=LIGHT.accent, linewidth=1.6, label="drone's own sensors, one step")
     times = np.linspace(0.0, end, 300)
     axes.plot(
         times,

@@ -12,7 +12,7 @@ from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.lab.reproduction.flight import FlightTracks
 from housefly.numeric import FloatArray
-from housefly.record.plot_style import BLUE, GREEN, GREY, INK, ORANGE
+from housefly.theme import GREEN, LIGHT, ORANGE
 
 _LAG_MAX = 0.6
 """Longest lag of the angle behind its command that is looked for [s]."""
@@ -69,14 +69,14 @@ def forward_signals(flight: FlightTracks, demanded: FloatArray, start: float) ->
     tilt, reached = flight.asked[shown, 0], flight.reached[shown, 0]
     x = flight.true[true, 0]
     return (
-        Panel("x_ref [m]", (Curve(t, flight.reference[shown, 0], GREY),)),
+        Panel("x_ref [m]", (Curve(t, flight.reference[shown, 0], LIGHT.quiet),)),
         Panel("demanded acceleration\nalong x [m/s²]", (Curve(t, demanded[shown, 0], ORANGE),)),
         Panel("theta_des [rad]", (Curve(t, tilt, ORANGE),)),
         Panel(
             "theta [rad], dashed: theta_des",
-            (Curve(t, tilt, GREY, "--"), Curve(t, reached, GREEN)),
+            (Curve(t, tilt, LIGHT.quiet, "--"), Curve(t, reached, GREEN)),
         ),
-        Panel("true x [m]", (Curve(true_t, x, INK),)),
+        Panel("true x [m]", (Curve(true_t, x, LIGHT.ink),)),
     )
 
 
@@ -95,8 +95,8 @@ def feedback_signals(flight: FlightTracks, start: float) -> tuple[Panel, ...]:
         Panel(
             "dx/dt by the filter [m/s], dashed: true",
             (
-                Curve(t, flight.estimate[shown, 2], BLUE),
-                Curve(flight.true_at[true] - start, speed[true], INK, "--"),
+                Curve(t, flight.estimate[shown, 2], LIGHT.accent),
+                Curve(flight.true_at[true] - start, speed[true], LIGHT.ink, "--"),
             ),
         ),
     )

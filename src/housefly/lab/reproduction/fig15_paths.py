@@ -17,15 +17,15 @@ from housefly.lab.reproduction.fig07_grid import paint_grid
 from housefly.lab.reproduction.flight import FlightTracks
 from housefly.messages import Phase
 from housefly.record.places import distances_to_path
-from housefly.record.plot_style import BLUE, GREEN, ORANGE
 from housefly.room.grid import Cell, OccupancyGrid
+from housefly.theme import GREEN, LIGHT, ORANGE
 
 _SHADES = {
-    Cell.FREE: "#ffffff",
-    Cell.OCCUPIED: "#3b4046",
-    Cell.VIRTUAL: "#f3d9b1",
-    Cell.INFLATED: "#dfe3e6",
-    Cell.OUTSIDE: "#ffffff",
+    Cell.FREE: LIGHT.paper,
+    Cell.OCCUPIED: LIGHT.wall,
+    Cell.VIRTUAL: LIGHT.virtual,
+    Cell.INFLATED: LIGHT.margin,
+    Cell.OUTSIDE: LIGHT.outside,
 }
 
 
@@ -74,7 +74,7 @@ def _words(mode: str, flight: FlightTracks) -> str:
 
 def _ends(axes: Any, grid: OccupancyGrid, start: Vec2, goal: Vec2) -> None:
     paint_grid(axes, grid, None)
-    _mark(axes, start, BLUE, "start")
+    _mark(axes, start, LIGHT.accent, "start")
     _mark(axes, goal, ORANGE, "target")
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
@@ -114,7 +114,11 @@ def _both(
             label="planned",
         )
         axes.plot(
-            flight.true[out, 0], flight.true[out, 1], color=BLUE, linewidth=1.5, label="flown there"
+            flight.true[out, 0],
+            flight.true[out, 1],
+            color=LIGHT.accent,
+            linewidth=1.5,
+            label="flown there",
         )
         axes.plot(
             flight.true[back, 0],

@@ -13,12 +13,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from housefly.lab.reproduction.drawing import FIGURE_STYLE, write_figure
+from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.lab.reproduction.fig15_paths import paint_fine_grid
 from housefly.lab.reproduction.flight import FlightTracks
-from housefly.record.plot_style import BLUE, ORANGE
+from housefly.record.plot_style import PLOT_STYLE
 from housefly.room.grid import OccupancyGrid
+from housefly.theme import LIGHT, ORANGE
 
 RgbImage = NDArray[np.uint8]
 
@@ -117,12 +118,12 @@ def _picture(axes: Any, picture: RgbImage) -> None:
     axes.set_yticks([])
     for spine in axes.spines.values():
         spine.set_visible(True)
-        spine.set_color("#999999")
+        spine.set_color(LIGHT.thing_edge)
 
 
 def drawn_console(grid: OccupancyGrid, flight: FlightTracks, until: float) -> RgbImage:
     """Return the console's map from the recording: path, what was flown until a time [s], drone."""
-    with rc_context(FIGURE_STYLE):
+    with rc_context(PLOT_STYLE):
         figure = Figure(figsize=(8.0, 4.5), dpi=120, layout="constrained", facecolor="white")
         canvas = FigureCanvasAgg(figure)
         axes = figure.subplots()
@@ -130,13 +131,13 @@ def drawn_console(grid: OccupancyGrid, flight: FlightTracks, until: float) -> Rg
         axes.margins(0.02)
         path, past = np.array(flight.path), flight.seen_at <= until
         axes.plot(path[:, 0], path[:, 1], color=ORANGE, linestyle="--", linewidth=1.5)
-        axes.plot(flight.seen[past, 0], flight.seen[past, 1], color=BLUE, linewidth=1.5)
+        axes.plot(flight.seen[past, 0], flight.seen[past, 1], color=LIGHT.accent, linewidth=1.5)
         if past.any():
             axes.plot(
                 *flight.seen[past][-1, :2],
                 marker="o",
                 markersize=11,
-                color=BLUE,
+                color=LIGHT.accent,
                 markeredgecolor="white",
             )
         canvas.draw()  # type: ignore[no-untyped-call]

@@ -21,10 +21,8 @@ _CLASSES = {
 _OWN_CSS = """
 .verdict{display:inline-block;white-space:nowrap;font-weight:600}
 .verdict span{display:inline-block;width:1.3em;text-align:center}
-.holds{color:var(--good,#1b7f4b)} .fails{color:var(--bad,#b3392f)}
-.condition{color:#9a6700} .none{color:var(--muted)}
-@media (prefers-color-scheme:dark){
-.holds{color:#57c08a}.fails{color:#f0857b}.condition{color:#e3b341}}
+.holds{color:var(--good)} .fails{color:var(--fault)}
+.condition{color:var(--warn)} .none{color:var(--muted)}
 figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6px}
 @media (max-width:820px){.plot img{min-width:640px} .above .plot img{min-width:1000px}}
 .beside{display:grid;grid-template-columns:minmax(0,1.7fr) minmax(0,1fr);
@@ -35,7 +33,7 @@ gap:1.2rem;align-items:start}
 .above .finding,.above .said{break-inside:avoid}
 @media (max-width:820px){.beside figure{position:static} .above>div{columns:1}}
 .said{border-left:3px solid var(--line);padding-left:.8rem;margin:0 0 .8rem}
-.notice{border:1px solid #e3b341;border-left-width:4px;border-radius:4px;padding:.5rem .8rem;
+.notice{border:1px solid var(--warn);border-left-width:4px;border-radius:4px;padding:.5rem .8rem;
 margin:.4rem 0 .8rem;color:var(--ink)}
 .finding{margin:0 0 .9rem} .finding p{margin:.15rem 0}
 .claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 14rem minmax(0,1.8fr);gap:.2rem 1rem;

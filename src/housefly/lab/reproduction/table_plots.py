@@ -20,19 +20,14 @@ from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.lab.reproduction.stability_limit import StabilityLimit, stability_limit
 from housefly.lab.reproduction.streams import LATENCIES, LOSSES, OWN_FREQUENCY, RATES
 from housefly.lab.reproduction.tables import MODE_ORDER
-from housefly.record.plot_style import AMBER, BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
+from housefly.record.plot_style import PLOT_STYLE, save_figure
+from housefly.theme import AMBER, GREEN, LIGHT, ORANGE
 
 _SPREAD = 1.03
 """Lines of one panel stand aside by this factor, so that their bars do not cover each other."""
-_STYLE = PLOT_STYLE | {
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.titlesize": 9,
-    "grid.color": "#dddddd",
-    "legend.frameon": False,
-}
+_STYLE = PLOT_STYLE | {"axes.grid": True}
 
-_COLOURS = (ORANGE, AMBER, BLUE, GREEN)
+_COLOURS = (ORANGE, AMBER, LIGHT.accent, GREEN)
 _MARKERS = ("s", "D", "o", "^")
 
 
@@ -123,7 +118,7 @@ def draw_stability(figure: Figure, evidence: Evidence) -> None:
             _rate_line(axes, [limit.frequency for limit in limits], colour, marker, name)
             _counted(axes, limits, colour)
             shown += limits
-        axes.axhline(OWN_FREQUENCY, color="#555555", linestyle=":", linewidth=1.2)
+        axes.axhline(OWN_FREQUENCY, color=LIGHT.quiet, linestyle=":", linewidth=1.2)
         axes.set_title(f"{1000 * latency:.0f} ms latency")
         _rate_axis(axes)
     _frequency_axis(panels[0])
@@ -133,11 +128,11 @@ def draw_stability(figure: Figure, evidence: Evidence) -> None:
         (0, -10),
         textcoords="offset points",
         ha="right",
-        color="#555555",
+        color=LIGHT.quiet,
     )
     handles, names = panels[0].get_legend_handles_labels()
     figure.legend(handles, names, loc="outside upper center", ncols=2)
-    figure.supxlabel(drones_counted(shown), fontsize=8, color="#555555")
+    figure.supxlabel(drones_counted(shown), fontsize=8, color=LIGHT.quiet)
 
 
 def drones_counted(limits: Sequence[StabilityLimit]) -> str:

@@ -20,9 +20,9 @@ from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
 from housefly.lab.tuning.advice import MIN_GAIN_MARGIN, GainQuestion, Judgement, stiffness_bound
 from housefly.lab.tuning.loop import Loop, growth_of
 from housefly.pilot.estimation.estimator_state import EstimatorKind
-from housefly.record.plot_style import BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
+from housefly.record.plot_style import PLOT_STYLE, save_figure
+from housefly.theme import GREEN, LIGHT, ORANGE
 
-_DARK_GREY = "#666666"
 _RESPONSE_TIME = 8.0
 """Length of the step response [s]."""
 _LEVELS = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0)
@@ -48,11 +48,11 @@ def _response(axes: Any, judgement: Judgement, question: GainQuestion) -> None:
     axes.plot(
         [-0.5, 0.0, 0.0, _RESPONSE_TIME],
         [0.0, 0.0, question.step, question.step],
-        color=_DARK_GREY,
+        color=LIGHT.quiet,
         linestyle="--",
         label="reference",
     )
-    axes.plot(t[shown], ticks["x"][shown], color=BLUE, label="drone")
+    axes.plot(t[shown], ticks["x"][shown], color=LIGHT.accent, label="drone")
     axes.set_xlabel("time after the step [s]")
     axes.set_ylabel("position [m]")
     axes.set_title("Step response, noise included", loc="left")
@@ -64,7 +64,7 @@ def _response(axes: Any, judgement: Judgement, question: GainQuestion) -> None:
     tilt.set_ylabel("pitch [rad] (dotted: limit)", color=ORANGE)
     tilt.spines["right"].set_visible(True)
     axes.plot([], [], color=ORANGE, linewidth=1.0, label="pitch")
-    axes.legend(loc="lower right", frameon=False)
+    axes.legend(loc="lower right")
 
 
 def _fly_step(loop: Loop, question: GainQuestion) -> NDArray[Any]:
@@ -128,7 +128,7 @@ def _map(figure: Figure, axes: Any, judgement: Judgement, question: GainQuestion
     axes.plot(
         alphas,
         alphas / 2.0,
-        color=_DARK_GREY,
+        color=LIGHT.quiet,
         linewidth=0.9,
         linestyle=":",
         label="critically damped",
@@ -146,7 +146,7 @@ def _map(figure: Figure, axes: Any, judgement: Judgement, question: GainQuestion
     axes.set_xlabel("alpha [1/s]")
     axes.set_ylabel("natural frequency, sqrt(beta) [rad/s]")
     axes.set_title("Gain margin; the star is this pair", loc="left")
-    axes.legend(loc="upper left", fontsize=8, framealpha=0.85)
+    axes.legend(loc="upper left", fontsize=8, frameon=True, framealpha=0.85)
 
 
 def _gain(loop: Loop, alpha: float, frequency: float) -> float:

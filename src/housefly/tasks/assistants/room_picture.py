@@ -15,15 +15,22 @@ from PIL import Image, ImageDraw
 from housefly.geometry import Vec2
 from housefly.hub.api.answers import PictureAnswer
 from housefly.hub.api.pilot_queries import RoomView
+from housefly.theme import LIGHT
 
 _PIXELS_PER_METRE = 70.0
 _LARGEST = 1600
 """Longer sides are drawn at a smaller scale [pixels]."""
 _COLUMNS = 75
-_CELLS = {".": "#fbfaf7", "#": "#3b4046", "v": "#f3d9b1", "i": "#dfe3e6", "x": "#ffffff"}
+_CELLS = {
+    ".": LIGHT.paper,
+    "#": LIGHT.wall,
+    "v": LIGHT.virtual,
+    "i": LIGHT.margin,
+    "x": LIGHT.outside,
+}
 _RANK = "x.ivh#"
 """Of several cells in one letter of the text, the last in this order is shown."""
-_PLACE, _THING, _PERSON, _DRONE, _OBSTACLE = "#0f6e78", "#23272b", "#b3392f", "#2456c8", "#d07a1f"
+_PLACE, _THING, _PERSON, _DRONE = LIGHT.good, LIGHT.ink, LIGHT.danger, LIGHT.accent
 _DOT, _LETTER, _LETTER_SIZE = 7.0, 10.0, 17
 _MAX_MARKS = 200
 _FIRST, _LEFT_OUT = frozenset({"person", "robot"}), frozenset({"sensor", "place", "space"})
@@ -55,11 +62,11 @@ def map_png(view: RoomView, picture: PictureAnswer | None) -> bytes:
 
     _draw_cells(pen, view, scale, pixel(view.grid.origin))
     for outline in view.outlines:
-        pen.polygon([pixel(corner) for corner in outline.corners], outline="#7b838a")
+        pen.polygon([pixel(corner) for corner in outline.corners], outline=LIGHT.thing_edge)
     for obstacle in picture.obstacles if picture else ():
         x, y = pixel((obstacle.x, obstacle.y))
         radius = max(2.0, obstacle.radius * scale)
-        pen.ellipse((x - radius, y - radius, x + radius, y + radius), outline=_OBSTACLE, width=2)
+        pen.ellipse((x - radius, y - radius, x + radius, y + radius), outline=LIGHT.second, width=2)
     kinds = {thing.thing: thing.kind for thing in picture.things} if picture else {}
     colours = {"person": _PERSON, "robot": _DRONE}
     places = {place.name for place in view.places}
