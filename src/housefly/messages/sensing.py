@@ -106,7 +106,7 @@ class DroneFault(Enum):
     COMMANDS_LOST = "drone lost our commands"
 
 
-AIRBORNE_STATUSES = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
+AIRBORNE_STATUSES = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 """States in which the propellers carry the drone."""
 REPORT_AGE_MAX = 0.5
 """An older report of the drone says nothing about the present [s]."""

@@ -16,7 +16,8 @@ from housefly.hub.store.lock import reserved_store
 from housefly.hub.store.open import open_site_store
 from housefly.messages import Observation, RoomEvent
 
-NOW = time.time()
+NOW = time.time() // 5.0 * 5.0
+"""At the beginning of an interval of ``--every 5``."""
 
 
 @pytest.fixture(autouse=True)

@@ -174,8 +174,10 @@ class GateAssessment:
     @property
     def motion(self) -> SafetyMode:
         """What the drone may do now: one that is called home waits for whatever holds it."""
+        if self.mode is not SafetyMode.RETURN:
+            return self.mode
         is_held = any(rule.mode is SafetyMode.HOLD for rule in self.broken)
-        return SafetyMode.HOLD if is_held and self.mode is SafetyMode.RETURN else self.mode
+        return SafetyMode.HOLD if is_held else SafetyMode.RETURN
 
     @property
     def words(self) -> Words:
@@ -237,6 +239,7 @@ class Gate:
         self._limits = limits
         self._fence = fence
         self._airframe = airframe
+        self._form, self._hovers = airframe.capabilities.form, airframe.capabilities.hovers
         rules = tuple(rule for rule in rules if not rule.needs & airframe.lacks)
         self._rules = tuple((rule, list(IN_SCOPE).index(rule.scope)) for rule in rules)
         self._waiting = frozenset(rule.code for rule in rules if rule.may_wait)
@@ -304,8 +307,8 @@ class Gate:
             knows_motion=not context.seen.leans_mirrored,
             missing_lean=inputs.missing_lean,
             tilt_max=self._limits.tilt_max,
-            form=self._airframe.capabilities.form,
-            hovers=self._airframe.capabilities.hovers,
+            form=self._form,
+            hovers=self._hovers,
         )
 
     def _control_source(
@@ -374,7 +377,8 @@ class Gate:
             )
             for rule, scope in self._rules
             if (
-                (is_wrong := in_scope[scope] and rule.is_broken(context)) or rule.code in remembered
+                (is_wrong := in_scope[scope] and rule.is_broken(context))
+                or (remembered and rule.code in remembered)
             )
             and self._debounced(rule, is_wrong, context)
         ]
