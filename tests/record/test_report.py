@@ -19,6 +19,7 @@ from housefly.record.series import collect
 from housefly.record.summary import summarize_flight
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
+from housefly.theme import DARK, LIGHT
 
 
 @pytest.fixture(scope="module")
@@ -176,5 +177,6 @@ def test_a_browser_shows_the_report_without_errors_or_requests(
     line = page.locator("svg path[style*='--accent']").first.evaluate(
         "node => getComputedStyle(node).stroke"
     )
-    assert line in ("rgb(11, 102, 216)", "rgb(88, 166, 255)")
+    themes = (LIGHT, DARK)
+    assert line in [f"rgb{tuple(bytes.fromhex(theme.accent[1:]))}" for theme in themes]
     page.close()
