@@ -36,7 +36,7 @@ def test_a_machine_is_overloaded_when_programs_wait_or_a_loop_comes_late(
 def test_this_machine_has_a_load() -> None:
     load = machine_load(lateness=0.15)
     assert load.cores >= 1 and load.running >= 0.0 and 0.0 <= load.waiting <= 1.0
-    assert load.note == "this machine is overloaded" and "150 ms late" in load.words
+    assert load.note == "this computer is too busy" and "150 ms late" in load.words
     assert 0.0 <= measured_lateness() < 5.0
 
 
@@ -58,6 +58,6 @@ def test_the_likely_cause_is_named_where_something_is_late_and_only_there() -> N
     )
     named = words((late, busy))
     assert "nothing usable for 57 s" in named
-    assert "likely cause: this machine is overloaded (load 15 on 2 cores)" in named
+    assert "likely cause: this computer is too busy (load 15 on 2 cores)" in named
     assert words((low, busy)).endswith("charge it")
     assert preflight_refusal((busy,)) is None, "load alone forbids nothing"

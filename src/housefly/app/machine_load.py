@@ -75,7 +75,7 @@ class MachineLoad:
         )
 
 
-_FAULT = Words("this machine is overloaded")
+_FAULT = Words("this computer is too busy")
 OVERLOAD_REMEDY = Words("end other programs; the simulated picture costs most (twin.video = false)")
 
 

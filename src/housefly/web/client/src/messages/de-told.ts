@@ -430,7 +430,7 @@ export const DE_TOLD: Templates = {
   "this room has no drone": "dieser Raum hat keine Drohne",
   "This room has no drone.": "Dieser Raum hat keine Drohne.",
   "this machine keeps up": "dieser Rechner kommt mit",
-  "this machine is overloaded": "dieser Rechner ist überlastet",
+  "this computer is too busy": "dieser Rechner hat zu viel zu tun",
   "load {n} on {k} cores": "Last {n} auf {k} Kernen",
   "load {n} on {k} core": "Last {n} auf {k} Kern",
   "a load below {n}": "eine Last unter {n}",

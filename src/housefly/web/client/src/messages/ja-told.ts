@@ -390,7 +390,7 @@ export const JA_TOLD: Templates = {
   "this room has no drone": "この部屋にドローンはありません",
   "This room has no drone.": "この部屋にドローンはありません。",
   "this machine keeps up": "このコンピューターの処理は間に合っています",
-  "this machine is overloaded": "このコンピューターは過負荷です",
+  "this computer is too busy": "このコンピューターは忙しすぎます",
   "load {n} on {k} cores": "{k} コアで負荷 {n}",
   "load {n} on {k} core": "{k} コアで負荷 {n}",
   "a load below {n}": "負荷 {n} 未満",
