@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from housefly.config.airframe import Airframe, airframe_named
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneFault, DroneStatus, SafetyMode, Telemetry
+from housefly.messages.words import UNSAID, Words
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.drone_rules import DESCENT_MARGIN
-from housefly.pilot.safety.fallbacks import possible_mode
+from housefly.pilot.safety.fallbacks import can_wait_to_land, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import DESCENT_RATE
 from housefly.pilot.safety.observer import FlightObservations
@@ -95,6 +96,30 @@ def test_a_drone_that_does_not_know_its_height_sinks_by_our_setpoint() -> None:
 
 def test_something_below_is_no_reason_to_sink_onto_it() -> None:
     assert mode(M.LAND, consistency=TrackingConsistency(height_error=0.9)) is M.LAND
+
+
+BLOCKED = Words("somebody is below")
+
+
+@pytest.mark.parametrize(
+    ("waits", "late_steps", "changes"),
+    [
+        (True, 0, {}),
+        (True, 0, {"telemetry_age": LimitsConfig().telemetry_age}),
+        (False, 0, {"telemetry_age": LimitsConfig().telemetry_age + 0.01}),
+        (False, 0, {"telemetry_age": nan}),
+        (False, 0, {"status": DroneStatus.LANDING}),
+        (False, 0, {"landing_blocker": UNSAID}),
+        (False, 0, {"consistency": TrackingConsistency(flow_wrong=True)}),
+        (False, 1, {}),
+    ],
+)
+def test_a_landing_waits_for_what_stands_below_while_the_drone_can_keep_its_place(
+    waits: bool, late_steps: int, changes: dict[str, object]
+) -> None:
+    inputs = replace(FINE, **({"landing_blocker": BLOCKED} | changes))  # type: ignore[arg-type]
+    seen = FlightObservations(late_steps=late_steps)
+    assert can_wait_to_land(RuleContext(inputs, seen, LimitsConfig(), FENCE, AIRFRAME)) is waits
 
 
 def test_a_descent_ends_on_the_floor_or_where_the_floor_must_be() -> None:
