@@ -109,3 +109,9 @@ def test_no_state_of_the_step_is_built_by_position(folder: str) -> None:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
                 assert node.func.id not in nested or not node.args, f"{path}:{node.lineno}"
+
+
+def test_nothing_waits_by_what_loses_a_cancellation() -> None:
+    # Python 3.11's wait_for does, when the answer comes in the same turn: the task never ends.
+    sources = {path: path.read_text("utf-8") for path in (house.ROOT / "src").rglob("*.py")}
+    assert [path for path, text in sources.items() if "asyncio.wait_for(" in text] == []
