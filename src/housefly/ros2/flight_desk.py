@@ -52,8 +52,6 @@ _FLIGHT_PERIOD = 0.2
 _FACES_AHEAD = 2.0
 """A heading is faced by looking at a point so far ahead [m]."""
 _OFF = "flights are off for you: requests in the site file, or your role"
-    "you may not ask for flights here: the site file ([ros2], [rosbridge] requests), or your role"
-)
 _NO_QUESTIONS = "you may look, not ask: your role"
 
 
