@@ -114,7 +114,8 @@ class RosDrone:
             ("home", desk.home, False),
         ):
             name = "/".join(("", *self._space, what))
-            yield RosService(name, partial(wish, self._drone), is_safer)
+            stops = (self._drone,) if wish == desk.stop else ()
+            yield RosService(name, partial(wish, self._drone), is_safer, stops)
         yield RosInput(self._name(GOAL), GOAL, partial(self._on_goal, desk))
         if self._paper is not None:
             yield from self._paper.offered(desk)

@@ -133,9 +133,9 @@ class RosRoom:
 
     def offered(self, desk: FlightDesk, tell: Tell) -> Offered:
         """Yield what may be asked, at a desk; ``tell`` publishes answers to whoever asked."""
-        for what, wish in (("stop", desk.stop), ("land", desk.land)):
-            name = f"/{self._room}/{what}"
-            yield RosService(name, partial(self._all, wish), is_safer=True)
+        every = self._site.drone_names
+        for what, wish, stops in (("stop", desk.stop, every), ("land", desk.land, ())):
+            yield RosService(f"/{self._room}/{what}", partial(self._all, wish), True, stops)
         yield RosInput(self._name(ASK), ASK, partial(self._asked, desk, tell))
         for drone in self._drones:
             yield from drone.offered(desk)

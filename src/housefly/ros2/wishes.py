@@ -25,11 +25,13 @@ class RosService:
         name: in full.
         wish: what it does.
         is_safer: whether it only makes drones safer, and passes whatever else waits.
+        stops: drones that it stops.
     """
 
     name: str
     wish: Wish
     is_safer: bool = False
+    stops: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
