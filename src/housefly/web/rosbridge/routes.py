@@ -25,7 +25,8 @@ from housefly.web.rosbridge.calls import Calls
 from housefly.web.rosbridge.client import BridgeClient
 from housefly.web.rosbridge.outbox import Outbox
 
-ROSBRIDGE_PATH = "/rosbridge"
+ROSBRIDGE_PATHS = ("/rosbridge", "/")
+"""Clients that take a host and a port alone ask for the second."""
 _WHO_MAY = "open it with the session of the console, or with the key of this run"
 _KEY = "key"
 """Parameter of the address: a page cannot set the headers of a WebSocket."""
@@ -64,8 +65,8 @@ class RosbridgeRoute:
         self._seats, self._calls = Seats(_SEATS), Calls()
 
     def routes(self) -> list[BaseRoute]:
-        """Return the route."""
-        return [WebSocketRoute(ROSBRIDGE_PATH, self._socket)]
+        """Return the routes."""
+        return [WebSocketRoute(path, self._socket) for path in ROSBRIDGE_PATHS]
 
     def close(self) -> None:
         """Let the room and the threads go."""
