@@ -6,7 +6,7 @@
 /static/...      the built client
 /service-worker.js  keeps the page's shell on a phone; ``/authority.crt``: whom a phone is to trust
 /socket          WebSocket: state to the browser, orders from it
-/stop            POST: STOP, for a browser whose socket is down; ``/land`` lands
+/stop            POST: STOP, for a browser whose socket is down, and programs; ``/land`` lands
 /drones          the drones of the room; ``?drone=NAME`` picks one in all of these, STOP is for all
 /video           WebSocket: the drone's H.264; ``/video.mjpeg`` the same as JPEG
 /coverage        which parts of the room the tracking cameras see
@@ -228,7 +228,7 @@ def create_app(
         routes=[
             *page_routes(auth, logins, authority, several_drones=bool(beside)),
             *session_routes(auth, logins, audit),
-            *console_routes(consoles, auth),
+            *console_routes(consoles, auth, key),
             *video_routes({"": relays[chosen], **relays}, auth),
             *coverage_routes(layer, auth),
             *flight_routes({**({"": books[chosen]} if chosen in books else {}), **books}, auth),
