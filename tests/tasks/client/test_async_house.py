@@ -91,7 +91,7 @@ async def test_tasks_are_asked_for_awaited_and_ended(
     other = await house.request("visitor")
     assert (await house.cancel(other.id))[0].state is TaskStage.CANCELLED
     assert "cabinet" in str((await house.say("where is the cup")).words)
-    assert (await house.rehearse("visitor")).ok
+    assert (await house.rehearse("visitor")).may_fly
     with pytest.raises(TaskError, match="no service"):
         await house.request("dance")
     with pytest.raises(TaskError, match="no task"):
