@@ -67,7 +67,7 @@ class HttpTasks:
         return checked_task_answer(answer.status, text)
 
 
-class TaskRequest(NamedTuple):
+class HttpTaskRequest(NamedTuple):
     """How a question is asked over HTTP."""
 
     method: str
@@ -75,15 +75,15 @@ class TaskRequest(NamedTuple):
     body: str | None
 
 
-def task_request(question: TaskQuestion) -> TaskRequest:
+def task_request(question: TaskQuestion) -> HttpTaskRequest:
     """Return how a question is asked; raises TaskError for what only the console may fill in."""
     endpoint = _ENDPOINTS[type(question)]
     given = _given(question)
     path = f"{API_PREFIX}{_path(endpoint, given)}"
     if endpoint.method == "POST":
-        return TaskRequest("POST", path, json.dumps(given))
+        return HttpTaskRequest("POST", path, json.dumps(given))
     kept = {name: value for name, value in given.items() if value not in (None, "")}
-    return TaskRequest("GET", f"{path}?{urlencode(kept)}", None)
+    return HttpTaskRequest("GET", f"{path}?{urlencode(kept)}", None)
 
 
 def checked_task_answer(status: int, text: str) -> str:
