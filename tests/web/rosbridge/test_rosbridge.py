@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import http.client
 import json
 import time
 from base64 import b64decode
@@ -351,6 +352,21 @@ def test_a_page_of_another_origin_has_no_use_of_a_session(asking: RosbridgeStage
         options: dict[str, Any] = {"additional_headers": headers, "origin": origin}
         with pytest.raises((ConnectionClosed, InvalidStatus)), asking._connected(**options) as one:
             one.call("/rosapi/topics")
+
+
+def test_a_session_that_ends_ends_its_sockets(stage: RosbridgeStage) -> None:
+    cookie, proof = stage.session("fly")
+    headers = {"Cookie": cookie, "X-Housefly-Proof": proof}
+    options: dict[str, Any] = {"additional_headers": headers, "origin": stage.origin}
+    with stage._connected(**options) as client:
+        client.call("/rosapi/nodes")
+        connection = http.client.HTTPConnection(stage.host, stage.port, timeout=30.0)
+        connection.request("POST", "/logout", headers={**headers, "Origin": stage.origin})
+        connection.getresponse().read()
+        connection.close()
+        with pytest.raises(ConnectionClosed) as closed:
+            client.hear("publish", topic="nothing")
+    assert closed.value.rcvd is not None and closed.value.rcvd.code == 4003
 
 
 def test_a_page_that_the_site_names_gets_in_with_the_key(asking: RosbridgeStage) -> None:
