@@ -16,6 +16,8 @@ from housefly.web.rosbridge.topics import BridgeTopics
 
 _RETRY_PERIOD = 2.0
 """A room that cannot be opened is tried again after this [s]."""
+_LEAVING_MAX = 0.5
+"""So long the end of the console waits for it [s]."""
 
 
 class BridgeRoom:
@@ -56,7 +58,7 @@ class BridgeRoom:
         """Tell nothing more."""
         self._ended.set()
         if self._thread.is_alive():
-            self._thread.join(timeout=2.0)
+            self._thread.join(timeout=_LEAVING_MAX)
 
     def _run(self) -> None:
         while not self._ended.is_set():
