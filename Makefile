@@ -9,6 +9,8 @@ TELLOPY := $(VENV)/djitellopy
 CFLIB := $(VENV)/cflib
 # An MSP library flies the simulated Betaflight: GPL, so it lives apart.
 YAMSPY := $(VENV)/yamspy
+# The client of rosbridge brings Twisted, so it lives apart.
+ROSLIBPY := $(VENV)/roslibpy
 # Home Assistant is shown the room: it pins a hundred packages, so it lives apart.
 HOME_ASSISTANT := $(VENV)/homeassistant
 PEERS := tests/peers
@@ -65,7 +67,8 @@ test: setup-dev
 	$(call run_tests,3,'not realtime and not interop and not safety')
 	$(call run_tests,1,'realtime and not interop and not safety',$(call marked,realtime))
 
-interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready $(HOME_ASSISTANT)/ready
+interop: setup-dev $(TELLOPY)/ready $(CFLIB)/ready $(YAMSPY)/ready $(ROSLIBPY)/ready \
+		$(HOME_ASSISTANT)/ready
 	$(PYTEST) -n 2 -m 'interop and not realtime' $(call marked,interop)
 	$(REALTIME) -m 'interop and realtime' $(call marked,interop)
 
@@ -125,6 +128,11 @@ $(CFLIB)/ready: requirements/cflib.txt
 $(YAMSPY)/ready: requirements/yamspy.txt
 	@$(PYTHON) -m venv $(YAMSPY)
 	@$(YAMSPY)/bin/python -m pip install -q --require-hashes -r requirements/yamspy.txt
+	@touch $@
+
+$(ROSLIBPY)/ready: requirements/roslibpy.txt
+	@$(PYTHON) -m venv $(ROSLIBPY)
+	@$(ROSLIBPY)/bin/python -m pip install -q --require-hashes -r requirements/roslibpy.txt
 	@touch $@
 
 $(HOME_ASSISTANT)/ready: requirements/homeassistant.txt

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import ast
+import os
 import runpy
 import subprocess
 import sys
+import time
 from contextlib import redirect_stdout
 from io import StringIO
 from pathlib import Path
+from threading import Thread
 
 import pytest
+from served_room import KEY, ServedRoom
+
+from housefly.hub.client.discovery import RoomAddress, announced
 
 pytestmark = [pytest.mark.timeout(300), pytest.mark.usefixtures("no_report")]
 
@@ -179,6 +185,29 @@ def test_a_drone_of_ones_own_flies_the_service_over_its_own_wire() -> None:
         "completed: true rms error 0.0",
         "() touched",
         "the same to the last bit",
+    )
+
+
+@pytest.mark.wire
+def test_a_running_house_is_awaited(
+    loopback: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
+    room = ServedRoom(loopback, tmp_path)
+
+    def fly() -> None:
+        while not room.tasks.tasks:
+            time.sleep(0.02)
+        room.tasks.finish(1, "Nobody is there.")
+
+    with announced(RoomAddress("B-sen", room.address, KEY, os.getpid())):
+        flying = Thread(target=fly)
+        flying.start()
+        output = run("14_await_the_room.py")
+        flying.join()
+    room.close()
+    assert_in_order(
+        output, "now: cup: in the cabinet", "2 things, 4 services", "task 1", "Nobody is there."
     )
 
 

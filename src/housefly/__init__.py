@@ -14,7 +14,7 @@ Wires             launch, Bus, ZenohBus, DroneTopics, ROOM_TOPICS and each of th
                   ArDrone, run_twin
 Lab               run_campaign, CampaignResult, identify, Identified, choose_gains, Advice,
                   judge_gains, Judgement
-The room          connect, HouseClient, RoomClient, play_scene, PlayedScene
+The room          connect, HouseClient, RoomClient, AsyncHouse, play_scene, PlayedScene
 Sensors           Sensor, SensorHealth, SensorSink, MessageRate
 Drones            Airframe, airframe_in, Capabilities, DroneDriver, Failsafe, DriverServer,
                   RemoteDrone, Clock, RealClock, DroneConfig, LimitsConfig, TwinDrone, PlainDrone
@@ -145,6 +145,7 @@ if TYPE_CHECKING:
     from housefly.sensors.message_rate import MessageRate
     from housefly.sites.loaded_site import LoadedSite, load_site
     from housefly.tasks.api.topics import TASK_NEWS_TOPIC
+    from housefly.tasks.client.async_house import AsyncHouse
     from housefly.tasks.client.connect import connect
     from housefly.tasks.client.house_client import HouseClient
     from housefly.twin.contracts import TwinDrone
@@ -155,11 +156,11 @@ if TYPE_CHECKING:
 __all__ = [
     "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "OBSTACLE_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC",
     "ROOM_TOPICS", "SENSOR_TOPIC", "SIGHT_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "Action",
-    "Advice", "Airframe", "AnySetpoint", "ArDrone", "Behavior", "Bus", "CampaignResult",
-    "Capabilities", "Clearing", "Clock", "Command", "ConfigError", "Covariance", "DepthImage",
-    "DriverServer", "DroneConfig", "DroneDriver", "DroneFault", "DroneStatus", "DroneTopics",
-    "EditsError", "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe", "Flight",
-    "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion",
+    "Advice", "Airframe", "AnySetpoint", "ArDrone", "AsyncHouse", "Behavior", "Bus",
+    "CampaignResult", "Capabilities", "Clearing", "Clock", "Command", "ConfigError", "Covariance",
+    "DepthImage", "DriverServer", "DroneConfig", "DroneDriver", "DroneFault", "DroneStatus",
+    "DroneTopics", "EditsError", "Estimate", "Event", "EventCode", "Fact", "Facts", "Failsafe",
+    "Flight", "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "KnownMotion",
     "LimitsConfig", "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError",
     "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderAnswer", "OrderKind",
     "OrderOutcome", "OrderSource", "Outputs", "Path", "Phase", "PilotStep", "PlainDrone",
@@ -219,6 +220,7 @@ _MODULES = {
     "sensors.contracts": "Sensor SensorHealth SensorSink",
     "sensors.message_rate": "MessageRate",
     "tasks.api.topics": "TASK_NEWS_TOPIC",
+    "tasks.client.async_house": "AsyncHouse",
     "tasks.client.connect": "connect",
     "tasks.client.house_client": "HouseClient",
     "twin.contracts": "TwinDrone",

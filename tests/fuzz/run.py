@@ -24,7 +24,7 @@ FILES_MAX, BYTES_MAX = 48, 14_000
 _TIMEOUT, _MEMORY_MB = 10, 2048
 _INSTRUMENTED = [
     *(f"housefly.{name}" for name in ("wires", "tracking", "sensors", "drones", "config")),
-    *(f"housefly.{name}" for name in ("record", "bus", "room", "web", "hub")),
+    *(f"housefly.{name}" for name in ("record", "bus", "room", "web", "hub", "ros2")),
     *(f"housefly.tasks.{name}" for name in ("api", "document", "intents", "rules")),
     *("housefly.lab.campaigns.spec", "housefly.lab.campaigns.draws"),
     *("housefly.twin.people", "housefly.twin.hands", "housefly.twin.faults"),

@@ -14,8 +14,11 @@ from hypothesis import strategies as st
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import HUB_QUERY, TASKS_QUERY, DroneTopics
 from housefly.clock import RealClock
+from housefly.config.ros2 import RosRequests
 from housefly.messages import Order, OrderKind
-from housefly.ros2.flight_desk import FlightDesk, RosRequests
+from housefly.ros2.flight_desk import FlightDesk
+from housefly.ros2.order_line import OrderLine
+from housefly.ros2.ros_caller import node_caller
 
 OFF, ASK, AUTO = "off", "ask", "auto"
 
@@ -33,7 +36,14 @@ def desk(
     bus.answer(TASKS_QUERY, answer)
     bus.answer(HUB_QUERY, lambda _: '{"things": []}')
     bus.subscribe(DroneTopics().order, orders.append)
-    return FlightDesk(bus, requests, ("drone",), has_tasks, RealClock()), asked, orders
+    return _desk(bus, requests, has_tasks), asked, orders
+
+
+def _desk(bus: LocalBus, requests: RosRequests, has_tasks: bool = True) -> FlightDesk:
+    clock = RealClock()
+    return FlightDesk(
+        bus, OrderLine(bus, ("drone",), clock), node_caller(requests), has_tasks, clock
+    )
 
 
 @given(
@@ -93,7 +103,7 @@ def test_only_two_questions_wait_at_once_so_that_a_stop_finds_a_thread() -> None
 
     bus.answer(HUB_QUERY, slow)
     bus.subscribe(DroneTopics().order, orders.append)
-    answering = FlightDesk(bus, "ask", ("drone",), True, RealClock())
+    answering = _desk(bus, "ask")
     question = '{"ask": "where", "thing": "cup"}'
     with ThreadPoolExecutor(2) as waiting:
         answers = [waiting.submit(answering.ask, question) for _ in range(2)]

@@ -48,7 +48,7 @@ def required(*extras: str) -> set[str]:
 def test_there_are_locks_for_flying_testing_building_auditing_fuzzing_and_strangers() -> None:
     names = ["build.txt", "cflib.txt", "dev.txt", "djitellopy.txt"]
     names += ["fuzz.txt", "homeassistant.txt", "installer.txt"]
-    names += ["run.txt", "tools.txt", "yamspy.txt"]
+    names += ["roslibpy.txt", "run.txt", "tools.txt", "yamspy.txt"]
     assert [lock.name for lock in LOCKS] == names
 
 

@@ -18,6 +18,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from housefly.bus.local import LocalBus
 from housefly.messages import OrderKind
+from housefly.sites.loaded_site import load_site
 from housefly.web.access.roles import (
     OPEN_FOLDERS,
     OPEN_PATHS,
@@ -33,6 +34,7 @@ from housefly.web.access.roles import (
 )
 from housefly.web.access.users import UserBook
 from housefly.web.messages.client_messages import ClientMessage
+from housefly.web.rosbridge.bridge_room import BridgeRoom
 from housefly.web.server import create_app
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="session")]
@@ -194,7 +196,8 @@ async def test_no_message_no_order_and_no_path_is_without_a_role() -> None:
     }
     assert set(ROLE_OF_ORDER) == set(OrderKind) == {OrderKind(name) for name in ORDERS}
     assert {order.value: role for order, role in ROLE_OF_ORDER.items()} == ORDERS
-    app = create_app(LocalBus(), "token", lambda: None)
+    bridge = BridgeRoom(LocalBus(), lambda: load_site("bsen"))
+    app = create_app(LocalBus(), "token", lambda: None, rosbridge=bridge)
     reading, changing = set(), set()
     for prefix, route in every_route(app.routes):
         path = prefix + route.path

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Iterable
+from contextlib import ExitStack
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -27,6 +28,7 @@ from housefly.bus.topics import (
     DroneTopics,
     Topic,
 )
+from housefly.clock import RealClock
 from housefly.config.site import Site
 from housefly.errors import LinkError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES, EventAnswer, News
@@ -63,8 +65,15 @@ from housefly.messages import (
 )
 from housefly.room.edit_versions import EditVersions
 from housefly.room.model import Place, Room
+from housefly.ros2.ros_caller import RosCaller
+from housefly.ros2.ros_room import RosRoom
+from housefly.sites.loaded_site import load_site
 from housefly.tasks.api.topics import TASK_NEWS_TOPIC
 from housefly.web.api.edit_service import EditService
+from housefly.web.rosbridge.bridge_room import BridgeRoom
+from housefly.web.rosbridge.calls import Calls
+from housefly.web.rosbridge.client import BridgeClient
+from housefly.web.rosbridge.outbox import Outbox
 from housefly.web.server import create_app
 
 _OURS = DroneTopics()
@@ -238,6 +247,54 @@ def _websocket(data: bytes) -> None:
     assert answers[0]["type"] == "websocket.accept"
 
 
+def _rosbridge(data: bytes) -> None:
+    """One message a line, of a program that may fly where a person says yes."""
+    loop = _room().loop
+    loop.run_until_complete(_rosbridge_heard(data.split(b"\n")[:6]))
+
+
+async def _rosbridge_heard(lines: list[bytes]) -> None:
+    outbox, said = Outbox(asyncio.get_running_loop()), list[str]()
+    client = BridgeClient(
+        _bridge(), _calls(), outbox, lambda: _CALLER, said.append, said.append, RealClock()
+    )
+    for line in lines:
+        client.receive(line.decode(errors="surrogateescape"))
+    outbox.reply("end")
+    while (text := await asyncio.wait_for(outbox.next(), 60.0)) != "end":
+        assert json.loads(text)["op"] in ("status", "service_response", "publish")
+    client.close()
+
+
+_CALLER = RosCaller("somebody", "somebody", "off")
+
+
+@cache
+def _calls() -> Calls:
+    return Calls()
+
+
+@cache
+def _bridge() -> BridgeRoom:
+    bridge = BridgeRoom(LocalBus(), lambda: load_site("bsen"))
+    bridge.room = RosRoom(load_site("bsen", hub__enabled=False), LocalBus(), bridge.topics)
+    bridge.room.begin(ExitStack())
+    return bridge
+
+
+def _rosbridge_seeds() -> Iterable[bytes]:
+    drone = b"/b_sen/drone"
+    yield b'{"op":"subscribe","topic":"/b_sen/map","throttle_rate":100,"queue_length":1}'
+    yield b'{"op":"subscribe","topic":"%b/pose","type":"geometry_msgs/PoseStamped"}' % drone
+    yield b'{"op":"unsubscribe","topic":"/b_sen/map"}\n{"op":"set_level","level":"none"}'
+    yield b'{"op":"call_service","id":"1","service":"%b/home","args":{}}' % drone
+    yield b'{"op":"call_service","service":"/rosapi/topic_type","args":["/b_sen/map"]}'
+    yield b'{"op":"publish","topic":"%b/goal_pose","msg":{"pose":{"position":{"x":1}}}}' % drone
+    yield b'{"op":"publish","topic":"/b_sen/ask","msg":{"data":"where is the cup"}}'
+    yield b'{"op":"advertise","topic":"%b/goal_pose","type":"geometry_msgs/PoseStamped"}' % drone
+    yield b'{"op":"publish","topic":"%b/goal_pose","msg":%b' % (drone, DEEP)
+
+
 def _websocket_seeds() -> Iterable[bytes]:
     yield b'{"type":"ping","sent":1.0}\n{"type":"stop","id":1}\n{"type":"invite","id":2}'
     yield b'{"type":"lease","id":1,"action":"take"}\n{"type":"order","id":2,"order":"take_off"}'
@@ -273,6 +330,13 @@ WEB: dict[str, FuzzTarget] = {
         (),
         1024,
         (b"host:", b"origin:", b"cookie:", b"%00", b"..", b"/api/v1/", b"/tasks"),
+    ),
+    "rosbridge": FuzzTarget(
+        _rosbridge,
+        _rosbridge_seeds,
+        (),
+        1024,
+        (b'"op"', b'"msg"', b'"topic"', b"NaN", b"1e999", b"/b_sen/"),
     ),
     "websocket": FuzzTarget(
         _websocket, _websocket_seeds, (), 1024, (b'"order"', b'"goal"', b"NaN", b"1e999")

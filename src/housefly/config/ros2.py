@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from housefly.config.section import Section
 
@@ -51,3 +52,40 @@ class Ros2Config(Section):
         default=False,
         description="serve the topics of the paper's own drone node, too (docs/ros2.md)",
     )
+
+
+_ORIGIN = re.compile(r"https?://[A-Za-z0-9.\-\[\]:]{1,200}")
+
+
+class RosbridgeConfig(Section):
+    """Rosbridge on the console's port, at `/rosbridge` (``docs/rosbridge.md``).
+
+    Names, frame and the paper's own topics are those of `[ros2]`; no ROS is needed.
+    """
+
+    enabled: bool = Field(default=False, description="serve it, for roslibjs and roslibpy")
+    requests: RosRequests = Field(
+        default="ask",
+        description=(
+            "what a goal, a take-off or a task may do at most: nothing, ask a person, fly; a"
+            " session may no more than its role"
+        ),
+    )
+    origins: tuple[str, ...] = Field(
+        default=(),
+        max_length=20,
+        description=(
+            "pages of other servers that may use it with the key of the run, by their origin"
+            " (http://HOST:PORT); a program that is no browser names none"
+        ),
+    )
+
+    @field_validator("origins")
+    @classmethod
+    def _pages(cls, origins: tuple[str, ...]) -> tuple[str, ...]:
+        for origin in origins:
+            if not _ORIGIN.fullmatch(origin):
+                raise ValueError(
+                    f"has {origin!r}; allowed: http://HOST:PORT or https://HOST, without a path"
+                )
+        return origins

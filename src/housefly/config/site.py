@@ -35,7 +35,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.config.map import MapConfig, RoomConfig
 from housefly.config.people import PeopleConfig
 from housefly.config.profile import CONSTANTS, load_profile
-from housefly.config.ros2 import Ros2Config
+from housefly.config.ros2 import Ros2Config, RosbridgeConfig
 from housefly.config.section import Section
 from housefly.config.tasks import TasksConfig
 from housefly.config.text import did_you_mean, refuse_odd_values, shortened
@@ -102,6 +102,7 @@ class Site(Section):
     hub: HubConfig = HubConfig()
     tasks: TasksConfig = TasksConfig()
     ros2: Ros2Config = Ros2Config()
+    rosbridge: RosbridgeConfig = RosbridgeConfig()
     homeassistant: HomeAssistantConfig = HomeAssistantConfig()
     edits: Edits = Edits()
 

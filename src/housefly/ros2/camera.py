@@ -14,8 +14,8 @@ from housefly.evidence.live_blanker import LiveBlanker
 from housefly.evidence.picture_codec import PictureDecoder
 from housefly.evidence.picture_filter import PictureFilter
 from housefly.messages import PilotStep, VideoFrame
+from housefly.ros2.carrier import RosCarrier
 from housefly.ros2.drone_messages import RosFrames, camera_info, compressed_image
-from housefly.ros2.node import RosNode
 from housefly.ros2.topic_table import CAMERA_INFO, H264, PICTURES, RosTopic
 
 _JPEG_QUALITY = 80
@@ -25,7 +25,7 @@ class RosCamera:
     """Publishes pictures while somebody subscribes; in mode privacy none.
 
     Args:
-        node: of the room.
+        carrier: of the room.
         camera: of the drone.
         frames: of the drone.
         blanker: blanks the privacy zones, as it does for the console.
@@ -34,13 +34,13 @@ class RosCamera:
 
     def __init__(
         self,
-        node: RosNode,
+        carrier: RosCarrier,
         camera: OnboardCamera,
         frames: RosFrames,
         blanker: LiveBlanker,
         names: Mapping[RosTopic, tuple[str, ...]],
     ) -> None:
-        self._node, self._camera, self._frames = node, camera, frames
+        self._carrier, self._camera, self._frames = carrier, camera, frames
         self._names, self._decoder = names, PictureDecoder()
         self._mode: HouseMode | None = None
         self._filter = PictureFilter(blanker, self._may_be_seen)
@@ -80,11 +80,11 @@ class RosCamera:
         return any(self._is_heard(topic) for topic in self._names)
 
     def _is_heard(self, topic: RosTopic) -> bool:
-        return any(self._node.is_heard(name) for name in self._names[topic])
+        return any(self._carrier.is_heard(name) for name in self._names[topic])
 
     def _publish(self, topic: RosTopic, make: partial[object]) -> None:
         for name in self._names[topic]:
-            self._node.publish(topic, name, make)
+            self._carrier.publish(topic, name, make)
 
     def _jpeg(self, frame: VideoFrame) -> bytes:
         picture = self._decoder.decode(frame)

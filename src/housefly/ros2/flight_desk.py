@@ -1,24 +1,23 @@
-"""What comes from ROS and moves a drone: checked, asked of a person where the site wants it."""
+"""What comes in the terms of ROS and moves a drone: checked, asked of a person where it must be."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import cos, isfinite, sin
-from secrets import token_hex
-from threading import BoundedSemaphore, Condition, Lock
+from threading import BoundedSemaphore, Lock
 from typing import Any
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import HUB_QUERY, TASKS_QUERY, DroneTopics
+from housefly.bus.topics import HUB_QUERY, TASKS_QUERY
 from housefly.clock import Clock
-from housefly.config.ros2 import RosRequests
 from housefly.errors import HouseflyError, TaskError, WireError
 from housefly.geometry import Vec2, Vec3
 from housefly.hub.api.json import question_from_json
-from housefly.messages import Order, OrderAnswer, OrderKind, OrderSource, PilotStep
-from housefly.ros2.flight_lease import FlightLease
+from housefly.messages import OrderKind
+from housefly.ros2.order_line import OrderLine, RosReply
+from housefly.ros2.ros_caller import RosCaller
 from housefly.tasks.api.answers import TaskBoard, TasksAnswer
 from housefly.tasks.api.json import (
     task_answer_from_json,
@@ -40,13 +39,10 @@ from housefly.tasks.api.values import (
 )
 from housefly.tasks.rules.outside_question import outside_question
 
-SENDER = "ROS 2"
-"""Who orders: no node proves that it is another one."""
-OWNER = "ros2"
 GO_SERVICE = "fly_to"
 """The service that flies to a point."""
 _PATIENCE = 1.0
-"""How long the pilot may take to answer an order [s]."""
+"""How long memory and board may take to answer [s]."""
 _ASK_PATIENCE = 120.0
 """How long the tasks may take, which rehearse first [s]."""
 _ASKED_AT_ONCE = 2
@@ -55,55 +51,30 @@ _FLIGHT_PERIOD = 0.2
 """Between two orders to fly of one drone [s]."""
 _FACES_AHEAD = 2.0
 """A heading is faced by looking at a point so far ahead [m]."""
-_OFF = "flights from ROS are off ([ros2] requests in the site file)"
-
-
-@dataclass(frozen=True, slots=True)
-class RosReply:
-    """What became of a wish, as std_srvs/Trigger says it."""
-
-    success: bool
-    message: str
+_OFF = "flights are off for you: requests in the site file, or your role"
+_NO_QUESTIONS = "you may look, not ask: your role"
 
 
 class FlightDesk:
-    """Takes wishes from ROS; thread-safe.
+    """Takes the wishes of one caller; thread-safe.
 
     Args:
         bus: of the run.
-        requests: what the site allows.
-        drones: their names.
+        line: to the pilots.
+        caller: whose wishes it takes.
         has_tasks: whether services run; without them nobody can be asked.
         clock: monotonic.
     """
 
     def __init__(
-        self,
-        bus: Bus,
-        requests: RosRequests,
-        drones: tuple[str, ...],
-        has_tasks: bool,
-        clock: Clock,
+        self, bus: Bus, line: OrderLine, caller: RosCaller, has_tasks: bool, clock: Clock
     ) -> None:
-        self._bus, self._requests, self._clock = bus, requests, clock
+        self._bus, self._line, self._clock = bus, line, clock
+        self._caller, self._requests = caller, caller.requests
         self._has_tasks = has_tasks
-        self._topics = {name: DroneTopics(name) for name in drones}
-        self._leases = {name: FlightLease() for name in drones}
-        self._answers: dict[str, OrderAnswer | None] = {}
-        self._answered = Condition()
         self._asking, self._answering = Lock(), BoundedSemaphore(_ASKED_AT_ONCE)
         self._flown_at: dict[str, float] = {}
         self._question = 0
-
-    def heard(self, drone: str, step: PilotStep) -> None:
-        """Take in a step of a drone's pilot."""
-        self._leases[drone].add(step)
-        if step.outputs.answers and self._answers:
-            with self._answered:
-                for answer in step.outputs.answers:
-                    if answer.order_id in self._answers:
-                        self._answers[answer.order_id] = answer
-                self._answered.notify_all()
 
     def stop(self, drone: str) -> RosReply:
         """Stop a drone, whoever flies it."""
@@ -115,23 +86,27 @@ class FlightDesk:
 
     def home(self, drone: str) -> RosReply:
         """Bring a drone home."""
-        if self._requests == "off":
+        if self._requests == "off" or not self._caller.may_fly:
             return RosReply(False, _OFF)
         return self._flown(drone, OrderKind.HOME)
 
     def reset(self, drone: str) -> RosReply:
         """End an emergency on the ground; stop what flies."""
-        kind = OrderKind.STOP if self._leases[drone].is_airborne else OrderKind.RESET
-        return self._ordered(drone, kind)
+        if self._line.is_airborne(drone):
+            return self.stop(drone)
+        if not self._caller.may_fly:
+            return RosReply(False, _OFF)
+        return self._ordered(drone, OrderKind.RESET)
 
     def nudge(self, drone: str, velocity: Vec3) -> str:
         """Move a drone that holds its place by hand [m/s]; return why not, in words, or ""."""
         if self._requests != "auto":
-            return 'moving by hand needs [ros2] requests = "auto"'
-        words = self._leases[drone].objection(SENDER)
+            return 'moving by hand needs requests = "auto" in the site file'
+        sender = self._caller.name
+        words = self._line.objection(drone, sender)
         if not words:
-            order = self._new_order(OrderKind.NUDGE)
-            self._bus.publish(self._topics[drone].order, replace(order, velocity=velocity))
+            order = self._line.new_order(OrderKind.NUDGE, sender)
+            self._line.publish(drone, replace(order, velocity=velocity))
         return words
 
     def take_off(self, drone: str) -> RosReply:
@@ -171,6 +146,8 @@ class FlightDesk:
 
     def ask(self, text: str) -> str:
         """Return the answer, as JSON, to a sentence or to a question of memory or tasks as JSON."""
+        if not self._caller.may_ask:
+            return json.dumps({"error": _NO_QUESTIONS})
         if not self._answering.acquire(blocking=False):
             return json.dumps({"error": f"{_ASKED_AT_ONCE} questions are being answered already"})
         try:
@@ -200,8 +177,8 @@ class FlightDesk:
     def _asked_tasks(self, text: str) -> str:
         question = outside_question(
             text,
-            by=SENDER,
-            owner=OWNER,
+            by=self._caller.name,
+            owner=self._caller.owner,
             surface=RequestSurface.ROS,
             is_trusted=self._requests == "auto",
         )
@@ -209,6 +186,8 @@ class FlightDesk:
             raise TaskError(_OFF, ReasonCode.NOT_ALLOWED.value)
         if self._requests == "off" and isinstance(question, Sentence):
             question = replace(question, fly=False)
+        if isinstance(question, CancelTask) and not self._caller.may_fly:
+            question = replace(question, only_of=self._caller.owner)
         return self._bus.ask(TASKS_QUERY, task_question_to_json(question), _ASK_PATIENCE)
 
     def _requested(
@@ -219,10 +198,10 @@ class FlightDesk:
         question = RequestTask(
             service,
             dict(parameters),
-            SENDER,
+            self._caller.name,
             RequestSurface.ROS,
             confirm=Confirm.AUTO if self._requests == "auto" else Confirm.ASK,
-            owner=OWNER,
+            owner=self._caller.owner,
             drone=drone,
         )
         answer: TasksAnswer = self._ask_tasks(question, _ASK_PATIENCE)
@@ -235,7 +214,8 @@ class FlightDesk:
         self._question = 0
         board: TaskBoard = self._ask_tasks(BoardQuestion(), _PATIENCE)
         if any(one.id == number and one.question is not None for one in board.tasks):
-            self._ask_tasks(CancelTask(number, SENDER, only_of=OWNER), _PATIENCE)
+            taken_back = CancelTask(number, self._caller.name, only_of=self._caller.owner)
+            self._ask_tasks(taken_back, _PATIENCE)
 
     def _ask_tasks(self, question: TaskQuestion, patience: float) -> Any:
         text = self._bus.ask(TASKS_QUERY, task_question_to_json(question), patience)
@@ -248,7 +228,7 @@ class FlightDesk:
         goal: Vec2 | None = None,
         look_at: Vec3 | None = None,
     ) -> RosReply:
-        if words := self._leases[drone].objection(SENDER):
+        if words := self._line.objection(drone, self._caller.name):
             return RosReply(False, words)
         now = self._clock.now()
         if now - self._flown_at.get(drone, -_FLIGHT_PERIOD) < _FLIGHT_PERIOD:
@@ -263,32 +243,5 @@ class FlightDesk:
         goal: Vec2 | None = None,
         look_at: Vec3 | None = None,
     ) -> RosReply:
-        order = replace(self._new_order(kind), goal=goal, look_at=look_at)
-        with self._answered:
-            self._answers[order.id] = None
-        try:
-            self._bus.publish(self._topics[drone].order, order)
-            return self._reply(drone, order.id)
-        finally:
-            with self._answered:
-                del self._answers[order.id]
-
-    def _new_order(self, kind: OrderKind) -> Order:
-        return Order(
-            kind,
-            issued_at=self._clock.now(),
-            sender=SENDER,
-            id=token_hex(6),
-            source=OrderSource.PROGRAM,
-        )
-
-    def _reply(self, drone: str, order: str) -> RosReply:
-        def is_answered() -> bool:
-            return self._answers[order] is not None
-
-        with self._answered:
-            self._answered.wait_for(is_answered, _PATIENCE)
-            answer = self._answers[order]
-        if answer is None:
-            return RosReply(False, f"the pilot of {drone} does not answer")
-        return RosReply(answer.is_taken, str(answer.reason) or "done")
+        order = self._line.new_order(kind, self._caller.name)
+        return self._line.ordered(drone, replace(order, goal=goal, look_at=look_at))

@@ -10,16 +10,21 @@ import argparse
 import signal
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.process_log import log_line
 from housefly.config.site import site_from_file
 from housefly.errors import HouseflyError
 from housefly.ros2.node import RosNode
+from housefly.ros2.order_line import RosReply
+from housefly.ros2.ros_caller import node_caller
 from housefly.ros2.ros_room import RosRoom
+from housefly.ros2.wishes import TRIGGER, RosInput, RosService, triggered
 from housefly.sites.loaded_site import LoadedSite, open_site
 
 
@@ -47,12 +52,29 @@ def run_ros2(loaded: LoadedSite, endpoint: str) -> None:
         stack.callback(node.close)
         room = RosRoom(loaded, bus, node)
         room.begin(stack)
-        looking = threading.Thread(target=room.look, args=(ended,), name="look", daemon=True)
+        desk = room.desk(node_caller(loaded.site.ros2.requests))
+        _offer(node, room.offered(desk, node.publish))
+        room.on_errands = lambda: _offer(node, room.offered_errands(desk))
+        looking = threading.Thread(target=room.look, args=(ended.wait,), name="look", daemon=True)
         looking.start()
         log_line("ros2 ready")
         node.spin()
         ended.set()
         looking.join(timeout=2.0)
+
+
+def _offer(node: RosNode, offered: Iterable[RosService | RosInput]) -> None:
+    for one in offered:
+        if isinstance(one, RosService):
+            node.serve(TRIGGER, one.name, triggered(one.wish))
+        else:
+            node.subscribe(one.topic, one.name, partial(_taken, node, one.wish))
+
+
+def _taken(node: RosNode, wish: Callable[[Any], RosReply], message: Any) -> None:
+    reply = wish(message)
+    if reply.message:
+        (node.inform if reply.success else node.warn)(reply.message)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

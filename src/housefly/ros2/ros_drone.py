@@ -1,8 +1,7 @@
-"""One drone on the node: what it tells, and what is asked of it."""
+"""One drone in the terms of ROS: what it tells, and what may be asked of it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
 from typing import Any
@@ -11,7 +10,6 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import DroneTopics
 from housefly.config.house_mode import HouseMode
 from housefly.config.site import Site
-from housefly.errors import HouseflyError
 from housefly.evidence.live_blanker import LiveBlanker
 from housefly.geometry import yaw_of
 from housefly.hub.wall_clock import WallClock
@@ -19,15 +17,16 @@ from housefly.messages import LinkStatus, PilotStep, PlannedTrajectory, VideoFra
 from housefly.record.ros_topics import topic_part
 from housefly.ros2 import diagnostics
 from housefly.ros2.camera import RosCamera
+from housefly.ros2.carrier import RosCarrier
 from housefly.ros2.drone_messages import (
     DroneMessages,
     RosFrames,
     camera_transform,
     trajectory_message,
 )
-from housefly.ros2.flight_desk import FlightDesk, RosReply
-from housefly.ros2.node import RosNode
-from housefly.ros2.paper.autonomy import PAPER_PICTURES, PaperInterface
+from housefly.ros2.flight_desk import FlightDesk
+from housefly.ros2.order_line import OrderLine, RosReply
+from housefly.ros2.paper.autonomy import PAPER_PICTURES, PAPER_TOLD, PaperInterface
 from housefly.ros2.topic_table import (
     CAMERA_INFO,
     DRONE_TOPICS,
@@ -39,19 +38,17 @@ from housefly.ros2.topic_table import (
     RosTopic,
     full_name,
 )
-
-TRIGGER = "std_srvs/srv/Trigger"
-"""Type of every service: a wish without parameters, answered in words."""
+from housefly.ros2.wishes import Offered, RosInput, RosService
 
 
 class RosDrone:
-    """One drone on the node.
+    """One drone.
 
     Args:
         site: as its own chain sees it.
         room: namespace of the room.
-        node: of the room.
-        desk: takes wishes.
+        carrier: of the room.
+        line: hears what the pilot says.
         wall: Unix time.
         has_paper_names: whether it serves the topics of the paper's own drone node, too.
     """
@@ -60,14 +57,14 @@ class RosDrone:
         self,
         site: Site,
         room: str,
-        node: RosNode,
-        desk: FlightDesk,
+        carrier: RosCarrier,
+        line: OrderLine,
         wall: WallClock,
         *,
         has_paper_names: bool,
     ) -> None:
         name = site.drone.name
-        self._drone, self._node, self._desk, self._wall = name, node, desk, wall
+        self._drone, self._carrier, self._line, self._wall = name, carrier, line, wall
         self._frame = site.ros2.frame
         self._space = (room, topic_part(name))
         self._frames = RosFrames.of(self._frame, topic_part(name))
@@ -80,41 +77,48 @@ class RosDrone:
             if has_paper_names:
                 names[PICTURES] = (*names[PICTURES], PAPER_PICTURES.name)
             blanker = LiveBlanker(site.tasks, self._lens)
-            self._camera = RosCamera(node, self._lens, self._frames, blanker, names)
+            self._camera = RosCamera(carrier, self._lens, self._frames, blanker, names)
         self._paper: PaperInterface | None = None
         if has_paper_names:
             speed = site.limits.nudge_speed
-            self._paper = PaperInterface(name, speed, self._frames, node, desk)
+            self._paper = PaperInterface(name, speed, self._frames)
         self._step: PilotStep | None = None
         self._link: LinkStatus | None = None
         self._planned: tuple[Any, ...] = ()
 
     def begin(self, bus: Bus, stack: ExitStack) -> None:
-        """Offer topics and services, and listen."""
-        node, topics = self._node, DroneTopics(self._drone)
+        """Offer topics, and listen."""
+        carrier, topics = self._carrier, DroneTopics(self._drone)
         for topic in DRONE_TOPICS:
             if self._camera is not None or not topic.name.startswith("camera/"):
-                node.advertise(topic, self._name(topic))
+                carrier.advertise(topic, self._name(topic))
         if self._lens is not None:
             at = self._wall.now()
             make = partial(camera_transform, at, self._frames, self._lens)
-            node.publish(STATIC_TRANSFORMS, STATIC_TRANSFORMS.name, make)
-        node.subscribe(GOAL, self._name(GOAL), self._on_goal)
-        for what, wish in (
-            ("takeoff", self._desk.take_off),
-            ("land", self._desk.land),
-            ("stop", self._desk.stop),
-            ("home", self._desk.home),
-        ):
-            service = "/".join(("", *self._space, what))
-            node.serve(TRIGGER, service, triggered(partial(wish, self._drone)))
+            carrier.publish(STATIC_TRANSFORMS, STATIC_TRANSFORMS.name, make)
         if self._paper is not None:
-            self._paper.begin()
+            for topic in PAPER_TOLD:
+                carrier.advertise(topic, topic.name)
         stack.callback(bus.subscribe(topics.step, self._on_step).close)
         stack.callback(bus.subscribe(topics.trajectory, self._on_trajectory).close)
         stack.callback(bus.subscribe(topics.link, self._on_link).close)
         if self._camera is not None:
             stack.callback(bus.subscribe(topics.video, self._on_video).close)
+
+    def offered(self, desk: FlightDesk) -> Offered:
+        """Yield what may be asked of it."""
+        for what, wish, is_safer in (
+            ("takeoff", desk.take_off, False),
+            ("land", desk.land, True),
+            ("stop", desk.stop, True),
+            ("home", desk.home, False),
+        ):
+            name = "/".join(("", *self._space, what))
+            stops = (self._drone,) if wish == desk.stop else ()
+            yield RosService(name, partial(wish, self._drone), is_safer, stops)
+        yield RosInput(self._name(GOAL), GOAL, partial(self._on_goal, desk))
+        if self._paper is not None:
+            yield from self._paper.offered(desk)
 
     def set_mode(self, mode: HouseMode) -> None:
         """Tell the mode of the house."""
@@ -129,20 +133,20 @@ class RosDrone:
 
     def _on_step(self, step: PilotStep) -> None:
         self._step = step
-        self._desk.heard(self._drone, step)
+        self._line.heard(self._drone, step)
         if self._camera is not None:
             self._camera.add_step(step)
         for topic, make in self._messages.of(step, self._wall.offset()):
-            self._node.publish(topic, self._name(topic), make)
+            self._carrier.publish(topic, self._name(topic), make)
         if self._paper is not None:
             for topic, make in self._paper.of(step, self._wall.offset()):
-                self._node.publish(topic, topic.name, make)
+                self._carrier.publish(topic, topic.name, make)
 
     def _on_trajectory(self, planned: PlannedTrajectory) -> None:
         if planned.points != self._planned:  # it is said again and again
             self._planned = planned.points
             make = partial(trajectory_message, planned, self._wall.offset(), self._frames)
-            self._node.publish(TRAJECTORY, self._name(TRAJECTORY), make)
+            self._carrier.publish(TRAJECTORY, self._name(TRAJECTORY), make)
 
     def _on_link(self, link: LinkStatus) -> None:
         self._link = link
@@ -151,30 +155,16 @@ class RosDrone:
         assert self._camera is not None
         self._camera.show(frame, self._wall.offset())
 
-    def _on_goal(self, goal: Any) -> None:
+    def _on_goal(self, desk: FlightDesk, goal: Any) -> RosReply:
         frame, place, turn = goal.header.frame_id, goal.pose.position, goal.pose.orientation
         if frame not in ("", self._frame):
-            self._node.warn(f"goal refused: its frame is {frame!r}; allowed: {self._frame!r}")
-            return
+            words = f"goal refused: its frame is {frame!r}; allowed: {self._frame!r}"
+            return RosReply(False, words)
         quaternion = (turn.w, turn.x, turn.y, turn.z)
         yaw = yaw_of(quaternion) if any(quaternion) else None
-        reply = self._desk.fly_to(self._drone, (place.x, place.y), yaw)
+        reply = desk.fly_to(self._drone, (place.x, place.y), yaw)
         words = f"goal x {place.x:.2f}, y {place.y:.2f} for {self._drone}: {reply.message}"
-        (self._node.inform if reply.success else self._node.warn)(words)
+        return RosReply(reply.success, words)
 
     def _name(self, topic: RosTopic) -> str:
         return full_name(topic, *self._space)
-
-
-def triggered(wish: Callable[[], RosReply]) -> Callable[[Any, Any], Any]:
-    """Return the handler of a service of type ``TRIGGER``."""
-
-    def handler(request: Any, response: Any) -> Any:
-        try:
-            reply = wish()
-        except HouseflyError as error:
-            reply = RosReply(False, str(error))
-        response.success, response.message = reply.success, reply.message
-        return response
-
-    return handler

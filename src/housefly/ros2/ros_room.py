@@ -1,10 +1,10 @@
-"""The room on the node: map, things, people, sensors, tasks, and its drones."""
+"""The room in the terms of ROS: map, things, people, sensors, tasks, and its drones."""
 
 from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from functools import partial
 from typing import Any
@@ -32,10 +32,12 @@ from housefly.record import ros_messages
 from housefly.record.ros_topics import topic_part
 from housefly.room.tracked import untracked, untracked_grid
 from housefly.ros2 import diagnostics, room_messages
+from housefly.ros2.carrier import RosCarrier
 from housefly.ros2.drone_messages import text_message
-from housefly.ros2.flight_desk import FlightDesk, RosReply
-from housefly.ros2.node import RosNode
-from housefly.ros2.ros_drone import TRIGGER, RosDrone, triggered
+from housefly.ros2.flight_desk import FlightDesk
+from housefly.ros2.order_line import OrderLine, RosReply
+from housefly.ros2.ros_caller import RosCaller
+from housefly.ros2.ros_drone import RosDrone
 from housefly.ros2.topic_table import (
     ANSWERS,
     ASK,
@@ -55,6 +57,7 @@ from housefly.ros2.topic_table import (
     RosTopic,
     full_name,
 )
+from housefly.ros2.wishes import NOTHING_TO_SAY, Offered, RosInput, RosService, Tell, replied
 from housefly.sites.loaded_site import LoadedSite
 from housefly.tasks.api.answers import ServicesAnswer, TaskBoard
 from housefly.tasks.api.json import task_answer_from_json, task_question_to_json
@@ -70,28 +73,32 @@ _PERSON, _STRUCTURE = "person", "structure"
 
 
 class RosRoom:
-    """The room and its drones on one node.
+    """The room and its drones.
 
     Args:
         loaded: the site.
         bus: of the run.
-        node: of the room.
+        carrier: of their topics.
+
+    Attributes:
+        errands: services of the tasks that need no parameter, once the tasks have named them.
+        on_errands: is told when they are known.
     """
 
-    def __init__(self, loaded: LoadedSite, bus: Bus, node: RosNode) -> None:
+    def __init__(self, loaded: LoadedSite, bus: Bus, carrier: RosCarrier) -> None:
         site = loaded.site
-        self._loaded, self._site, self._bus, self._node = loaded, site, bus, node
+        self._loaded, self._site, self._bus, self._carrier = loaded, site, bus, carrier
+        self.errands: tuple[str, ...] = ()
+        self.on_errands: Callable[[], None] = lambda: None
         self._wall, self._clock = WallClock(), RealClock()
         self._room = site.ros2.namespace or topic_part(site.name).lower()
-        self._desk = FlightDesk(
-            bus, site.ros2.requests, site.drone_names, site.tasks.enabled, self._clock
-        )
+        self._line = OrderLine(bus, site.drone_names, self._clock)
         self._drones = tuple(
             RosDrone(
                 site.for_drone(name),
                 self._room,
-                node,
-                self._desk,
+                carrier,
+                self._line,
                 self._wall,
                 has_paper_names=site.ros2.paper_names and number == 0,
             )
@@ -104,16 +111,13 @@ class RosRoom:
         self._lock = threading.Lock()
 
     def begin(self, stack: ExitStack) -> None:
-        """Offer topics and services, and listen; what is listened to is closed with the stack."""
-        node, bus = self._node, self._bus
+        """Offer topics, and listen; what is listened to is closed with the stack."""
+        bus = self._bus
         for topic in (*ROOM_TOPICS, TRANSFORMS, STATIC_TRANSFORMS):
-            node.advertise(topic, self._name(topic))
+            self._carrier.advertise(topic, self._name(topic))
         self._tell_what_stands()
         for drone in self._drones:
             drone.begin(bus, stack)
-        node.subscribe(ASK, self._name(ASK), self._asked)
-        for what, wish in (("stop", self._desk.stop), ("land", self._desk.land)):
-            node.serve(TRIGGER, f"/{self._room}/{what}", triggered(partial(self._all, wish)))
         for subscription in (
             bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
             bus.subscribe(OBSTACLE_TOPIC, self._on_obstacle),
@@ -123,11 +127,34 @@ class RosRoom:
         if not self._site.tasks.enabled:
             self._set_mode(HouseMode.HOME)
 
-    def look(self, ended: threading.Event) -> None:
-        """Tell again and again what nobody publishes, until the end."""
-        begun = [self._ask_picture, self._ask_board, self._offer_services]
+    def desk(self, caller: RosCaller) -> FlightDesk:
+        """Return what takes the wishes of a caller."""
+        return FlightDesk(self._bus, self._line, caller, self._site.tasks.enabled, self._clock)
+
+    def offered(self, desk: FlightDesk, tell: Tell) -> Offered:
+        """Yield what may be asked, at a desk; ``tell`` publishes answers to whoever asked."""
+        every = self._site.drone_names
+        for what, wish, stops in (("stop", desk.stop, every), ("land", desk.land, ())):
+            yield RosService(f"/{self._room}/{what}", partial(self._all, wish), True, stops)
+        yield RosInput(self._name(ASK), ASK, partial(self._asked, desk, tell))
+        for drone in self._drones:
+            yield from drone.offered(desk)
+        yield from self.offered_errands(desk)
+
+    def offered_errands(self, desk: FlightDesk) -> Iterator[RosService]:
+        """Yield a service for each errand that is known by now."""
+        for name in self.errands:
+            yield RosService(f"/{self._room}/tasks/{name}", partial(desk.request, name, {}))
+
+    def look(self, ended: Callable[[float], bool]) -> None:
+        """Tell again and again what nobody publishes, until the end.
+
+        Args:
+            ended: waits for so long [s]; returns whether that was the end.
+        """
+        begun = [self._ask_picture, self._ask_board, self._ask_errands]
         looked_at = float("-inf")
-        while not ended.wait(_OBSTACLE_PERIOD):
+        while not ended(_OBSTACLE_PERIOD):
             try:
                 self._tell_obstacles()
                 if time.monotonic() - looked_at >= _LOOK_PERIOD:
@@ -218,7 +245,7 @@ class RosRoom:
 
     def _tell_health(self) -> None:
         statuses = [status for drone in self._drones for status in drone.statuses()]
-        if self._site.hub.enabled and self._node.is_heard(self._name(DIAGNOSTICS)):
+        if self._site.hub.enabled and self._carrier.is_heard(self._name(DIAGNOSTICS)):
             answer: SensorsAnswer = self._asked_memory(SensorsQuestion())
             statuses += [diagnostics.sensor_status(sensor) for sensor in answer.sensors]
         at = self._wall.now()
@@ -227,28 +254,31 @@ class RosRoom:
     def _asked_memory(self, question: Question) -> Any:
         return answer_from_json(question, self._bus.ask(HUB_QUERY, question_to_json(question)))
 
-    def _offer_services(self) -> None:
-        """Offer each service of the room that needs no parameter."""
+    def _ask_errands(self) -> None:
+        """Learn which services of the room need no parameter."""
         if self._site.tasks.enabled:
             question = ServicesQuestion()
             text = self._bus.ask(TASKS_QUERY, task_question_to_json(question))
             answer: ServicesAnswer = task_answer_from_json(question, text)
-            for info in answer.services:
-                if not any(parameter.required for parameter in info.parameters):
-                    wish = partial(self._desk.request, info.name, {})
-                    name = f"/{self._room}/tasks/{info.name}"
-                    self._node.serve(TRIGGER, name, triggered(wish))
+            self.errands = tuple(
+                info.name
+                for info in answer.services
+                if not any(parameter.required for parameter in info.parameters)
+            )
+            self.on_errands()
 
-    def _asked(self, said: Any) -> None:
-        self._tell(ANSWERS, partial(text_message, self._desk.ask(said.data)))
+    def _asked(self, desk: FlightDesk, tell: Tell, said: Any) -> RosReply:
+        answer = desk.ask(said.data)
+        tell(ANSWERS, self._name(ANSWERS), partial(text_message, answer))
+        return NOTHING_TO_SAY
 
     def _all(self, wish: Callable[[str], RosReply]) -> RosReply:
-        replies = {name: wish(name) for name in self._site.drone_names}
+        replies = {name: replied(partial(wish, name)) for name in self._site.drone_names}
         words = "; ".join(f"{name}: {reply.message}" for name, reply in replies.items())
         return RosReply(all(reply.success for reply in replies.values()), words)
 
     def _tell(self, topic: RosTopic, make: Callable[[], Any]) -> None:
-        self._node.publish(topic, self._name(topic), make)
+        self._carrier.publish(topic, self._name(topic), make)
 
     def _name(self, topic: RosTopic) -> str:
         return full_name(topic, self._room)

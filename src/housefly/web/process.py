@@ -50,6 +50,7 @@ from housefly.evidence.clip_index import ClipIndex
 from housefly.evidence.live_blanker import LiveBlanker
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
+from housefly.sites.loaded_site import open_site
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.exposure import checked_exposure, console_address, guest_address
 from housefly.web.access.session import EndedSessions
@@ -63,6 +64,7 @@ from housefly.web.api.simulated_room import SimulatedRoom
 from housefly.web.console_port import inherited_listener, listening
 from housefly.web.http.connections import ConnectionLimiter, limited_protocol
 from housefly.web.http.handshakes import HandshakeListener
+from housefly.web.rosbridge.bridge_room import BridgeRoom
 from housefly.web.server import ConsoleDrone, create_app
 from housefly.web.status.console_memory import ConsoleMemory
 
@@ -150,6 +152,7 @@ async def run_web(
             simulation=SimulatedRoom(bus) if site.twin.enabled else None,
             memory=drones[0].memory,
             flights=drones[0].flights,
+            rosbridge=_rosbridge(site, bus, site_file),
             site_name=site.name,
             guest_address=guest_address(site),
             authority=authority_of(site.web),
@@ -258,6 +261,19 @@ def _edit_service(site: Site, folder: Path, bus: Bus, site_file: Path | None) ->
         EditVersions(edits_folder(site)),
         in_force=lambda: (site_from_file(site_file) if site_file else site).edits,
         use=lambda number: _asked_to_use(bus, number),
+    )
+
+
+def _rosbridge(site: Site, bus: Bus, site_file: Path | None) -> BridgeRoom | None:
+    """Return the room for rosbridge, by the site as its launcher flies it now."""
+    if not site.rosbridge.enabled:
+        return None
+    return BridgeRoom(
+        bus,
+        lambda: open_site(site_from_file(site_file) if site_file else site),
+        (lambda: site_file.stat().st_mtime_ns) if site_file else lambda: None,
+        site.rosbridge.requests,
+        site.rosbridge.origins,
     )
 
 

@@ -6,7 +6,7 @@
 /static/...      the built client
 /service-worker.js  keeps the page's shell on a phone; ``/authority.crt``: whom a phone is to trust
 /socket          WebSocket: state to the browser, orders from it
-/stop            POST: STOP, for a browser whose socket is down; ``/land`` lands
+/stop            POST: STOP, for a browser whose socket is down, and programs; ``/land`` lands
 /drones          the drones of the room; ``?drone=NAME`` picks one in all of these, STOP is for all
 /video           WebSocket: the drone's H.264; ``/video.mjpeg`` the same as JPEG
 /coverage        which parts of the room the tracking cameras see
@@ -14,6 +14,7 @@
 /api/v1/...      the room: where things are, what happened; the tasks: asked for, shown, ended
 /edits           places and no-fly zones: shown, saved, undone, put into use
 /bell            the doorbell of a simulated room; POST presses it
+/rosbridge       WebSocket: rosbridge v2, where the site asks for it
 /simulation      what else may be done to it: put back, charge, walk, fail; POST does it
 """
 
@@ -68,6 +69,8 @@ from housefly.web.flights.flight_book import FlightBook
 from housefly.web.flights.flight_log_writer import FlightLogWriter
 from housefly.web.flights.flight_routes import flight_routes
 from housefly.web.messages.server_messages import EventView
+from housefly.web.rosbridge.bridge_room import BridgeRoom
+from housefly.web.rosbridge.routes import RosbridgeRoute
 from housefly.web.sockets.broadcast import Broadcast
 from housefly.web.sockets.console import Console
 from housefly.web.sockets.console_routes import console_routes
@@ -130,6 +133,7 @@ def create_app(
     guest_address: str = "",
     authority: bytes | None = None,
     beside: Sequence[ConsoleDrone] = (),
+    rosbridge: BridgeRoom | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -162,6 +166,7 @@ def create_app(
         guest_address: where other machines open the console; "" where they cannot.
         authority: the certificate that they are to trust, in DER; None when there is none.
         beside: further drones; the one above is what a browser sees first.
+        rosbridge: the room for clients of rosbridge; None serves them nothing.
     """
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
@@ -207,6 +212,12 @@ def create_app(
     edits_api = EditsApi(edits, auth, consoles, lambda: consoles.restart_objection(board.message()))
     bell_routes = BellRoutes(bell, auth)
     simulation_routes = SimulationRoutes(simulation, auth, consoles.named)
+    bridge = None
+    if rosbridge is not None:
+        bridge = RosbridgeRoute(
+            rosbridge, auth, key, consoles.stop, consoles.name_of_owner, audit, clock
+        )
+        closing.append(bridge.close)
     closing += [room_api.close, edits_api.close, tasks_api.close, board.close, bell_routes.close]
     closing += [simulation_routes.close]
     closing += [layer.close] if layer else []
@@ -217,7 +228,7 @@ def create_app(
         routes=[
             *page_routes(auth, logins, authority, several_drones=bool(beside)),
             *session_routes(auth, logins, audit),
-            *console_routes(consoles, auth),
+            *console_routes(consoles, auth, key),
             *video_routes({"": relays[chosen], **relays}, auth),
             *coverage_routes(layer, auth),
             *flight_routes({**({"": books[chosen]} if chosen in books else {}), **books}, auth),
@@ -225,6 +236,7 @@ def create_app(
             *edits_api.routes(),
             *bell_routes.routes(),
             *simulation_routes.routes(),
+            *(bridge.routes() if bridge else ()),
         ],
         middleware=[
             Middleware(HostGuard, hosts=hosts),
@@ -232,7 +244,7 @@ def create_app(
             Middleware(ReadingPace, auth, clock),
             Middleware(RoleGuard, auth=auth),
         ],
-        lifespan=_lifespan(bus, consoles, board, relays, closing),
+        lifespan=_lifespan(bus, consoles, board, relays, closing, rosbridge),
     )
 
 
@@ -246,6 +258,7 @@ def _lifespan(
     board: TaskFeed,
     relays: Mapping[str, VideoRelay],
     closing: list[Callable[[], None]],
+    rosbridge: BridgeRoom | None,
 ) -> Callable[[Starlette], AbstractAsyncContextManager[None]]:
     """Return what listens and broadcasts while the application runs, then calls ``closing``."""
 
@@ -254,6 +267,8 @@ def _lifespan(
         for console in consoles.values():
             console.feed.listen(bus)
         board.listen()
+        if rosbridge is not None:
+            rosbridge.begin()
         for video in relays.values():
             video.listen(asyncio.get_running_loop())
         tasks = [asyncio.create_task(Broadcast(console).run()) for console in consoles.values()]

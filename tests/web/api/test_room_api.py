@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
 import json
-import socket
 import threading
 import time
 from collections.abc import Iterator
@@ -16,98 +14,35 @@ from urllib.request import Request, urlopen
 
 import pytest
 import schemathesis
-import uvicorn
 from hypothesis import HealthCheck, given, settings
 from schemathesis.specs.openapi.checks import positive_data_acceptance
-from stand_in_tasks import StandInTasks
+from served_room import HOOK_KEY, KEY, ServedRoom
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect as connect_socket
 
 import housefly
-from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY
-from housefly.errors import HouseflyError, LinkError, ThingError, WireError
-from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
+from housefly.errors import LinkError, ThingError, WireError
 from housefly.hub.api.topics import ROOM_NEWS_TOPIC
-from housefly.hub.change_feed import ChangeFeed
 from housefly.hub.client.room_client import RoomClient
-from housefly.hub.memory import RoomMemory
-from housefly.hub.query_handler import QueryHandler
-from housefly.hub.room_status import RoomStatus
-from housefly.hub.store.open import open_store
-from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, RoomEvent
-from housefly.web.access.session_auth import api_key
-from housefly.web.process import make_server
-from housefly.web.server import create_app
 
-SECRET = "a-secret-for-tests-only"
-KEY = api_key(SECRET)
-HOOK_KEY = "a-key-of-webhooks-for-tests"
 pytestmark = pytest.mark.wire
 
 
-class Room:
-    """A console with a hub behind it, on a thread of its own."""
-
-    def __init__(self, host: str, folder: Path) -> None:
-        self.bus = LocalBus()
-        things = (
-            Thing("cabinet", "the cabinet", ThingKind.FURNITURE, position=(1.0, 2.0, 0.5)),
-            Thing("cup", "cup", inside="cabinet"),
-        )
-        self.memory = RoomMemory(things, lambda: open_store(folder / "room.db"))
-        self.status = RoomStatus(self.memory.writer.report)
-        self.change_feed = ChangeFeed(self.memory, self.status, time.time)
-        answers = QueryHandler(self.memory, self.status, time.time)
-
-        def answer(text: str) -> str:
-            try:
-                return answer_to_json(answers.answer(question_from_json(text)))
-            except HouseflyError as error:
-                return refusal_to_json(error)
-
-        self.answering = self.bus.join().answer(HUB_QUERY, answer)
-        self.tasks = StandInTasks(self.bus.join())
-        app = create_app(
-            self.bus,
-            "token",
-            lambda: None,
-            hosts=frozenset({host}),
-            secret=SECRET,
-            hook_key=HOOK_KEY,
-        )
-        self.server: uvicorn.Server = make_server(app)
-        self.listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-        self.listener.bind((host, 0))
-        self.address = f"http://{host}:{self.listener.getsockname()[1]}"
-        self.thread = threading.Thread(
-            target=lambda: asyncio.run(self.server.serve([self.listener]))
-        )
-        self.thread.start()
-        while not self.server.started:
-            time.sleep(0.01)
-
-    def close(self) -> None:
-        self.server.should_exit = True
-        self.thread.join()
-        self.memory.close()
-
-
 @pytest.fixture
-def room(loopback: str, tmp_path: Path) -> Iterator[Room]:
-    made = Room(loopback, tmp_path)
+def room(loopback: str, tmp_path: Path) -> Iterator[ServedRoom]:
+    made = ServedRoom(loopback, tmp_path)
     yield made
     made.close()
 
 
 @pytest.fixture
-def client(room: Room) -> Iterator[RoomClient]:
+def client(room: ServedRoom) -> Iterator[RoomClient]:
     with housefly.connect(address=room.address, key=KEY) as one:
         yield one
 
 
-def test_our_client_asks_everything(room: Room, client: RoomClient) -> None:
+def test_our_client_asks_everything(room: ServedRoom, client: RoomClient) -> None:
     now = time.time()
     room.memory.add(Observation("cup", "floor", now - 60.0, now, (3.0, 4.0, 0.0)))
     room.memory.add(RoomEvent("object taken", "cup", now - 50.0, "situations/objects", "person-1"))
@@ -128,7 +63,7 @@ def test_our_client_asks_everything(room: Room, client: RoomClient) -> None:
 
 
 def test_states_people_and_nights_are_answered_over_http_too(
-    room: Room, client: RoomClient
+    room: ServedRoom, client: RoomClient
 ) -> None:
     now = time.time()
     room.memory.add(Observation("stove", "stove", now - 3.0, now, facts=(("power", 1420.0),)))
@@ -144,7 +79,7 @@ def test_states_people_and_nights_are_answered_over_http_too(
     assert client.nights(now - 86400.0) == ()
 
 
-def test_refusals_are_the_errors_that_they_are(room: Room, client: RoomClient) -> None:
+def test_refusals_are_the_errors_that_they_are(room: ServedRoom, client: RoomClient) -> None:
     with pytest.raises(ThingError, match="cup"):
         client.where("cupp")
     with pytest.raises(WireError, match="radius"):
@@ -154,7 +89,7 @@ def test_refusals_are_the_errors_that_they_are(room: Room, client: RoomClient) -
         client.where("cup")
 
 
-def test_nobody_is_answered_without_a_key(room: Room) -> None:
+def test_nobody_is_answered_without_a_key(room: ServedRoom) -> None:
     for key in ("", "wrong", KEY[:-1], "ü"):
         with (
             RoomClient(room.address, "x") as stranger,
@@ -166,7 +101,7 @@ def test_nobody_is_answered_without_a_key(room: Room) -> None:
         connect_socket(room.address.replace("http", "ws") + "/api/v1/watch")
 
 
-def test_a_listener_hears_what_changes(room: Room, client: RoomClient) -> None:
+def test_a_listener_hears_what_changes(room: ServedRoom, client: RoomClient) -> None:
     heard: list[Any] = []
 
     def listen() -> None:
@@ -188,7 +123,7 @@ def test_a_listener_hears_what_changes(room: Room, client: RoomClient) -> None:
 
 
 @pytest.mark.parametrize("query", ["at=yesterday", "at=1&at=2", "colour=red", "at=nan"])
-def test_a_bad_parameter_is_named(room: Room, query: str) -> None:
+def test_a_bad_parameter_is_named(room: ServedRoom, query: str) -> None:
     request = Request(f"{room.address}/api/v1/where/cup?{query}")
     request.add_header("Authorization", f"Bearer {KEY}")
     with pytest.raises(HTTPError) as refused:
@@ -199,7 +134,7 @@ def test_a_bad_parameter_is_named(room: Room, query: str) -> None:
 
 @pytest.mark.interop
 @pytest.mark.slow
-def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: Room) -> None:
+def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: ServedRoom) -> None:
     schema = schemathesis.openapi.from_url(f"{room.address}/api/v1/openapi.json")
     operations = [result.ok() for result in schema.get_all_operations()]
     assert len(operations) == 29

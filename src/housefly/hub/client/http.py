@@ -40,7 +40,7 @@ class HttpRoom:
 
     def ask(self, question: Question) -> str:
         """Return the answer or the refusal as JSON; raises LinkError if nobody answers."""
-        status, text = self._get(_url_of(question))
+        status, text = self._get(room_path(question))
         return checked_answer(status, text)
 
     def watch(self) -> Iterator[News]:
@@ -89,7 +89,8 @@ def checked_answer(status: int, text: str) -> str:
     raise LinkError(refusal["error"])
 
 
-def _url_of(question: Question) -> str:
+def room_path(question: Question) -> str:
+    """Return the path and the query that ask a question."""
     given = {
         name: value
         for name, value in asdict(question).items()

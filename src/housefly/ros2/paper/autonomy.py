@@ -18,9 +18,10 @@ from housefly.geometry import Vec3
 from housefly.messages import DroneStatus, PilotStep, Telemetry
 from housefly.record.ros_messages import header, message
 from housefly.ros2.drone_messages import Outgoing, RosFrames
-from housefly.ros2.flight_desk import FlightDesk, RosReply
-from housefly.ros2.node import RosNode
+from housefly.ros2.flight_desk import FlightDesk
+from housefly.ros2.order_line import RosReply
 from housefly.ros2.topic_table import Quality, RosTopic
+from housefly.ros2.wishes import NOTHING_TO_SAY, Offered, RosInput
 
 _NAVDATA_TYPE = "ardrone_autonomy/msg/Navdata"
 _NAVDATA_TEXT = """\
@@ -72,7 +73,7 @@ NAVDATA = RosTopic("/ardrone/navdata", _NAVDATA_TYPE, Quality.SENSOR, "the drone
 PAPER_PICTURES = RosTopic(
     "/ardrone/image_raw/compressed", "sensor_msgs/msg/CompressedImage", Quality.SENSOR, "JPEG"
 )
-PAPER_TOPICS = (TAKE_OFF, LAND, RESET, CMD_VEL, NAVDATA, PAPER_PICTURES)
+PAPER_TOLD = (NAVDATA, PAPER_PICTURES)
 
 _STATES = {
     DroneStatus.UNKNOWN: 0,
@@ -93,29 +94,22 @@ class PaperInterface:
         drone: its name.
         speed: of full deflection [m/s].
         frames: of the drone.
-        node: of the room.
-        desk: takes wishes.
     """
 
-    def __init__(
-        self, drone: str, speed: float, frames: RosFrames, node: RosNode, desk: FlightDesk
-    ) -> None:
+    def __init__(self, drone: str, speed: float, frames: RosFrames) -> None:
         self._drone, self._speed, self._frames = drone, speed, frames
-        self._node, self._desk = node, desk
         self._yaw: float | None = None
         register_navdata()
 
-    def begin(self) -> None:
-        """Offer the topics, and listen."""
-        for topic in (NAVDATA, PAPER_PICTURES):
-            self._node.advertise(topic, topic.name)
-        for topic, wish in (
-            (TAKE_OFF, self._desk.take_off),
-            (LAND, self._desk.land),
-            (RESET, self._desk.reset),
+    def offered(self, desk: FlightDesk) -> Offered:
+        """Yield what may be asked of the drone."""
+        for topic, wish, is_safer in (
+            (TAKE_OFF, desk.take_off, False),
+            (LAND, desk.land, True),
+            (RESET, desk.reset, True),
         ):
-            self._node.subscribe(topic, topic.name, partial(self._wish, wish))
-        self._node.subscribe(CMD_VEL, CMD_VEL.name, self._on_velocity)
+            yield RosInput(topic.name, topic, partial(self._wish, wish), is_safer)
+        yield RosInput(CMD_VEL.name, CMD_VEL, partial(self._on_velocity, desk))
 
     def of(self, step: PilotStep, offset: float) -> Iterator[Outgoing]:
         """Yield what a step has to tell; ``offset`` is the Unix time of its zero [s]."""
@@ -125,21 +119,21 @@ class PaperInterface:
             at = telemetry.received_at + offset
             yield NAVDATA, partial(navdata, at, telemetry, self._frames.body)
 
-    def _wish(self, wish: Callable[[str], RosReply], _: Any) -> None:
+    def _wish(self, wish: Callable[[str], RosReply], _: Any) -> RosReply:
         reply = wish(self._drone)
-        if not reply.success:
-            self._node.warn(f"{self._drone}: {reply.message}")
+        return (
+            NOTHING_TO_SAY if reply.success else RosReply(False, f"{self._drone}: {reply.message}")
+        )
 
-    def _on_velocity(self, twist: Any) -> None:
+    def _on_velocity(self, desk: FlightDesk, twist: Any) -> RosReply:
         linear = (twist.linear.x, twist.linear.y, twist.linear.z)
-        if not all(map(isfinite, linear)) or self._yaw is None:
-            return
-        if not any(linear):
-            return
+        if not all(map(isfinite, linear)) or self._yaw is None or not any(linear):
+            return NOTHING_TO_SAY
         if not self._speed:
-            self._node.warn("/cmd_vel: limits.nudge_speed is 0: nothing is moved by hand here")
-        elif words := self._desk.nudge(self._drone, world_velocity(linear, self._yaw, self._speed)):
-            self._node.warn(f"/cmd_vel: {words}")
+            words = "limits.nudge_speed is 0: nothing is moved by hand here"
+        else:
+            words = desk.nudge(self._drone, world_velocity(linear, self._yaw, self._speed))
+        return RosReply(False, f"{CMD_VEL.name}: {words}") if words else NOTHING_TO_SAY
 
 
 def register_navdata() -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 from dataclasses import fields
 from http.client import HTTPConnection, HTTPException, HTTPSConnection
-from typing import Any
-from urllib.parse import quote, urlencode, urlsplit
+from typing import Any, NamedTuple
+from urllib.parse import quote, urlencode
 
 from housefly.errors import LinkError, TaskError
 from housefly.hub.api.endpoints import API_PREFIX
+from housefly.hub.client.console_address import console_address_of
 from housefly.tasks.api.endpoints import (
     FILLED_IN,
     SAID_BY_PROGRAMS,
@@ -23,7 +24,6 @@ from housefly.tasks.api.values import ReasonCode
 
 _ENDPOINTS = {endpoint.question: endpoint for endpoint in TASK_ENDPOINTS}
 _NEVER_SAID = tuple(name for name in FILLED_IN if name not in SAID_BY_PROGRAMS)
-_ADDRESS_WORDS = "allowed: http://HOST:PORT or https://HOST:PORT"
 
 
 class HttpTasks:
@@ -39,14 +39,8 @@ class HttpTasks:
     """
 
     def __init__(self, address: str, key: str, timeout: float) -> None:
-        try:
-            parts = urlsplit(address)
-            self._host, self._port = parts.hostname or "", parts.port
-        except ValueError as error:
-            raise LinkError(f"{address!r} is no address ({error}); {_ADDRESS_WORDS}") from error
-        if parts.scheme not in ("http", "https") or not self._host:
-            raise LinkError(f"{address!r} is no address; {_ADDRESS_WORDS}")
-        self._kind = HTTPSConnection if parts.scheme == "https" else HTTPConnection
+        self._address = console_address_of(address)
+        self._kind = HTTPSConnection if self._address.is_secure else HTTPConnection
         self._key, self._timeout = key, timeout
 
     def ask(self, question: TaskQuestion) -> str:
@@ -56,16 +50,11 @@ class HttpTasks:
             TaskError: it says what only the console may fill in.
             LinkError: nobody answers, does not let us ask, or is not Housefly.
         """
-        endpoint = _ENDPOINTS[type(question)]
-        given = _given(question)
-        path = f"{API_PREFIX}{_path(endpoint, given)}"
-        if endpoint.method == "POST":
-            return self._answered("POST", path, json.dumps(given))
-        kept = {name: value for name, value in given.items() if value not in (None, "")}
-        return self._answered("GET", f"{path}?{urlencode(kept)}", None)
+        request = task_request(question)
+        return self._answered(request.method, request.path, request.body)
 
     def _answered(self, method: str, path: str, body: str | None) -> str:
-        connection = self._kind(self._host, self._port, timeout=self._timeout)
+        connection = self._kind(self._address.host, self._address.port, timeout=self._timeout)
         headers = {"Authorization": f"Bearer {self._key}", "Content-Type": "application/json"}
         try:
             connection.request(method, path, body, headers)
@@ -75,12 +64,40 @@ class HttpTasks:
             raise LinkError(f"the room does not answer: {error}") from error
         finally:
             connection.close()
-        if answer.status == 200:
-            return text
-        refusal = _refusal(answer.status, text)
-        if answer.status == 401 or refusal.startswith(SILENT_SERVICES):
-            raise LinkError(refusal)
+        return checked_task_answer(answer.status, text)
+
+
+class HttpTaskRequest(NamedTuple):
+    """How a question is asked over HTTP."""
+
+    method: str
+    path: str
+    body: str | None
+
+
+def task_request(question: TaskQuestion) -> HttpTaskRequest:
+    """Return how a question is asked; raises TaskError for what only the console may fill in."""
+    endpoint = _ENDPOINTS[type(question)]
+    given = _given(question)
+    path = f"{API_PREFIX}{_path(endpoint, given)}"
+    if endpoint.method == "POST":
+        return HttpTaskRequest("POST", path, json.dumps(given))
+    kept = {name: value for name, value in given.items() if value not in (None, "")}
+    return HttpTaskRequest("GET", f"{path}?{urlencode(kept)}", None)
+
+
+def checked_task_answer(status: int, text: str) -> str:
+    """Return an answer's JSON, as the tasks themselves give it.
+
+    Raises:
+        LinkError: who answers does not let us ask, is not Housefly, or has no tasks.
+    """
+    if status == 200:
         return text
+    refusal = _refusal(status, text)
+    if status == 401 or refusal.startswith(SILENT_SERVICES):
+        raise LinkError(refusal)
+    return text
 
 
 def _given(question: TaskQuestion) -> dict[str, Any]:

@@ -57,6 +57,7 @@ OPEN_FOLDERS = ("/static/",)
 
 ROLE_OF_PATH: dict[str, Role] = {
     "/socket": Role.WATCH,
+    "/rosbridge": Role.WATCH,
     "/stop": Role.WATCH,
     "/drones": Role.WATCH,
     "/video": Role.WATCH,

@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from housefly.web.access.bearer import bears
 from housefly.web.access.session import Session
 from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol
 from housefly.web.http.drone_of_request import drone_of_request
@@ -20,11 +21,19 @@ from housefly.web.sockets.consoles import Consoles, DronesView
 from housefly.web.viewers.viewer import Viewer
 
 
-def console_routes(consoles: Consoles, auth: SessionAuth) -> list[BaseRoute]:
+def console_routes(consoles: Consoles, auth: SessionAuth, key: str = "") -> list[BaseRoute]:
     """Return ``/socket``, ``/stop``, ``/land`` and ``/drones``.
 
-    Each takes the name of a drone as ``?drone=``; without it STOP and landing are for all.
+    Each takes the name of a drone as ``?drone=``; without it STOP and landing are for all. Programs
+    with ``key`` as their bearer token may stop and land, too; "" lets none in.
     """
+
+    def who_asks(request: Request) -> tuple[str, str] | None:
+        """Return the name of who asks and of their session; None for nobody that we know."""
+        if bears(request, key):
+            return _PROGRAM, ""
+        session = auth.session_of(request) if auth.is_own_page(request) else None
+        return None if session is None else (session.user or _NO_SOCKET, session.name)
 
     async def socket(websocket: WebSocket) -> None:
         console = consoles.named(drone_of_request(websocket))
@@ -35,23 +44,23 @@ def console_routes(consoles: Consoles, auth: SessionAuth) -> list[BaseRoute]:
                 await _serve(websocket, console, session, seated=seated)
 
     async def stop(request: Request) -> Response:
-        session = auth.session_of(request) if auth.is_own_page(request) else None
-        if session is None:
+        who = who_asks(request)
+        if who is None:
             return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
         name = drone_of_request(request)
         if consoles.named(name) is None:
             name = ""  # rather all than none
-        consoles.stop(session.user or _NO_SOCKET, session.name, name)
+        consoles.stop(*who, name)
         return JSONResponse({"stopped": True})
 
     async def land(request: Request) -> Response:
-        session = auth.session_of(request) if auth.is_own_page(request) else None
-        if session is None:
+        who = who_asks(request)
+        if who is None:
             return JSONResponse({"reason": "this page may not land the drone"}, status_code=403)
         name = drone_of_request(request)
         if consoles.named(name) is None:
             return JSONResponse({"reason": _NO_SUCH_DRONE}, status_code=404)
-        consoles.land(session.user or _NO_SOCKET, session.name, name)
+        consoles.land(*who, name)
         return JSONResponse({"landing": True})
 
     async def drones(request: Request) -> Response:
@@ -69,6 +78,7 @@ def console_routes(consoles: Consoles, auth: SessionAuth) -> list[BaseRoute]:
 
 _DRONES: TypeAdapter[DronesView] = TypeAdapter(DronesView)
 _NO_SOCKET = "a browser without a socket"
+_PROGRAM = "a program"
 _NO_SUCH_DRONE = "there is no drone of this name"
 HELLO_TIMEOUT = 10.0
 """A socket that has not said hello by then [s] is closed."""

@@ -1,0 +1,1 @@
+"""The room for roslibjs, roslibpy and other clients of rosbridge."""
