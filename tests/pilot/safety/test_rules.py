@@ -414,3 +414,15 @@ def test_after_a_cut_nothing_but_a_reset_passes_until_the_drone_was_reset(code: 
         assert set(passed.values()) == {Action.IDLE}
     reset = flight.go_on(1.0, now(status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR))
     assert reset[-1].mode is SafetyMode.NOMINAL
+
+
+STEERED = """TELEMETRY_LOST DRONE_FAULT BATTERY_LOW BATTERY_CLIFF FLIGHT_TIME_OVER HELD_TOO_OFTEN FLOW_WRONG
+    OUTSIDE_FENCE TOO_HIGH TOO_LOW HEIGHT_ERROR HEIGHT_NOT_REACHED CONTACT CONTROL_LOST BLOWN_ABOUT
+    STOPPED NEAR_FENCE CONTROL_ERROR DRIFTING TOO_FAST"""
+WAITING = "HELD_TOO_OFTEN TRACKING_LOST POSES_REFUSED_LONG"
+
+
+def test_only_what_leaves_place_and_commands_alone_is_steered_or_waits() -> None:
+    # Written down a second time, by hand: what is steered trusts the very thing that may be wrong.
+    assert {code.name for code, rule in RULES.items() if rule.may_steer} == set(STEERED.split())
+    assert {code.name for code, rule in RULES.items() if rule.may_wait} == set(WAITING.split())

@@ -97,7 +97,8 @@ class Outbox:
             if text is not None:
                 return text
             with suppress(TimeoutError):
-                await asyncio.wait_for(self._wake.wait(), wait)
+                async with asyncio.timeout(wait):
+                    await self._wake.wait()
         raise ConnectionAbortedError(f"more than {REPLIES_MAX} replies wait")
 
     def _next(self, now: float) -> tuple[str | None, float | None]:
