@@ -4,6 +4,7 @@ import "./later-style";
 export { Invite } from "./device/invite";
 export { Feed } from "./feed/feed";
 export { AfterCard } from "./scene/after-card";
+export { OnPhone } from "./scene/on-phone";
 export { Bubble } from "./hints/bubbles";
 export { CurveLayer, SpeedLegend } from "./map/curve";
 export { HeightProfile } from "./map/height-profile";
