@@ -214,7 +214,7 @@ async def test_a_watcher_sees_who_flies_and_can_still_stop(
     await expect(watcher.locator(".who")).to_contain_text("Viewer 1 has control")
     await choose_place(watcher, "Entrance")
     await expect(watcher.locator(".ghost .tag")).to_be_visible()
-    await expect(watcher.locator(".plan .why")).to_contain_text("You watch")
+    await expect(watcher.locator(".caption")).to_contain_text("You watch")
     await expect(watcher.locator(".caption")).to_contain_text("Viewer 1 has control")
     assert await watcher.locator(".primary").count() == 0
     console.pilot.status, console.pilot.phase = DroneStatus.FLYING, Phase.HOLDING

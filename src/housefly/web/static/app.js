@@ -1,1 +1,1 @@
-import"./chunk-chunk-YZ5OJSNN.js";
+import"./chunk-chunk-BQFNTMQH.js";

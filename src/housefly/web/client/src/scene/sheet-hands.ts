@@ -59,8 +59,9 @@ export function listenToHandle(handle: HTMLElement, settle: (share: number) => v
   };
   const end = (): void => {
     if (start && dragged) {
-      const share = sheet.offsetHeight / large().offsetHeight;
-      settle(Math.abs(speed) < FAST ? nearest(share) : speed > 0 ? 1 : share > FULL ? 0.5 : 0);
+      const whole = large().offsetHeight;
+      const flung = speed > 0 ? 1 : height > FULL * whole ? 0.5 : 0;
+      settle(Math.abs(speed) < FAST ? nearest(sheet.offsetHeight / whole) : flung);
     }
     start = null;
     delete sheet.dataset["dragged"];
