@@ -1,1 +1,1 @@
-import"./chunk-chunk-BQFNTMQH.js";
+import"./chunk-chunk-JGVSD4RH.js";

@@ -48,6 +48,7 @@ export const DE_TEXTS: Record<Key, string> = {
   "Close": "Schließen",
   "Map": "Karte",
   "On the stage": "Auf der Bühne",
+  "Turn the map back": "Karte zurückdrehen",
   "Places and tasks": "Orte und Aufgaben",
   "Whole height": "Ganze Höhe",
   "All tasks": "Alle Aufgaben",

@@ -47,6 +47,7 @@ export const EN = [
   "Close",
   "Map",
   "On the stage",
+  "Turn the map back",
   "Places and tasks",
   "Whole height",
   "All tasks",

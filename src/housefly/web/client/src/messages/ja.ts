@@ -48,6 +48,7 @@ export const JA_TEXTS: Record<Key, string> = {
   "Close": "閉じる",
   "Map": "地図",
   "On the stage": "大きく表示",
+  "Turn the map back": "地図の向きを戻す",
   "Places and tasks": "場所と用事",
   "Whole height": "全体の高さ",
   "All tasks": "すべての用事",

@@ -1,4 +1,5 @@
 // Hands on the sheet of a phone: its handle is dragged, and a tap beside it closes it.
+import { listen } from "../hands";
 import { panel } from "../store";
 import { large } from "./swipe";
 
@@ -18,14 +19,13 @@ export function holdFocus(sheet: HTMLElement): () => void {
   const opener = document.activeElement as HTMLElement | null;
   const behind = [...document.querySelectorAll<HTMLElement>(BEHIND)];
   for (const one of behind) one.inert = true;
-  const off = new AbortController();
   const click = ({ target }: Event): void => {
     if (!(target as Element).closest(KEPT)) panel.value = "";
   };
-  document.addEventListener("click", click, { capture: true, signal: off.signal });
+  const unhear = listen(document, { click });
   requestAnimationFrame(() => sheet.querySelector<HTMLElement>("[aria-current=true]")?.focus());
   return () => {
-    off.abort();
+    unhear();
     for (const one of behind) one.inert = false;
     const now = document.activeElement;
     if (now !== document.body && !sheet.contains(now)) return;
@@ -73,14 +73,13 @@ export function listenToHandle(handle: HTMLElement, settle: (share: number) => v
     dragged = false;
   };
 
-  const off = new AbortController();
-  const how = { capture: true, signal: off.signal };
-  handle.addEventListener("pointerdown", down, how);
-  handle.addEventListener("pointermove", move, how);
-  handle.addEventListener("pointerup", end, how);
-  handle.addEventListener("pointercancel", end, how);
-  handle.addEventListener("click", click, how);
-  return () => off.abort();
+  return listen(handle, {
+    pointerdown: down,
+    pointermove: move,
+    pointerup: end,
+    pointercancel: end,
+    click,
+  });
 }
 
 const nearest = (share: number): number => (share < SHUT ? 0 : share > FULL ? 1 : 0.5);

@@ -1,4 +1,5 @@
 // One finger that goes across the stage of a phone: from the map to the picture, and back.
+import { listen } from "../hands";
 import { swapped, type Point } from "../store";
 
 /** A finger that goes less far across [px], or not twice as far as up or down, is no swipe. */
@@ -58,11 +59,5 @@ export function listenToSwipes(scene: HTMLElement): () => void {
     if (Math.abs(right) > Math.max(FAR, STEEP * Math.abs(down))) show(right < 0);
   };
 
-  const off = new AbortController();
-  const how = { capture: true, signal: off.signal };
-  scene.addEventListener("pointerdown", down, how);
-  scene.addEventListener("pointermove", move, how);
-  scene.addEventListener("pointerup", up, how);
-  scene.addEventListener("pointercancel", end, how);
-  return () => off.abort();
+  return listen(scene, { pointerdown: down, pointermove: move, pointerup: up, pointercancel: end });
 }
