@@ -81,6 +81,7 @@ async def drawer(page: Page) -> None:
     await open_orders(page)
     await page.get_by_role("button", name="More", exact=True).click()
     await expect(page.locator(".cut")).to_be_visible()
+    await expect(page.locator(".bottom-sheet")).to_be_hidden()
 
 
 def kinds(console: Any) -> list[OrderKind]:

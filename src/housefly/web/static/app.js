@@ -1,1 +1,1 @@
-import"./chunk-chunk-JGVSD4RH.js";
+import"./chunk-chunk-FHIG6KEV.js";

@@ -13,7 +13,7 @@ export function Turning() {
   const here = useRef<HTMLSpanElement>(null);
   useEffect(() => {
     // Where the room is edited zones lie along its axes.
-    if (screen.peek() === "edit") turnTo(0, [0, 0]);
+    if (screen.peek() === "edit") angle.value = 0;
     return listenToTwists(here.current!.parentElement!);
   }, []);
   return (
