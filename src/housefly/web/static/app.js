@@ -1,1 +1,1 @@
-import"./chunk-chunk-FHIG6KEV.js";
+import"./chunk-chunk-G6PWRRIF.js";

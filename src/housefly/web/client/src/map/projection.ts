@@ -16,7 +16,7 @@ export type Bounds = [number, number, number, number];
 
 /**
  * Fit bounds into width x height [px] with a margin [px]. A band at the top, where buttons lie, is
- * left free as far as there is room below.
+ * left free as far as there is room below; what is kept at the top is free in any case.
  */
 export function fit(
   bounds: Bounds,
@@ -24,15 +24,16 @@ export function fit(
   height: number,
   margin: number,
   band = 0,
+  kept = 0,
 ): Projection {
   const [x0, y0, x1, y1] = bounds;
   const scale = Math.max(
     1,
-    Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0)),
+    Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin - kept) / (y1 - y0)),
   );
   const left = (width - scale * (x1 - x0)) / 2;
   const free = height - scale * (y1 - y0);
-  const top = Math.max(free / 2, Math.min(band, free - margin));
+  const top = Math.max(free / 2, Math.min(Math.max(band, kept), free - margin));
   return placed(scale, width, height, [x0, y1], [left, top]);
 }
 

@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { listen } from "../hands";
 import { screen, type Point } from "../store";
-import { angle, projection, size, smoothly, turnTo } from "./view";
+import { angle, NEARER, projection, showWhole, size, smoothly, turnTo, zoom } from "./view";
 import { t } from "../messages/language";
 
 /** Fingers that turn less do not mean it [rad]. */
@@ -65,7 +65,13 @@ function listenToTwists(box: HTMLElement): () => void {
     const middle: Point = [(now[0] + other[0]) / 2 - left, (now[1] + other[1]) / 2 - top];
     if (Math.abs(twist) > UNMEANT) turnTo(angle.peek() + by, middle);
   };
-  const up = (event: PointerEvent): void => void fingers.delete(event.pointerId);
+  const up = (event: PointerEvent): void => {
+    fingers.delete(event.pointerId);
+    if (fingers.size > 0 || twist === 0) return;
+    twist = 0;
+    if (Math.abs(angle.peek()) < UNMEANT) turnBack();
+    else if (zoom.peek() < NEARER) showWhole();
+  };
 
   return listen(box, { pointerdown: down, pointermove: move, pointerup: up, pointercancel: up });
 }

@@ -1,7 +1,7 @@
 // The part of the map that is on the screen, for all maps of the page: one is shown at a time.
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { goal } from "../goal";
-import { room, screen, swapped, type Point } from "../store";
+import { hasDrone, room, screen, swapped, type Point } from "../store";
 import {
   aimed,
   dragged,
@@ -19,6 +19,9 @@ import { fit, rotated, turned, turnedBounds } from "./projection";
 const MARGIN = 14;
 /** Height of the buttons at the top of the map [px]. */
 const BAND = 58;
+/** On a map that is narrower [px] the picture lies in the corner, so high for its width. */
+const NARROW = 500;
+const INSET = 0.22;
 const GLIDE = 180;
 const SETTLED = 250;
 const STEP = 1.6;
@@ -31,16 +34,18 @@ export const angle = signal(0);
 /** Whether the map moves under a hand: marks then keep to it at once. */
 export const moving = signal(false);
 
+/** The small map beside a large picture shows the whole room. */
+const isSmall = computed(() => swapped.value && screen.value === "live");
+
 const sight = computed<Sight | null>(() => {
   const view = room.value;
   const [width, height] = size.value;
   if (!view || width <= 0 || height <= 0) return null;
   const bounds = turnedBounds(insideOf(view.grid) ?? view.bounds, angle.value);
-  return { bounds, whole: fit(bounds, width, height, MARGIN, BAND) };
+  const hasInset = width < NARROW && screen.value === "live" && hasDrone.value && !isSmall.value;
+  const kept = hasInset ? INSET * width : 0;
+  return { bounds, whole: fit(bounds, width, height, MARGIN, BAND, kept) };
 });
-/** The small map beside a large picture shows the whole room. */
-const isSmall = computed(() => swapped.value && screen.value === "live");
-
 export const projection = computed(() => {
   const whole = sight.value;
   return whole && turned(seenBy(isSmall.value ? WHOLE : camera.value, whole), angle.value);
@@ -97,6 +102,9 @@ export function drag(right: number, down: number): void {
   change((whole) => dragged(camera.peek(), whole, right, down), look);
 }
 
+/** A zoom that is less is as good as none. */
+export const NEARER = 1.08;
+
 /** Turn the room to an angle [rad]; a pixel keeps its point, and the room its size if it can. */
 export function turnTo(next: number, pixel: Point): void {
   const before = projection.peek();
@@ -106,7 +114,7 @@ export function turnTo(next: number, pixel: Point): void {
   batch(() => {
     angle.value = next;
     const whole = sight.peek()!;
-    const kept = zoom > 1 ? before.scale / whole.whole.scale : 1;
+    const kept = zoom > NEARER ? before.scale / whole.whole.scale : zoom;
     look(aimed(kept, rotated(point, next), pixel, whole));
   });
 }
