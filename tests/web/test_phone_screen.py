@@ -149,6 +149,7 @@ async def is_free(page: Page, where: str) -> None:
 async def test_a_place_is_chosen_on_the_sheet_and_it_closes_in_every_way_a_person_tries(
     phone: Page,
 ) -> None:
+    await phone.emulate_media(reduced_motion="no-preference")
     opener = phone.locator(".quick .to-fly")
     tab = sheet(phone).get_by_role("button", name="Fly to …")
     await opener.tap()

@@ -1,1 +1,1 @@
-import"./chunk-chunk-G6PWRRIF.js";
+import"./chunk-chunk-R23VZF3Q.js";

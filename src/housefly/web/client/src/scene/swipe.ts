@@ -23,9 +23,9 @@ export function show(picture: boolean): void {
   if (picture === swapped.peek()) return;
   swapped.value = picture;
   if (isStill()) return;
-  const from = picture ? COMES_FROM : -COMES_FROM;
+  const [next, from] = [large(), picture ? COMES_FROM : -COMES_FROM];
   requestAnimationFrame(() =>
-    large().animate(
+    next.animate(
       [{ transform: `translateX(${from}px)`, opacity: 0.3 }, { transform: "none", opacity: 1 }],
       { duration: COMES_IN, easing: "ease-out" },
     ),
@@ -54,9 +54,9 @@ export function listenToSwipes(scene: HTMLElement): () => void {
   };
   const up = (event: PointerEvent): void => {
     if (!view || !event.isPrimary) return;
-    const [right, down] = [across(event), event.clientY - start[1]];
+    const [right, away] = [across(event), Math.abs(event.clientY - start[1])];
     end();
-    if (Math.abs(right) > Math.max(FAR, STEEP * Math.abs(down))) show(right < 0);
+    if (Math.abs(right) > Math.max(FAR, STEEP * away)) show(right < 0);
   };
 
   return listen(scene, { pointerdown: down, pointermove: move, pointerup: up, pointercancel: end });
