@@ -180,8 +180,8 @@ async def test_the_tasks_are_on_the_sheet_and_no_longer_at_the_top(phone: Page) 
     places = [await middle(one) for one in await sheet(phone).get_by_role("button").all()]
     assert min(y for _, y in places) > 0.3 * PHONE["height"], "within the thumb's reach"
     assert await axe_findings(phone, ((390, 844), (360, 640))) == []
-    for _ in range(12):  # the focus goes round between the sheet, what is below it, and STOP
-        await phone.keyboard.press("Tab")
+    for key in 3 * ["Shift+Tab"] + 12 * ["Tab"]:  # to the sheet, what is below it, and STOP
+        await phone.keyboard.press(key)
         held = "document.activeElement.closest('.who, .view, .stage-switch') === null"
         assert await phone.evaluate(held)
     await sheet(phone).get_by_role("button", name="All tasks").tap()

@@ -21,6 +21,8 @@ from housefly.geometry import Vec2
 
 PHONE: ViewportSize = {"width": 390, "height": 844}
 STEPS = 12
+CORNERS = ((0.0, 0.0), (7.5, 0.0), (0.0, 4.0), (7.5, 4.0))
+"""Of the fake pilot's room [m]."""
 SOURCES = ("map/projection", "map/camera")
 
 _metres = st.floats(-50.0, 50.0)
@@ -123,7 +125,14 @@ async def test_two_fingers_turn_the_map_a_tap_is_still_its_goal_and_one_press_tu
     await expect(way_back(phone)).to_have_count(0)
     await twist(phone, middle, pi / 2)
     turned = await drawn_plan(phone)
-    assert 0.9 < turned.angle < pi / 2 and turned.scale > straight.scale, "it has more room upright"
+    assert 0.9 < turned.angle < pi / 2
+    plan = await phone.locator(".plan-view").bounding_box()
+    inset = await phone.locator(".view.video").bounding_box()
+    assert plan is not None and inset is not None
+    for corner in CORNERS:
+        x, y = turned.pixel(*corner)
+        assert plan["x"] < x < plan["x"] + plan["width"], "all of the room is on the screen"
+        assert inset["y"] + inset["height"] - 8.0 < y < plan["y"] + plan["height"]
     await expect(way_back(phone)).to_be_visible()
     upright = await phone.evaluate(
         """() => [...document.querySelectorAll(".plan-view text")].every((one) => {
