@@ -14,7 +14,7 @@ import { t } from "../messages/language";
 type Tab = "fly" | "tasks";
 const isTab = (name: string): name is Tab => name === "fly" || name === "tasks";
 
-/** Places and tasks: closed, half or full. It stays here while it is closed, so that it can glide. */
+/** Places and tasks: closed, half or full; it stays here while it is closed, so that it glides. */
 export function BottomSheet() {
   const sheet = useRef<HTMLElement>(null);
   const handle = useRef<HTMLDivElement>(null);

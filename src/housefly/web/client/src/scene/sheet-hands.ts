@@ -34,7 +34,7 @@ export function holdFocus(sheet: HTMLElement): () => void {
   };
 }
 
-/** Let a handle drag its sheet; `settle` is told how high it is then, 0 to 1, and 1 is the stage. */
+/** Let a handle drag its sheet; `settle` is told how high it is then, as a share of the stage. */
 export function listenToHandle(handle: HTMLElement, settle: (share: number) => void): () => void {
   const sheet = handle.parentElement!;
   let [start, height, speed, last] = [null as PointerEvent | null, 0, 0, 0];
