@@ -1,1 +1,1 @@
-import"./chunk-chunk-R23VZF3Q.js";
+import"./chunk-chunk-PN5C54BQ.js";
