@@ -134,10 +134,12 @@ def begin(browser: Browser, drawing: Browser, address: str) -> dict[str, Page]:
 
 
 def show(page: Page, screen: str) -> None:
-    """Go to a screen; on a phone the open one has no button."""
+    """Go to a screen; the live one of a phone has its tasks on a sheet, which a key passes by."""
     button = page.get_by_role("navigation").get_by_role("button", name=screen)
     if button.is_visible():
         button.click()
+    elif screen == "Tasks":
+        page.keyboard.press("t")
 
 
 def choose(pages: dict[str, Page]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import cos, sin
 from typing import NamedTuple
 
 from playwright.async_api import Page
@@ -12,7 +13,8 @@ _STANDING = """async (selector) => {
   const read = () => {
     const plan = document.querySelector(selector), box = plan.getBoundingClientRect();
     const [u, v] = plan.dataset.origin.split(" ").map(Number);
-    return [box.x, box.y, u, v, Number(plan.dataset.scale)];
+    const { scale, angle } = plan.dataset;
+    return [box.x, box.y, u, v, Number(scale), Number(angle ?? 0)];
   };
   const frame = () => new Promise(requestAnimationFrame);
   let last = read();
@@ -27,17 +29,23 @@ _STANDING = """async (selector) => {
 
 
 class DrawnPlan(NamedTuple):
-    """A drawn plan: its corner on the page, the room's origin in it [px], its scale [px/m]."""
+    """A drawn plan: its corner on the page, the room's origin in it [px], its scale [px/m].
+
+    It is turned counterclockwise by an angle [rad].
+    """
 
     left: float
     top: float
     u: float
     v: float
     scale: float
+    angle: float
 
     def pixel(self, x: float, y: float) -> tuple[float, float]:
         """Return where a point of the room [m] is on the page [px]."""
-        return self.left + self.u + x * self.scale, self.top + self.v - y * self.scale
+        right = x * cos(self.angle) - y * sin(self.angle)
+        up = x * sin(self.angle) + y * cos(self.angle)
+        return self.left + self.u + right * self.scale, self.top + self.v - up * self.scale
 
 
 async def drawn_plan(page: Page, selector: str = PLAN) -> DrawnPlan:

@@ -81,6 +81,7 @@ async def drawer(page: Page) -> None:
     await open_orders(page)
     await page.get_by_role("button", name="More", exact=True).click()
     await expect(page.locator(".cut")).to_be_visible()
+    await expect(page.locator(".bottom-sheet")).to_be_hidden()
 
 
 def kinds(console: Any) -> list[OrderKind]:
@@ -214,7 +215,7 @@ async def test_a_watcher_sees_who_flies_and_can_still_stop(
     await expect(watcher.locator(".who")).to_contain_text("Viewer 1 has control")
     await choose_place(watcher, "Entrance")
     await expect(watcher.locator(".ghost .tag")).to_be_visible()
-    await expect(watcher.locator(".plan .why")).to_contain_text("You watch")
+    await expect(watcher.locator(".caption")).to_contain_text("You watch")
     await expect(watcher.locator(".caption")).to_contain_text("Viewer 1 has control")
     assert await watcher.locator(".primary").count() == 0
     console.pilot.status, console.pilot.phase = DroneStatus.FLYING, Phase.HOLDING

@@ -7,6 +7,7 @@ from collections.abc import AsyncIterator, Callable
 from pathlib import Path as FilePath
 from typing import Any
 
+import fingers
 import pytest
 import pytest_asyncio
 from console_page import open_earlier
@@ -119,14 +120,8 @@ async def drag(page: Page, a: Vec2, b: Vec2) -> None:
 
 
 async def touch(page: Page, *frames: list[Vec2]) -> None:
-    """Put fingers on the screen, move them from frame to frame, and lift them."""
-    line = await page.context.new_cdp_session(page)
-    for k, fingers in enumerate(frames):
-        points = [{"x": x, "y": y, "id": n} for n, (x, y) in enumerate(fingers)]
-        kind = "touchMove" if k else "touchStart"
-        await line.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-    await line.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    await line.detach()
+    """Let fingers move the map, and wait until it stands still."""
+    await fingers.touch(page, *frames)
     await settled(page)
 
 

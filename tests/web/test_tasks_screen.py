@@ -519,7 +519,7 @@ async def test_on_a_phone_nothing_is_wider_than_the_screen_and_stop_is_free(
     house.tasks._request(RequestTask("look", {"what": "the small refrigerator"}, "Anna"))
     house.tasks.advance(2, 1, records=True)
     await page.set_viewport_size(PHONE)
-    for screen in ("Live", "Tasks"):
+    for screen in ("Tasks", "Live"):
         await page.get_by_role("navigation").get_by_role("button", name=screen).click()
         await expect(card(page)).to_be_visible()
         assert await page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]

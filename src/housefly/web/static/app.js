@@ -1,1 +1,1 @@
-import"./chunk-chunk-QEPOEA4C.js";
+import"./chunk-chunk-PN5C54BQ.js";

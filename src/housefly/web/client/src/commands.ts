@@ -169,9 +169,11 @@ verdict.subscribe((told) => {
   else sessionStorage.removeItem(HAD_KEY);
 });
 
-/** The first thing that keeps the person from sending the drone, in words. */
+const goalObjection = firstOf(hasGoal, hasPath);
+/** What the goal lacks, in words; why nothing may fly stands at the top and on the large button. */
 export const hint = computed(() => {
-  if (service.objection.value) return service.objection.value;
+  if (serviceObjection.value) return "";
+  if (goalObjection.value) return goalObjection.value;
   const floor = room.value?.limits.battery_floor ?? 0;
   const charge = state.value?.battery ?? 1;
   return charge < floor + 0.05 ? t("The battery is too low for a flight.") : "";

@@ -2,11 +2,14 @@
 import "./later-style";
 
 export { Invite } from "./device/invite";
+export { CoverageLayer, CoverageLegend } from "./live/coverage";
 export { Feed } from "./feed/feed";
 export { AfterCard } from "./scene/after-card";
+export { OnPhone } from "./scene/on-phone";
 export { Bubble } from "./hints/bubbles";
 export { CurveLayer, SpeedLegend } from "./map/curve";
 export { HeightProfile } from "./map/height-profile";
+export { Turning } from "./map/turning";
 export { Nudge } from "./controls/nudge";
 export { RecordedLayer } from "./replay/recorded-layer";
 export { RecordedBanner, RecordedLog, RecordedPicture } from "./replay/recorded-parts";

@@ -17,5 +17,6 @@ export const readiness = computed(() => {
   if (looking.value) return { ready: true, text: sentence(translated(told.detail)), known };
   const why = translated(told.reasons[0]?.words ?? "");
   const text = why ? t("Not ready: {why}", { why }) : t("Ready");
-  return { ready: told.may_take_off, text, known };
+  const mend = translated(told.reasons[0]?.mend ?? "");
+  return { ready: told.may_take_off, text, mend, known };
 });

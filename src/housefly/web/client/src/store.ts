@@ -63,7 +63,17 @@ export function open(name: Screen): void {
 }
 
 export type Panel =
-  "" | "help" | "control" | "invite" | "checks" | "more" | "side" | "ask" | "fly" | "past";
+  | ""
+  | "help"
+  | "control"
+  | "invite"
+  | "checks"
+  | "more"
+  | "side"
+  | "ask"
+  | "fly"
+  | "tasks"
+  | "past";
 export const panel = signal<Panel>("");
 
 layer(

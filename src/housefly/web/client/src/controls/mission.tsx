@@ -1,6 +1,5 @@
 import { hint } from "../commands";
 import { choosePlace, forgetGoal, goal, POINT } from "../goal";
-import { said } from "../said";
 import { notice, panel, room } from "../store";
 import { decimal, t } from "../messages/language";
 
@@ -36,7 +35,7 @@ export function Plan() {
         <Way />
       </div>
       <p class="why">
-        {said.value?.words || notice.value || hint.value || goal.value?.note || clearance()}
+        {notice.value || hint.value || goal.value?.note || clearance()}
       </p>
     </div>
   );

@@ -17,6 +17,7 @@ import { headline } from "../headline";
 import type { Hold } from "../hold";
 import { flying, iFly, lineLives, me, panel, toggle, verdict } from "../store";
 import { looking } from "../preflight";
+import { isPhone } from "../scene/phone";
 import { Drawer } from "./drawer";
 import { HoldButton } from "./hold-button";
 import { HomeIcon, HoverIcon, LandIcon, MoreIcon, PlaceIcon, ResetIcon, ResumeIcon } from "./icons";
@@ -29,7 +30,7 @@ import { t } from "../messages/language";
 export function Orders() {
   return (
     <section class="command card" aria-label={t("Orders")}>
-      {panel.value === "fly" && <Places />}
+      {panel.value === "fly" && !isPhone.value && <Places />}
       <Plan />
       <div class="acts">
         <Next />

@@ -1,5 +1,5 @@
 import { cellOf, letterAt } from "../map/grid";
-import type { Projection } from "../map/projection";
+import { rectangle, type Projection } from "../map/projection";
 import { room } from "../store";
 import type { CoverageView } from "../wire/room-messages";
 import { coverage, showsCoverage } from "./store";
@@ -17,7 +17,6 @@ export function CoverageLayer({ to }: { to: Projection }) {
   const view = coverage.value;
   const grid = room.value?.grid;
   if (!view || !grid || !showsCoverage.value) return null;
-  const side = view.resolution * to.scale;
   const paths: Record<string, string> = {};
   const numbers: { u: number; v: number; count: number }[] = [];
   view.rows.forEach((row, j) =>
@@ -32,13 +31,12 @@ export function CoverageLayer({ to }: { to: Projection }) {
       ];
       if (!FLYABLE.includes(letterAt(grid, ...cellOf(grid, middle)))) return;
       const count = parseInt(digit, 36);
-      const [u, v] = to.at(corner);
+      const [u, v] = to.at(middle);
       const level = levelOf(count, view);
-      const edge = side.toFixed(1);
-      const cell = `M${u.toFixed(1)} ${v.toFixed(1)}h${edge}v-${edge}h-${edge}z`;
+      const cell = rectangle(to, corner, view.resolution, view.resolution);
       paths[level] = (paths[level] ?? "") + cell;
       if (i % NUMBER_EVERY === 2 && j % NUMBER_EVERY === 2)
-        numbers.push({ u: u + side / 2, v: v - side / 2 + 4, count });
+        numbers.push({ u, v: v + 4, count });
     }),
   );
   return (

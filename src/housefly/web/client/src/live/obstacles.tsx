@@ -68,14 +68,14 @@ function Obstacle({ to, one, spot }: ObstacleProps) {
       opacity={Math.max(FAINTEST, 1 - one.age)}
     >
       {length ? (
-        <Footprint length={length} width={width} yaw={one.yaw} />
+        <Footprint to={to} length={length} width={width} yaw={one.yaw} />
       ) : (
         <circle r={radiusOf(one, to)} />
       )}
       {speedOf(one) > SLOW && (
         <path
           d={`M0 0H${(speedOf(one) * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`}
-          transform={turn(Math.atan2(one.vy, one.vx))}
+          transform={`rotate(${turn(Math.atan2(one.vy, one.vx), to)})`}
         />
       )}
       {spot && (

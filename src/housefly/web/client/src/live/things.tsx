@@ -1,5 +1,5 @@
 import { at, found, shown, type Seen } from "./store";
-import type { Projection } from "../map/projection";
+import { turn, type Projection } from "../map/projection";
 import { keepInView } from "../map/view";
 import { find } from "./room-client";
 import { LINE } from "../map/label-spots";
@@ -105,7 +105,7 @@ function Mark({ to, thing, words }: MarkProps) {
       onKeyDown={(event) => event.key === "Enter" && press(event)}
     >
       <circle class="reach" r="16" />
-      <Shape kind={kind} yaw={thing.yaw} scale={to.scale} />
+      <Shape to={to} kind={kind} yaw={thing.yaw} />
       {lines.map((line, k) => (
         <text key={k} class={line.kind} x={words.x} y={words.y + k * LINE}>
           {line.text}{" "}
@@ -115,19 +115,18 @@ function Mark({ to, thing, words }: MarkProps) {
   );
 }
 
-function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: number }) {
-  const turn = yaw === null ? "" : `rotate(${((-yaw * 180) / Math.PI).toFixed(0)})`;
+function Shape({ to, kind, yaw }: { to: Projection; kind: string; yaw: number | null }) {
   if (kind === "person") {
     return (
       <g class="person">
-        <circle class="body" r={personRadius(scale)} />
-        <path d={PERSON} transform={`scale(${(personRadius(scale) / 12).toFixed(2)})`} />
+        <circle class="body" r={personRadius(to.scale)} />
+        <path d={PERSON} transform={`scale(${(personRadius(to.scale) / 12).toFixed(2)})`} />
       </g>
     );
   }
   if (kind === "robot") {
     return (
-      <g class="drone" transform={turn}>
+      <g class="drone" transform={yaw === null ? "" : `rotate(${turn(yaw, to)})`}>
         <circle class="hull" r="12" />
         {yaw !== null && <path class="arrow" d="M9 0L-6 6L-3 0L-6 -6z" />}
       </g>

@@ -22,7 +22,7 @@ export const WHOLE: Camera = { zoom: 1, centre: [0, 0] };
 
 /** The same camera, no nearer and no farther than allowed, and never past the room. */
 export function limited(camera: Camera, { bounds, whole }: Sight): Camera {
-  const zoom = Math.min(ZOOM_MAX, Math.max(1, camera.zoom));
+  const zoom = between(camera.zoom, 1, ZOOM_MAX);
   const scale = zoom * whole.scale;
   const edge = Math.min(EDGE.near, EDGE.whole + (zoom - 1) * (EDGE.near - EDGE.whole)) / scale;
   const middle = whole.back([whole.width / 2, whole.height / 2]);
@@ -53,8 +53,12 @@ export function seenBy(camera: Camera, sight: Sight): Projection {
 /** Nearer by a factor; the point of the room under a pixel stays there. */
 export function nearer(camera: Camera, sight: Sight, factor: number, pixel: Point): Camera {
   const now = limited(camera, sight);
-  const [x, y] = seenBy(now, sight).back(pixel);
-  const zoom = Math.min(ZOOM_MAX, Math.max(1, now.zoom * factor));
+  return aimed(now.zoom * factor, seenBy(now, sight).back(pixel), pixel, sight);
+}
+
+/** The camera of a zoom that has a point of the room on a pixel. */
+export function aimed(wanted: number, [x, y]: Point, pixel: Point, sight: Sight): Camera {
+  const zoom = between(wanted, 1, ZOOM_MAX);
   const { scale, width, height } = sight.whole;
   const [across, up] = [pixel[0] - width / 2, height / 2 - pixel[1]];
   const centre: Point = [x - across / (zoom * scale), y - up / (zoom * scale)];

@@ -2,7 +2,7 @@ import { milliseconds } from "../format";
 import { useMemo } from "preact/hooks";
 import { poseAge, poseFreshness, state, trail, type Point } from "../store";
 import { STRETCHES } from "../trail";
-import { polyline, type Projection } from "./projection";
+import { polyline, turn, type Projection } from "./projection";
 
 const HULL = 0.26;
 /** How strong the parts of the trail are, the newest first. */
@@ -81,7 +81,7 @@ function Drone({ to }: { to: Projection }) {
       <g
         class="body"
         style={{
-          transform: `rotate(${((-unwrapped(now.yaw ?? 0) * 180) / Math.PI).toFixed(1)}deg)`,
+          transform: `rotate(${turn(unwrapped(now.yaw ?? 0), to)}deg)`,
         }}
       >
         <circle class="hull" r={radius} />

@@ -1,15 +1,21 @@
-import { turn } from "./projection";
+import { turn, type Projection } from "./projection";
+
+interface Props {
+  to: Projection;
+  length: number;
+  width: number;
+  yaw: number;
+}
 
 /** A thing from above, turned about its middle [px, rad]. */
-export function Footprint(props: { length: number; width: number; yaw: number }) {
-  const { length, width, yaw } = props;
+export function Footprint({ to, length, width, yaw }: Props) {
   return (
     <rect
       x={-length / 2}
       y={-width / 2}
       width={length}
       height={width}
-      transform={turn(yaw)}
+      transform={`rotate(${turn(yaw, to)})`}
     />
   );
 }

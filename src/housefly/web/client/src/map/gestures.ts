@@ -1,4 +1,5 @@
 // Fingers, mouse, wheel and keys on the map: what moves it, and what is left for a tap.
+import { listen } from "../hands";
 import type { Point } from "../store";
 import { drag, panStep, showWhole, zoomAt, zoomStep } from "./view";
 
@@ -89,16 +90,20 @@ export function listenToHands(box: HTMLElement, oneFingerDraws: () => boolean): 
     does();
   };
 
-  const off = new AbortController();
-  const how = { capture: true, signal: off.signal };
-  box.addEventListener("pointerdown", down, how);
-  box.addEventListener("pointermove", move, how);
-  box.addEventListener("pointerup", up, how);
-  box.addEventListener("pointercancel", up, how);
-  box.addEventListener("click", click, how);
-  box.addEventListener("wheel", wheel, { ...how, passive: false });
-  box.addEventListener("keydown", key, { signal: off.signal });
-  return () => off.abort();
+  const unhear = listen(box, {
+    pointerdown: down,
+    pointermove: move,
+    pointerup: up,
+    pointercancel: up,
+    click,
+    wheel,
+  });
+  // What in the box has the focus may take a key first.
+  box.addEventListener("keydown", key);
+  return () => {
+    unhear();
+    box.removeEventListener("keydown", key);
+  };
 }
 
 /** One finger has moved and the other not: the room follows their middle and their distance. */

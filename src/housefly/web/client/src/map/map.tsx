@@ -3,7 +3,6 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { choosePoint } from "../goal";
 import { percent } from "../format";
-import { CoverageLayer, CoverageLegend } from "../live/coverage";
 import { PastBanner } from "../live/past-banner";
 import { Layers, showsMargins, showsThings } from "../live/layers";
 import {
@@ -35,6 +34,9 @@ import { t, translated } from "../messages/language";
 
 const SpeedLegend = lazyPart(async () => (await import("../later")).SpeedLegend);
 const HeightProfile = lazyPart(async () => (await import("../later")).HeightProfile);
+const CoverageLayer = lazyPart(async () => (await import("../later")).CoverageLayer);
+const CoverageLegend = lazyPart(async () => (await import("../later")).CoverageLegend);
+const Turning = lazyPart(async () => (await import("../later")).Turning);
 const RecordedLayer = lazyPart(
   async () => (await import("../later")).RecordedLayer,
 );
@@ -73,6 +75,7 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
             role="group"
             aria-label={label}
             data-scale={to.scale}
+            data-angle={to.angle}
             data-origin={to.at([0, 0]).join(" ")}
             data-scrolls={onPoint ? undefined : ""}
             onClick={click}
@@ -83,6 +86,7 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
           <p class="veil">{t("Waiting for the room")}</p>
         )}
         <WholeRoomButton />
+        <Turning />
         {to && <ToTheDrone to={to} />}
       </div>
       <ZoomButtons />

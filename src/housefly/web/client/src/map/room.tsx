@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
-import { room, state } from "../store";
+import { room, state, type Point } from "../store";
 import type { GridView, OtherBody, OutlineView, PlaceView, RoomView } from "../wire/messages";
 import { Footprint } from "./footprint";
 import { runs } from "./grid";
 import { labels, WALLS } from "./labels";
-import { polyline, type Projection } from "./projection";
+import { polyline, rectangle, type Projection } from "./projection";
 import { capital } from "../format";
 
 const GRID_LINES_FROM = 13;
@@ -36,16 +36,11 @@ interface RoomProps {
 
 /** All cells of some letters as one SVG path. */
 function cells(grid: GridView, to: Projection, letters: string): string {
-  const cell = to.scale * grid.resolution;
+  const { origin, resolution: cell } = grid;
   return runs(grid, letters)
-    .map(({ i, j, width }) => {
-      const [u, v] = to.at([
-        grid.origin[0] + i * grid.resolution,
-        grid.origin[1] + (j + 1) * grid.resolution,
-      ]);
-      const [across, up] = [(width * cell).toFixed(2), cell.toFixed(2)];
-      return `M${u.toFixed(2)} ${v.toFixed(2)}h${across}v${up}h-${across}z`;
-    })
+    .map(({ i, j, width }) =>
+      rectangle(to, [origin[0] + i * cell, origin[1] + j * cell], width * cell, cell),
+    )
     .join("");
 }
 
@@ -77,20 +72,13 @@ function Cells({ grid, to }: { grid: GridView; to: Projection }) {
 }
 
 function lines(grid: GridView, to: Projection): string {
-  const at = (i: number, j: number): string =>
-    to
-      .at([grid.origin[0] + i * grid.resolution, grid.origin[1] + j * grid.resolution])
-      .map((value) => value.toFixed(1))
-      .join(" ");
-  const along = Array.from(
-    { length: grid.width + 1 },
-    (_, i) => `M${at(i, 0)}L${at(i, grid.height)}`,
-  );
-  const across = Array.from(
-    { length: grid.height + 1 },
-    (_, j) => `M${at(0, j)}L${at(grid.width, j)}`,
-  );
-  return [...along, ...across].join("");
+  const at = (i: number, j: number): Point => [
+    grid.origin[0] + i * grid.resolution,
+    grid.origin[1] + j * grid.resolution,
+  ];
+  const along = Array.from({ length: grid.width + 1 }, (_, i) => [at(i, 0), at(i, grid.height)]);
+  const across = Array.from({ length: grid.height + 1 }, (_, j) => [at(0, j), at(grid.width, j)]);
+  return [...along, ...across].map((line) => polyline(to, line)).join("");
 }
 
 function Furniture({ view, to }: RoomProps) {
@@ -184,7 +172,7 @@ function Piece({ to, one }: { to: Projection; one: OtherBody }) {
   const [length, width] = [one.size[0] * to.scale, one.size[1] * to.scale];
   return (
     <g class="piece" transform={`translate(${u} ${v})`}>
-      <Footprint length={length} width={width} yaw={one.yaw} />
+      <Footprint to={to} length={length} width={width} yaw={one.yaw} />
       <text y="4">{one.name}</text>
     </g>
   );

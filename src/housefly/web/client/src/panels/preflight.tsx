@@ -1,5 +1,5 @@
 import { flying, lineLives, panel, preflight, verdict } from "../store";
-import { sentence } from "../format";
+import { capital, sentence } from "../format";
 import { looking, readiness } from "../preflight";
 import { Told } from "../messages/told";
 import type { FlightObjection, PreflightCheck } from "../wire/messages";
@@ -24,13 +24,14 @@ export function Readiness() {
 }
 
 function Line() {
-  const { ready, text, known } = readiness.value;
+  const { ready, text, mend, known } = readiness.value;
   return (
     <span class="line">
       <strong data-ready={ready}>
         {!flying.value && !looking.value && (ready ? "✓ " : "✕ ")}
         {text}
       </strong>
+      {mend && <span class="mend">{capital(mend)}</span>}
       {known.map((note) => (
         <span key={note} class="known" lang={tongue(note)}>
           △ {note}

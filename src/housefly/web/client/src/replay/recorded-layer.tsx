@@ -1,7 +1,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { SpeedLine } from "../map/curve";
-import { polyline, type Projection } from "../map/projection";
+import { polyline, turn, type Projection } from "../map/projection";
 import type { Point } from "../store";
 import { recordedCurve, recordedPath, recordedWay } from "./recorded-state";
 import { moment, recordedAt, replay, rowAt } from "./replay";
@@ -51,10 +51,9 @@ function Moving({ to }: { to: Projection }) {
     drone.current.style.display = then?.place ? "" : "none";
     if (!then?.place) return;
     const [u, v] = to.at([then.place[0], then.place[1]]);
-    const turned = ((-then.yaw * 180) / Math.PI).toFixed(1);
     drone.current.setAttribute(
       "transform",
-      `translate(${u.toFixed(1)} ${v.toFixed(1)}) rotate(${turned})`,
+      `translate(${u.toFixed(1)} ${v.toFixed(1)}) rotate(${turn(then.yaw, to)})`,
     );
     const way: Point[] = [];
     for (let k = Math.max(0, rowAt(flight.t, time - BEHIND)); k <= rowAt(flight.t, time); k += 2)

@@ -1,11 +1,12 @@
 import { Opens } from "../controls/opens";
 import { hasDrone } from "../store";
-import { running } from "../tasks/board";
+import { asked, running } from "../tasks/board";
 import { ideas } from "../tasks/ideas";
 import { Chips } from "../tasks/sentence-answer";
 import { t } from "../messages/language";
 import { askFor } from "./asked-words";
 import { ordering } from "./dock";
+import { isPhone } from "./phone";
 import { RingButton } from "./ring";
 
 const IDEAS = 4;
@@ -17,6 +18,12 @@ export function Quick() {
       {hasDrone.value && (
         <Opens name="fly" class="to-fly">
           {t("Fly to …")}
+        </Opens>
+      )}
+      {isPhone.value && (
+        <Opens name="tasks" class="to-tasks">
+          {t("Tasks")}
+          {asked.value.length > 0 && <span class="count"> {asked.value.length}</span>}
         </Opens>
       )}
       <RingButton />

@@ -5,9 +5,13 @@ import { Readiness } from "../panels/preflight";
 import { VideoView } from "../panels/video";
 import { hasDrone } from "../store";
 import { Dock } from "./dock";
+import { lazyPart } from "../lazy-part";
 import { Foot } from "./foot";
+import { isPhone } from "./phone";
 import { Quick } from "./quick";
 import { Side } from "./side";
+
+const OnPhone = lazyPart(async () => (await import("../later")).OnPhone);
 
 /** The house now: the room fills the stage; beneath it what to ask and to order. */
 export function LiveScene() {
@@ -23,6 +27,7 @@ export function LiveScene() {
       )}
       <Foot />
       <Side />
+      {isPhone.value && <OnPhone />}
       <Dock />
       <Quick />
     </main>
