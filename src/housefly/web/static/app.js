@@ -1,1 +1,1 @@
-import"./chunk-chunk-PN5C54BQ.js";
+import"./chunk-chunk-E6KZFNDK.js";
