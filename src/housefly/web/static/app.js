@@ -1,1 +1,1 @@
-import"./chunk-chunk-QEPOEA4C.js";
+import"./chunk-chunk-ZS7RPR3E.js";
