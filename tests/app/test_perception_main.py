@@ -145,6 +145,7 @@ async def test_a_chair_that_a_ros_node_scans_is_an_obstacle_and_who_falls_silent
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
         await feed.stop()
+        await until(lambda: len(asyncio.all_tasks()) == 1)  # the child is gone
 
 
 @pytest.mark.wire

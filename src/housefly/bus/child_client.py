@@ -48,8 +48,6 @@ class ChildClient(ReconnectingClient[_Item]):
                     self._data_arrived(now)
                     sink(item)
         finally:
-            assert child.stdin is not None
-            child.stdin.close()
             with suppress(ProcessLookupError):
                 child.kill()
             await child.wait()

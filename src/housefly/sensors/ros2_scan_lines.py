@@ -12,7 +12,7 @@ from typing import Any
 from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
-from housefly.messages.words import UNSAID, Words, error_words, figure
+from housefly.messages.words import UNSAID, Words, figure, literal
 from housefly.sensors.ros2_scan import LASER_SCAN, laser_scan_message
 from housefly.sensors.scan_clock import ROS_STAMPS, ScanClock
 
@@ -75,7 +75,7 @@ class Ros2ScanLines:
                 return None
             if "too_large" in tree:
                 words = f"a message of {int(tree['too_large'])} bytes, which is no scan"
-                self._refuse(Words("{name}: {error}", name=self._name, error=words), received_at)
+                self._refuse(literal(f"{self._name}: {words}"), received_at)
                 return None
             data = base64.b64decode(tree["scan"], validate=True)
             told_at = float(tree["at"])
@@ -116,8 +116,7 @@ class Ros2ScanLines:
         try:
             told = laser_scan_message(data)
         except WireError as error:
-            words = Words("{name}: {error}", name=self._name, error=error_words(error))
-            self._refuse(words, at)
+            self._refuse(literal(f"{self._name}: {error}"), at)
             return None
         if told.stamp and -_CLOCK_SET < told.stamp - self._stamp <= 0:
             self.stale += 1
