@@ -22,7 +22,6 @@ from housefly.ros2.camera import RosCamera
 from housefly.ros2.drone_messages import (
     DroneMessages,
     RosFrames,
-    camera_transform,
     trajectory_message,
 )
 from housefly.ros2.flight_desk import FlightDesk, RosReply
@@ -34,7 +33,6 @@ from housefly.ros2.topic_table import (
     GOAL,
     H264,
     PICTURES,
-    STATIC_TRANSFORMS,
     TRAJECTORY,
     RosTopic,
     full_name,
@@ -95,10 +93,6 @@ class RosDrone:
         for topic in DRONE_TOPICS:
             if self._camera is not None or not topic.name.startswith("camera/"):
                 node.advertise(topic, self._name(topic))
-        if self._lens is not None:
-            at = self._wall.now()
-            make = partial(camera_transform, at, self._frames, self._lens)
-            node.publish(STATIC_TRANSFORMS, STATIC_TRANSFORMS.name, make)
         node.subscribe(GOAL, self._name(GOAL), self._on_goal)
         for what, wish in (
             ("takeoff", self._desk.take_off),

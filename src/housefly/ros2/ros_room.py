@@ -36,6 +36,7 @@ from housefly.ros2.drone_messages import text_message
 from housefly.ros2.flight_desk import FlightDesk, RosReply
 from housefly.ros2.node import RosNode
 from housefly.ros2.ros_drone import TRIGGER, RosDrone, triggered
+from housefly.ros2.static_frames import static_frames, static_transforms
 from housefly.ros2.topic_table import (
     ANSWERS,
     ASK,
@@ -148,6 +149,8 @@ class RosRoom:
         self._tell(MAP, partial(ros_messages.occupancy, at, grid, frame))
         solids = untracked(loaded.room, site).solids
         self._tell(ROOM_MARKERS, partial(room_messages.room_markers, at, frame, solids))
+        frames = static_frames(loaded)
+        self._tell(STATIC_TRANSFORMS, partial(static_transforms, at, frames))
 
     def _on_news(self, news: News) -> None:
         with self._lock:
