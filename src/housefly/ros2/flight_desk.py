@@ -60,10 +60,18 @@ _OFF = "flights from ROS are off ([ros2] requests in the site file)"
 
 @dataclass(frozen=True, slots=True)
 class RosReply:
-    """What became of a wish, as std_srvs/Trigger says it."""
+    """What became of a wish, as std_srvs/Trigger says it.
+
+    Attributes:
+        success, message: whether it is done, and why not, in words.
+        order: id of the order that was given; "" for none.
+        task: number of the task that was asked for; 0 for none.
+    """
 
     success: bool
     message: str
+    order: str = ""
+    task: int = 0
 
 
 class FlightDesk:
@@ -139,6 +147,44 @@ class FlightDesk:
         if self._requests == "auto":
             return self._flown(drone, OrderKind.TAKE_OFF)
         return self.request(GO_SERVICE, {}, drone)
+
+    def refusal(self, goal: Vec2) -> str:
+        """Return why nobody is even asked to fly to a point [m], in words, or ""."""
+        if not all(map(isfinite, goal)):
+            return f"the goal {goal} is no point; allowed: finite metres"
+        return _OFF if self._requests == "off" else ""
+
+    def board(self) -> TaskBoard:
+        """Return what the tasks do; raises LinkError."""
+        board: TaskBoard = self._ask_tasks(BoardQuestion(), _PATIENCE)
+        return board
+
+    def holder(self, drone: str) -> Order | None:
+        """Return the order by which a drone flies; None on the ground."""
+        return self._leases[drone].holder
+
+    def call_off(self, drone: str, order: str, task: int) -> RosReply:
+        """End what a wish began: a drone that it flies holds its place, a task comes home.
+
+        Args:
+            drone: its name.
+            order: as the reply to the wish said it.
+            task: likewise.
+        """
+        if task:
+            try:
+                self._ask_tasks(CancelTask(task, SENDER, only_of=OWNER), _ASK_PATIENCE)
+            except HouseflyError as error:
+                return RosReply(False, str(error))
+            return RosReply(True, f"task {task} is called off", task=task)
+        lease = self._leases[drone]
+        if lease.holder is None or lease.holder.id != order:
+            return RosReply(True, "nothing flies by it any more")
+        reply = self._ordered(drone, OrderKind.HOVER)
+        if not reply.success:  # not in every phase; a STOP is taken in each
+            reply = self._ordered(drone, OrderKind.STOP)
+        lease.give_back(reply.order)
+        return reply
 
     def fly_to(self, drone: str, goal: Vec2, yaw: float | None = None) -> RosReply:
         """Fly to a point [m], face a heading [rad], and hover there."""
@@ -229,12 +275,13 @@ class FlightDesk:
         (task,) = answer.tasks
         self._question = task.id if task.question is not None else 0
         waits = ": a person must say yes in the console" if self._question else ""
-        return RosReply(True, f"task {task.id}: {task.state.value}{waits}")
+        words = f"task {task.id}: {task.state.value}{waits}"
+        return RosReply(True, words, task=task.id)
 
     def _take_back(self, number: int) -> None:
         self._question = 0
-        board: TaskBoard = self._ask_tasks(BoardQuestion(), _PATIENCE)
-        if any(one.id == number and one.question is not None for one in board.tasks):
+        tasks = self.board().tasks
+        if any(one.id == number and one.question is not None for one in tasks):
             self._ask_tasks(CancelTask(number, SENDER, only_of=OWNER), _PATIENCE)
 
     def _ask_tasks(self, question: TaskQuestion, patience: float) -> Any:
@@ -291,4 +338,4 @@ class FlightDesk:
             answer = self._answers[order]
         if answer is None:
             return RosReply(False, f"the pilot of {drone} does not answer")
-        return RosReply(answer.is_taken, str(answer.reason) or "done")
+        return RosReply(answer.is_taken, str(answer.reason) or "done", order)

@@ -25,6 +25,7 @@ from housefly.ros2.drone_messages import (
     trajectory_message,
 )
 from housefly.ros2.flight_desk import FlightDesk, RosReply
+from housefly.ros2.navigate_server import NavigateServer
 from housefly.ros2.node import RosNode
 from housefly.ros2.paper.autonomy import PAPER_PICTURES, PaperInterface
 from housefly.ros2.topic_table import (
@@ -83,6 +84,8 @@ class RosDrone:
         if has_paper_names:
             speed = site.limits.nudge_speed
             self._paper = PaperInterface(name, speed, self._frames, node, desk)
+        action = "/".join(("", *self._space, "navigate_to_pose"))
+        self._navigate = NavigateServer(name, action, self._frame, node, desk)
         self._step: PilotStep | None = None
         self._link: LinkStatus | None = None
         self._planned: tuple[Any, ...] = ()
@@ -104,6 +107,8 @@ class RosDrone:
             node.serve(TRIGGER, service, triggered(partial(wish, self._drone)))
         if self._paper is not None:
             self._paper.begin()
+        if (listening := self._navigate.begin(bus)) is not None:
+            stack.callback(listening.close)
         stack.callback(bus.subscribe(topics.step, self._on_step).close)
         stack.callback(bus.subscribe(topics.trajectory, self._on_trajectory).close)
         stack.callback(bus.subscribe(topics.link, self._on_link).close)
@@ -124,6 +129,7 @@ class RosDrone:
     def _on_step(self, step: PilotStep) -> None:
         self._step = step
         self._desk.heard(self._drone, step)
+        self._navigate.add_step(step)
         if self._camera is not None:
             self._camera.add_step(step)
         for topic, make in self._messages.of(step, self._wall.offset()):
