@@ -5,13 +5,13 @@ It is in no package of PyPI: it comes with ROS, or by ``scripts/ros_types.sh``.
 
 from __future__ import annotations
 
-import importlib
 import os
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from ros_stage import DRONE, RosClient, RosStage, ros_stage
+from navigate_client import ABORTED, CANCELED, SUCCEEDED, SentGoal
+from ros_stage import DRONE, RosStage, ros_stage
 
 from housefly.messages import DroneStatus, Order, OrderKind, OrderOutcome, OrderSource, Phase
 from housefly.tasks.api.questions import RequestTask
@@ -23,8 +23,6 @@ pytest.importorskip("nav2_msgs.action")
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 WISH_PERIOD = 0.2
 """One wish in this time is taken [s]."""
-SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
-"""Of action_msgs/GoalStatus."""
 
 
 @pytest.fixture(scope="module")
@@ -51,43 +49,8 @@ def stage(trusted: RosStage) -> RosStage:
     return trusted
 
 
-class Sent:
-    """A goal that was sent.
-
-    Attributes:
-        feedback: that came.
-    """
-
-    def __init__(self, client: RosClient, x: float, y: float, **changes: Any) -> None:
-        kind = importlib.import_module("nav2_msgs.action").NavigateToPose
-        action = importlib.import_module("rclpy.action").ActionClient
-        self._client, self._actions = client, action(client.node, kind, f"{DRONE}/navigate_to_pose")
-        assert client.spin(self._actions.server_is_ready)
-        goal = kind.Goal()
-        goal.pose.header.frame_id = changes.pop("frame", "map")
-        goal.pose.pose.position.x, goal.pose.pose.position.y = x, y
-        goal.pose.pose.orientation.w = 1.0
-        for name, value in changes.items():
-            setattr(goal, name, value)
-        self.feedback: list[Any] = []
-        sent = self._actions.send_goal_async(goal, lambda one: self.feedback.append(one.feedback))
-        assert client.spin(sent.done)
-        self.handle = sent.result()
-        self._result = self.handle.get_result_async() if self.handle.accepted else None
-
-    def ended(self) -> tuple[int, str]:
-        """Return the status and the words of the end."""
-        assert self._result is not None and self._client.spin(self._result.done)
-        told = self._result.result()
-        return told.status, told.result.error_msg
-
-    def is_open(self) -> bool:
-        """Whether it has not ended."""
-        return self._result is not None and not self._result.done()
-
-    def cancel(self) -> None:
-        """Call it off."""
-        assert self._client.spin(self.handle.cancel_goal_async().done)
+def sent_to(stage: RosStage, x: float, y: float, **changes: Any) -> SentGoal:
+    return SentGoal(stage.client, f"{DRONE}/navigate_to_pose", x, y, **changes)
 
 
 def flown(stage: RosStage) -> Order:
@@ -104,7 +67,7 @@ def flown(stage: RosStage) -> Order:
 def test_a_goal_is_flown_with_the_way_that_is_left_until_the_drone_holds_there(
     stage: RosStage,
 ) -> None:
-    sent = Sent(stage.client, 6.0, 6.0)
+    sent = sent_to(stage, 6.0, 6.0)
     order = flown(stage)
     assert (order.goal, order.source) == ((6.0, 6.0), OrderSource.PROGRAM)
     assert stage.client.spin(lambda: sent.feedback)
@@ -121,14 +84,14 @@ def test_a_goal_is_flown_with_the_way_that_is_left_until_the_drone_holds_there(
 def test_a_goal_that_makes_no_sense_is_not_accepted(
     stage: RosStage, changes: dict[str, Any]
 ) -> None:
-    sent = Sent(stage.client, **({"x": 1.0, "y": 1.0} | changes))
+    sent = sent_to(stage, **({"x": 1.0, "y": 1.0} | changes))
     assert not sent.handle.accepted and not stage.pilot.orders
 
 
 def test_a_goal_that_is_called_off_leaves_the_drone_where_it_is_in_nobodys_hands(
     stage: RosStage,
 ) -> None:
-    sent = Sent(stage.client, 6.0, 6.0)
+    sent = sent_to(stage, 6.0, 6.0)
     flown(stage)
     assert stage.client.spin(lambda: sent.feedback)
     sent.cancel()
@@ -140,7 +103,7 @@ def test_a_goal_that_is_called_off_leaves_the_drone_where_it_is_in_nobodys_hands
 
 def test_a_pilot_that_does_not_hover_is_stopped(stage: RosStage) -> None:
     stage.pilot.refused[OrderKind.HOVER] = OrderOutcome.WRONG_PHASE
-    sent = Sent(stage.client, 6.0, 6.0)
+    sent = sent_to(stage, 6.0, 6.0)
     flown(stage)
     assert stage.client.spin(lambda: sent.feedback)
     sent.cancel()
@@ -149,10 +112,10 @@ def test_a_pilot_that_does_not_hover_is_stopped(stage: RosStage) -> None:
 
 
 def test_a_newer_goal_takes_the_place_of_the_first(stage: RosStage) -> None:
-    first = Sent(stage.client, 6.0, 6.0)
+    first = sent_to(stage, 6.0, 6.0)
     flown(stage)
     assert stage.client.spin(lambda: first.feedback)
-    second = Sent(stage.client, 5.0, 2.0)
+    second = sent_to(stage, 5.0, 2.0)
     status, words = first.ended()
     assert status == ABORTED and ("newer goal" in words or "go of ROS 2" in words)
     assert stage.client.spin(lambda: second.feedback) and second.is_open()
@@ -165,30 +128,30 @@ def test_a_person_who_takes_the_drone_or_stops_it_ends_the_goal(stage: RosStage)
     for kind in (OrderKind.HOME, OrderKind.STOP):
         stage.pilot.land()
         stage.client.spin(lambda: False, 2.0 * WISH_PERIOD)
-        sent = Sent(stage.client, 6.0, 6.0)
+        sent = sent_to(stage, 6.0, 6.0)
         flown(stage)
         assert stage.client.spin(lambda sent=sent: sent.feedback)
         stage.pilot.give(Order(kind, sender="Anna", source=OrderSource.PERSON, id="theirs"))
         status, words = sent.ended()
         assert status == ABORTED and "Anna" in words
-    refused = Sent(stage.client, 5.0, 2.0)
+    refused = sent_to(stage, 5.0, 2.0)
     assert "Resume is a person's" in refused.ended()[1]
 
 
 def test_a_goal_that_the_pilot_refuses_is_aborted_in_its_words(stage: RosStage) -> None:
     stage.pilot.refused[OrderKind.GO] = OrderOutcome.NO_WAY
-    assert Sent(stage.client, 6.0, 6.0).ended()[0] == ABORTED
+    assert sent_to(stage, 6.0, 6.0).ended()[0] == ABORTED
 
 
 def test_a_stop_passes_while_goals_are_flown_and_flooded(stage: RosStage) -> None:
-    goals = [Sent(stage.client, 6.0, 6.0) for _ in range(12)]
+    goals = [sent_to(stage, 6.0, 6.0) for _ in range(12)]
     assert stage.client.calls(f"{DRONE}/stop").success
     assert {one.ended()[0] for one in goals} == {ABORTED}
 
 
 def test_where_a_person_is_asked_a_goal_waits_for_the_yes(asking: RosStage) -> None:
     asking.pilot.land()
-    sent = Sent(asking.client, 6.0, 4.0)
+    sent = sent_to(asking, 6.0, 4.0)
     assert asking.client.spin(lambda: asking.tasks.tasks and sent.feedback)
     asked = [one for one in asking.tasks.asked if isinstance(one, RequestTask)][-1]
     assert (asked.service, asked.confirm) == ("fly_to", Confirm.ASK) and not asking.pilot.orders
@@ -201,7 +164,7 @@ def test_where_a_person_is_asked_a_goal_waits_for_the_yes(asking: RosStage) -> N
 
 def test_a_question_that_is_called_off_is_taken_back(asking: RosStage) -> None:
     asking.pilot.land()
-    sent = Sent(asking.client, 6.0, 4.0)
+    sent = sent_to(asking, 6.0, 4.0)
     assert asking.client.spin(lambda: sent.feedback)
     sent.cancel()
     assert sent.ended()[0] == CANCELED
@@ -211,7 +174,7 @@ def test_a_question_that_is_called_off_is_taken_back(asking: RosStage) -> None:
 
 def test_a_no_aborts_the_goal(asking: RosStage) -> None:
     asking.pilot.land()
-    sent = Sent(asking.client, 6.0, 4.0)
+    sent = sent_to(asking, 6.0, 4.0)
     assert asking.client.spin(lambda: sent.feedback)
     asking.tasks.refuse(max(asking.tasks.tasks), "Anna said no")
     status, words = sent.ended()
