@@ -2,60 +2,49 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import cos, isfinite, sin
 from secrets import token_hex
-from threading import BoundedSemaphore, Condition, Lock
+from threading import Condition, Lock
 from typing import Any
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import HUB_QUERY, TASKS_QUERY, DroneTopics
+from housefly.bus.topics import TASKS_QUERY, DroneTopics
 from housefly.clock import Clock
 from housefly.config.ros2 import RosRequests
-from housefly.errors import HouseflyError, TaskError, WireError
+from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3
-from housefly.hub.api.json import question_from_json
 from housefly.messages import Order, OrderAnswer, OrderKind, OrderSource, PilotStep
 from housefly.ros2.flight_lease import FlightLease
+from housefly.ros2.sender import FLIGHTS_ARE_OFF, OWNER, SENDER
 from housefly.tasks.api.answers import TaskBoard, TasksAnswer
 from housefly.tasks.api.json import (
     task_answer_from_json,
-    task_question_from_json,
     task_question_to_json,
 )
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
     RequestTask,
-    Sentence,
     TaskQuestion,
 )
 from housefly.tasks.api.values import (
     Confirm,
     ParameterValue,
-    ReasonCode,
     RequestSurface,
 )
-from housefly.tasks.rules.outside_question import outside_question
 
-SENDER = "ROS 2"
-"""Who orders: no node proves that it is another one."""
-OWNER = "ros2"
 GO_SERVICE = "fly_to"
 """The service that flies to a point."""
 _PATIENCE = 1.0
 """How long the pilot may take to answer an order [s]."""
 _ASK_PATIENCE = 120.0
 """How long the tasks may take, which rehearse first [s]."""
-_ASKED_AT_ONCE = 2
-"""A rehearsal takes seconds; who waits for one holds up nobody's STOP."""
 _FLIGHT_PERIOD = 0.2
 """Between two orders to fly of one drone [s]."""
 _FACES_AHEAD = 2.0
 """A heading is faced by looking at a point so far ahead [m]."""
-_OFF = "flights from ROS are off ([ros2] requests in the site file)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +88,7 @@ class FlightDesk:
         self._leases = {name: FlightLease() for name in drones}
         self._answers: dict[str, OrderAnswer | None] = {}
         self._answered = Condition()
-        self._asking, self._answering = Lock(), BoundedSemaphore(_ASKED_AT_ONCE)
+        self._asking = Lock()
         self._flown_at: dict[str, float] = {}
         self._question = 0
 
@@ -124,7 +113,7 @@ class FlightDesk:
     def home(self, drone: str) -> RosReply:
         """Bring a drone home."""
         if self._requests == "off":
-            return RosReply(False, _OFF)
+            return RosReply(False, FLIGHTS_ARE_OFF)
         return self._flown(drone, OrderKind.HOME)
 
     def reset(self, drone: str) -> RosReply:
@@ -152,7 +141,7 @@ class FlightDesk:
         """Return why nobody is even asked to fly to a point [m], in words, or ""."""
         if not all(map(isfinite, goal)):
             return f"the goal {goal} is no point; allowed: finite metres"
-        return _OFF if self._requests == "off" else ""
+        return FLIGHTS_ARE_OFF if self._requests == "off" else ""
 
     def board(self) -> TaskBoard:
         """Return what the tasks do; raises LinkError."""
@@ -203,7 +192,7 @@ class FlightDesk:
     ) -> RosReply:
         """Ask for a service; a wish of ours that still waits for a yes is taken back."""
         if self._requests == "off":
-            return RosReply(False, _OFF)
+            return RosReply(False, FLIGHTS_ARE_OFF)
         if not self._has_tasks:
             return RosReply(False, "no services run here ([tasks] enabled in the site file)")
         if not self._asking.acquire(blocking=False):
@@ -214,48 +203,6 @@ class FlightDesk:
             return RosReply(False, str(error))
         finally:
             self._asking.release()
-
-    def ask(self, text: str) -> str:
-        """Return the answer, as JSON, to a sentence or to a question of memory or tasks as JSON."""
-        if not self._answering.acquire(blocking=False):
-            return json.dumps({"error": f"{_ASKED_AT_ONCE} questions are being answered already"})
-        try:
-            if not text.lstrip().startswith("{"):
-                return self._sentence(text)
-            return self._question_answered(text)
-        except (HouseflyError, ValueError, RecursionError) as error:
-            return json.dumps({"error": str(error)})
-        finally:
-            self._answering.release()
-
-    def _sentence(self, text: str) -> str:
-        # Checked like any question from outside: its length, its letters.
-        said = task_question_from_json(json.dumps({"ask": "sentence", "text": text}))
-        return self._asked_tasks(task_question_to_json(said))
-
-    def _question_answered(self, text: str) -> str:
-        tree = json.loads(text)
-        if not isinstance(tree, dict):
-            raise WireError("this is no JSON object")
-        try:
-            question_from_json(text)
-        except WireError:
-            return self._asked_tasks(json.dumps({"ask": "request", **tree}))
-        return self._bus.ask(HUB_QUERY, text, _PATIENCE)
-
-    def _asked_tasks(self, text: str) -> str:
-        question = outside_question(
-            text,
-            by=SENDER,
-            owner=OWNER,
-            surface=RequestSurface.ROS,
-            is_trusted=self._requests == "auto",
-        )
-        if self._requests == "off" and isinstance(question, RequestTask):
-            raise TaskError(_OFF, ReasonCode.NOT_ALLOWED.value)
-        if self._requests == "off" and isinstance(question, Sentence):
-            question = replace(question, fly=False)
-        return self._bus.ask(TASKS_QUERY, task_question_to_json(question), _ASK_PATIENCE)
 
     def _requested(
         self, service: str, parameters: Mapping[str, ParameterValue], drone: str

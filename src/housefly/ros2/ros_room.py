@@ -35,6 +35,7 @@ from housefly.ros2 import diagnostics, room_messages
 from housefly.ros2.drone_messages import text_message
 from housefly.ros2.flight_desk import FlightDesk, RosReply
 from housefly.ros2.node import RosNode
+from housefly.ros2.question_desk import QuestionDesk
 from housefly.ros2.ros_drone import TRIGGER, RosDrone, triggered
 from housefly.ros2.static_frames import static_frames, static_transforms
 from housefly.ros2.topic_table import (
@@ -87,6 +88,7 @@ class RosRoom:
         self._desk = FlightDesk(
             bus, site.ros2.requests, site.drone_names, site.tasks.enabled, self._clock
         )
+        self._questions = QuestionDesk(bus, site.ros2.requests)
         self._drones = tuple(
             RosDrone(
                 site.for_drone(name),
@@ -243,7 +245,7 @@ class RosRoom:
                     self._node.serve(TRIGGER, name, triggered(wish))
 
     def _asked(self, said: Any) -> None:
-        self._tell(ANSWERS, partial(text_message, self._desk.ask(said.data)))
+        self._tell(ANSWERS, partial(text_message, self._questions.ask(said.data)))
 
     def _all(self, wish: Callable[[str], RosReply]) -> RosReply:
         replies = {name: wish(name) for name in self._site.drone_names}
