@@ -45,8 +45,13 @@ def asking(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RosStage]:
 def stage(trusted: RosStage) -> RosStage:
     trusted.pilot.land()
     trusted.pilot.refused.clear()
-    trusted.client.spin(lambda: False, 2.0 * WISH_PERIOD)
+    rest(trusted)
     return trusted
+
+
+def rest(stage: RosStage) -> None:
+    """Wait until the next wish is taken."""
+    stage.client.spin(lambda: False, 2.0 * WISH_PERIOD)
 
 
 def sent_to(stage: RosStage, x: float, y: float, **changes: Any) -> SentGoal:
@@ -98,6 +103,7 @@ def test_a_goal_that_is_called_off_leaves_the_drone_where_it_is_in_nobodys_hands
     assert sent.ended()[0] == CANCELED
     assert stage.pilot.orders[-1].kind is OrderKind.HOVER
     stage.pilot.phase = Phase.HOLDING
+    rest(stage)
     assert stage.client.calls(f"{DRONE}/home").success
 
 
@@ -115,6 +121,7 @@ def test_a_newer_goal_takes_the_place_of_the_first(stage: RosStage) -> None:
     first = sent_to(stage, 6.0, 6.0)
     flown(stage)
     assert stage.client.spin(lambda: first.feedback)
+    rest(stage)
     second = sent_to(stage, 5.0, 2.0)
     status, words = first.ended()
     assert status == ABORTED and ("newer goal" in words or "go of ROS 2" in words)
@@ -127,7 +134,7 @@ def test_a_newer_goal_takes_the_place_of_the_first(stage: RosStage) -> None:
 def test_a_person_who_takes_the_drone_or_stops_it_ends_the_goal(stage: RosStage) -> None:
     for kind in (OrderKind.HOME, OrderKind.STOP):
         stage.pilot.land()
-        stage.client.spin(lambda: False, 2.0 * WISH_PERIOD)
+        rest(stage)
         sent = sent_to(stage, 6.0, 6.0)
         flown(stage)
         assert stage.client.spin(lambda sent=sent: sent.feedback)

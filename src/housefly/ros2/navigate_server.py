@@ -20,6 +20,8 @@ NAVIGATE = "nav2_msgs/action/NavigateToPose"
 """The type."""
 _FEEDBACK_PERIOD = 0.2
 """How often a client is told how far it is [s]."""
+_LOOK_PERIOD = 0.05
+"""How often it is looked whether a client calls its goal off [s]."""
 _UNKNOWN_ERROR = 9000
 """``NavigateToPose.Result.UNKNOWN``."""
 
@@ -39,12 +41,11 @@ class NavigateServer:
         self._drone, self._name, self._frame = drone, name, frame
         self._node, self._desk = node, desk
         self._flown: dict[bytes, Navigation] = {}
-        self._cancelled: set[bytes] = set()
         self._news = Condition()
 
     def begin(self, bus: Bus) -> Any:
         """Offer the action; return what listens to the tasks for it, None where it is left out."""
-        if not self._node.act(NAVIGATE, self._name, self._may_be, self._cancel, self._fly):
+        if not self._node.act(NAVIGATE, self._name, self._may_be, self._fly):
             return None
         return bus.subscribe(TASK_NEWS_TOPIC, self._on_board)
 
@@ -54,11 +55,13 @@ class NavigateServer:
         with self._news:
             for flown in self._flown.values():
                 flown.add_step(step, holder)
+            self._news.notify_all()
 
     def _on_board(self, board: TaskBoard) -> None:
         with self._news:
             for flown in self._flown.values():
                 flown.add_board(board)
+            self._news.notify_all()
 
     def _may_be(self, goal: Any) -> str:
         """Return why a goal is not taken, in words, or ""."""
@@ -74,11 +77,6 @@ class NavigateServer:
             self._node.warn(f"{self._name}: goal refused: {words}")
         return words
 
-    def _cancel(self, handle: Any) -> None:
-        with self._news:
-            self._cancelled.add(_key(handle))
-            self._news.notify_all()
-
     def _fly(self, handle: Any) -> Any:
         """Fly one goal; it takes a thread until it has ended."""
         key = _key(handle)
@@ -87,7 +85,6 @@ class NavigateServer:
         finally:
             with self._news:
                 self._flown.pop(key, None)
-                self._cancelled.discard(key)
         return self._told(handle, result)
 
     def _flown_to_its_end(self, key: bytes, handle: Any) -> NavigationResult:
@@ -108,19 +105,23 @@ class NavigateServer:
             self._news.notify_all()
         if reply.task:  # it may have ended already
             self._on_board(self._desk.board())
+        return self._watched(flown, handle)
+
+    def _watched(self, flown: Navigation, handle: Any) -> NavigationResult:
+        """Return how a goal ends; until then the client is told how far the drone is."""
+        told_at = float("-inf")
         while True:
             with self._news:
-                self._news.wait_for(
-                    lambda: flown.result or key in self._cancelled, _FEEDBACK_PERIOD
-                )
-                result, is_cancelled = flown.result, key in self._cancelled
-            if result is not None:
-                return result
-            if is_cancelled:
+                self._news.wait_for(lambda: flown.result, _LOOK_PERIOD)
+            if flown.result is not None:
+                return flown.result
+            if handle.is_cancel_requested:
                 return self._called_off(flown)
             if self._node.is_ended:
                 return NavigationResult(NavigationEnd.FAILED, "the node ends")
-            if flown.progress is not None:
+            now = time.monotonic()
+            if flown.progress is not None and now - told_at >= _FEEDBACK_PERIOD:
+                told_at = now
                 handle.publish_feedback(self._feedback(flown.progress))
 
     def _called_off(self, flown: Navigation) -> NavigationResult:
@@ -133,7 +134,7 @@ class NavigateServer:
     def _told(self, handle: Any, result: NavigationResult) -> Any:
         if result.end is NavigationEnd.ARRIVED:
             handle.succeed()
-        elif result.end is NavigationEnd.CANCELLED and handle.is_cancel_requested:
+        elif result.end is NavigationEnd.CANCELLED:
             handle.canceled()
         else:
             handle.abort()

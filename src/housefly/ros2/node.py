@@ -109,7 +109,6 @@ class RosNode:
         kind: str,
         name: str,
         refusal: Callable[[Any], str],
-        cancel: Callable[[Any], None],
         execute: Callable[[Any], Any],
     ) -> bool:
         """Serve an action; return whether its package is installed.
@@ -118,25 +117,20 @@ class RosNode:
             kind: its type.
             name: in full.
             refusal: returns why a goal is not taken, in words, or "".
-            cancel: is told of a goal that a client calls off.
-            execute: flies a goal to its end and returns the result; it has a thread for that.
+            execute: works on a goal until it ends, or is called off (``is_cancel_requested``), and
+                returns the result; it has a thread for that.
         """
         if (action := _interface(kind, name)) is None:
             return False
         module = importlib.import_module("rclpy.action")
         goal, cancelling = module.GoalResponse, module.CancelResponse
-
-        def cancelled(handle: Any) -> Any:
-            cancel(handle)
-            return cancelling.ACCEPT
-
         module.ActionServer(
             self._node,
             action,
             name,
             execute,
             goal_callback=lambda wish: goal.REJECT if refusal(wish) else goal.ACCEPT,
-            cancel_callback=cancelled,
+            cancel_callback=lambda _: cancelling.ACCEPT,
             callback_group=self._group,
         )
         self._threads += _GOALS_AT_ONCE

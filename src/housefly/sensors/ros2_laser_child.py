@@ -24,7 +24,7 @@ def hear_scans() -> None:
 
 
 def _hear(settings: dict[str, Any], out: IO[str]) -> None:
-    node = ros2_node("housefly_scanner", settings)
+    node = ros2_node(f"housefly_scanner{settings['topic'].replace('/', '_')}", settings)
     listener = _ScanListener(node, settings, out)
     qos = importlib.import_module("rclpy.qos")
     # The newest only: what waited shows what was. Best effort hears publishers of both kinds.
