@@ -9,6 +9,7 @@ import importlib
 import importlib.util
 import json
 import os
+import signal
 import sys
 import threading
 from collections.abc import Callable
@@ -42,6 +43,7 @@ def run_ros2_child(hear: Callable[[dict[str, Any], IO[str]], None]) -> None:
     settings = json.loads(sys.argv[1])
     out = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(2, 1)  # what the library itself prints
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
     threading.Thread(target=_end_with_parent, daemon=True).start()
     try:
         hear(settings, out)
@@ -55,7 +57,8 @@ def ros2_node(name: str, settings: dict[str, Any]) -> Any:
     """Join ROS 2 as its parent's settings say; return the node."""
     os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = settings["discovery"].upper()
     rclpy = importlib.import_module("rclpy")
-    rclpy.init(args=[], domain_id=settings["domain"])
+    none = importlib.import_module("rclpy.signals").SignalHandlerOptions.NO
+    rclpy.init(args=[], domain_id=settings["domain"], signal_handler_options=none)
     return rclpy.create_node(name)
 
 
