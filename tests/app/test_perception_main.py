@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from math import hypot, inf
 from pathlib import Path
 
 import pytest
+import ros_urg
 from quick_flights import QUICK
 
 from housefly.app.launcher import Launcher, processes_of
@@ -39,7 +43,7 @@ TOPICS = DroneTopics()
 
 def loaded(address: str = "127.0.0.1", **changes: object) -> LoadedSite:
     lasers = [{"name": "laser-1", "address": address, "x": 5.5, "y": 0.85, "z": 1.1, "yaw": 1.2}]
-    return open_site(changed(read_site("bsen"), lasers=lasers, **changes))
+    return open_site(changed(read_site("bsen"), **{"lasers": lasers, **changes}))
 
 
 def eye_of(bus: ZenohBus) -> SensorAnswer:
@@ -92,6 +96,56 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
         await feed.stop()
+
+
+@pytest.mark.wire
+@pytest.mark.realtime
+@pytest.mark.slow
+async def test_a_chair_that_a_ros_node_scans_is_an_obstacle_and_who_falls_silent_is_not_believed(
+    loopback: str,
+) -> None:
+    pytest.importorskip("rclpy")
+    served, domain = loaded(loopback, twin__visitor_present=False), 20 + os.getpid() % 80
+    laser = served.site.lasers[0].model_dump() | {"kind": "ros2", "ros_domain": domain}
+    here = loaded(twin__visitor_present=False, lasers=[laser])
+    world = SimulatedWorld(served.site, served.room, movables=(Movable("chair"),))
+    bus, clock = LocalBus(), RealClock()
+    time_of_world = RealTimeRunner(world, clock)
+    feed = LaserFeed(served.site, world, slipped=lambda: time_of_world.slipped)
+    heard: list[Obstacle] = []
+    sight: list[SightNews] = []
+    bus.subscribe(OBSTACLE_TOPIC, heard.append)
+    bus.subscribe(SIGHT_TOPIC, sight.append)
+    await feed.start()
+
+    async def turn() -> None:
+        while True:
+            await asyncio.sleep(0.025)
+            time_of_world.catch_up()
+            feed.publish()
+
+    tasks = [
+        asyncio.create_task(turn()),
+        asyncio.create_task(PerceptionProcess(here, bus, clock).run()),
+    ]
+    command = [sys.executable, ros_urg.__file__, loopback, str(domain), "/scan"]
+    try:
+        with subprocess.Popen(command, stdin=subprocess.PIPE) as node:
+            await until(lambda: bool(sight) and clock.now() - sight[-1].seen_at < 0.5, 60.0)
+            assert not heard
+            world.put("chair", (6.5, 3.0))
+            await until(lambda: len(heard) > 5)
+            assert hypot(heard[-1].position[0] - 6.5, heard[-1].position[1] - 3.0) < 0.1
+            world.put("chair", None)
+            await until(lambda: heard[-1].confidence == 0.0)
+            node.kill()
+        await until(lambda: clock.now() - sight[-1].seen_at > 1.0)
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        await feed.stop()
+        await until(lambda: len(asyncio.all_tasks()) == 1)  # the child is gone
 
 
 @pytest.mark.wire
@@ -221,6 +275,17 @@ def test_two_scanners_with_one_name_or_one_address_are_refused() -> None:
         changed(read_site("bsen"), lasers=[one, {**one, "name": "b"}])
     with pytest.raises(ConfigError, match="z"):
         changed(read_site("bsen"), lasers=[{**one, "z": 99.0}])
+
+
+def test_two_scanners_of_ros_need_topics_not_addresses() -> None:
+    one = {"name": "a", "kind": "ros2", "ros_topic": "/a/scan"}
+    site = changed(read_site("bsen"), lasers=[one, {**one, "name": "b", "ros_topic": "/b/scan"}])
+    assert site.lasers[1].address == site.lasers[0].address
+    with pytest.raises(ConfigError, match="same topic"):
+        changed(read_site("bsen"), lasers=[one, {**one, "name": "b"}])
+    for topic in ("scan", "/scan/", "/1scan", "/sc an", "/a//b", "/{body}/scan"):
+        with pytest.raises(ConfigError, match="ros_topic"):
+            changed(read_site("bsen"), lasers=[{**one, "ros_topic": topic}])
 
 
 @pytest.mark.interop

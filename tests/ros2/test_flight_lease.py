@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,6 +18,7 @@ from housefly.messages import (
     OrderOutcome,
     OrderSource,
     Outputs,
+    Phase,
     PilotStep,
     Telemetry,
 )
@@ -65,4 +68,23 @@ def test_nobody_is_refused_a_drone_that_stands(flown: list[tuple[DroneStatus, Or
     for status, kind in flown:
         lease.add(step(status, order(kind, "Anna")))
     lease.add(step(DroneStatus.LANDED))
+    assert lease.objection("anybody") == ""
+
+
+def test_a_flight_that_was_ordered_has_its_owner_before_the_propellers_turn() -> None:
+    lease = FlightLease()
+    takes_off = Outputs(Command(Action.TAKE_OFF), phase=Phase.TAKING_OFF)
+    ordered = step(DroneStatus.LANDED, order(OrderKind.GO, "Anna"))
+    lease.add(replace(ordered, outputs=takes_off))
+    lease.add(replace(step(DroneStatus.LANDED), outputs=takes_off))
+    lease.add(step(DroneStatus.TAKING_OFF))
+    assert lease.objection("ROS 2") == "Anna flies it"
+
+
+def test_who_gives_the_drone_back_flies_it_no_longer() -> None:
+    lease = FlightLease()
+    lease.add(step(DroneStatus.FLYING, order(OrderKind.GO, "ROS 2")))
+    lease.give_back("another")
+    assert lease.holder is not None
+    lease.give_back(lease.holder.id)
     assert lease.objection("anybody") == ""

@@ -5,12 +5,20 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 
+import numpy as np
 from fuzz_target import DEEP, HUGE, FuzzTarget, pieces, split
+from ros_scans import scan_cdr
 
+from housefly.app.new_site.ros2_map import OCCUPANCY_GRID, occupancy_message
+from housefly.bus.interfaces import type_store
 from housefly.config.laser import LaserConfig
-from housefly.errors import LinkError, WireError
+from housefly.errors import LinkError, RoomError, WireError
 from housefly.messages import Pose, Sighting, TrackedFrame
+from housefly.record import ros_messages
+from housefly.record.ros_messages import about_z, header, pose_message
+from housefly.room.occupancy_map import ros_map_of
 from housefly.sensors.laser import scan_of
+from housefly.sensors.ros2_scan import laser_scan_message
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.natnet_frames import NatNetFrames
@@ -232,6 +240,31 @@ def _ros2_seeds() -> Iterable[bytes]:
     yield b'{"topics": ' + DEEP
 
 
+def _ros2_scan(data: bytes) -> None:
+    scan = laser_scan_message(data)
+    assert scan.step > 0.0 and len(scan.ranges) > 1 and not np.isnan(scan.ranges).any()
+
+
+def _ros2_scan_seeds() -> Iterable[bytes]:
+    yield scan_cdr()
+    yield scan_cdr(ranges=(float("nan"), float("inf"), -float("inf"), 0.0, 2.0))
+    yield scan_cdr(angle_min=0.5, angle_max=-0.5, angle_increment=-0.25)
+
+
+def _ros2_map(data: bytes) -> None:
+    ros_map_of(occupancy_message(data, "ros2:/map"), "ros2:/map")
+
+
+def _ros2_map_seeds() -> Iterable[bytes]:
+    stamp = ros_messages.message("builtin_interfaces/msg/Time", 1, 0)
+    values = np.array([0, 100, -1, 50, 0, 0], np.int8)
+    for yaw in (0.0, 1.0):
+        place = pose_message((-1.0, 2.0, 0.0), about_z(yaw))
+        info = ros_messages.message("nav_msgs/msg/MapMetaData", stamp, 0.05, 3, 2, place)
+        told = ros_messages.message(OCCUPANCY_GRID, header(1.0, "map"), info, values)
+        yield bytes(type_store().serialize_cdr(told, OCCUPANCY_GRID))
+
+
 def _sightings(data: bytes) -> None:
     reader = TrackingMessageReader()
     for piece in pieces(data[1:], 1 + (data[0] if data else 0)):
@@ -262,6 +295,8 @@ ROOM_WIRES: dict[str, FuzzTarget] = {
         2048,
         (b'"stamp"', b"1e309", b"NaN", b"-Infinity"),
     ),
+    "ros2_scan": FuzzTarget(_ros2_scan, _ros2_scan_seeds, (WireError,), 1024),
+    "ros2_map": FuzzTarget(_ros2_map, _ros2_map_seeds, (RoomError,), 1024),
     "sightings": FuzzTarget(_sightings, _sighting_seeds, (WireError,), words=(b"HFt1",)),
     "scip_reply": FuzzTarget(_scip, _scip_seeds),
     "scip_request": FuzzTarget(decode_request, _scip_request_seeds, (WireError,), 64),

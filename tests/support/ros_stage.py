@@ -57,12 +57,15 @@ class AnsweringPilot:
         bus: of the run.
         orders: all that came.
         refused: kinds of orders, with the words.
+        status, phase, place: of the drone, as tests set them.
     """
 
     bus: Bus
     orders: list[Order] = field(default_factory=list)
     refused: dict[OrderKind, OrderOutcome] = field(default_factory=dict)
     status: DroneStatus = DroneStatus.LANDED
+    phase: Phase = Phase.IDLE
+    place: tuple[float, float, float] = (3.0, 2.0, 1.1)
     _new: list[Order] = field(default_factory=list)
     _ended: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
@@ -91,7 +94,8 @@ class AnsweringPilot:
 
     def land(self) -> None:
         """Let it stand, in nobody's hands."""
-        self.status = DroneStatus.LANDED
+        self.status, self.phase = DroneStatus.LANDED, Phase.IDLE
+        self.place = (3.0, 2.0, 1.1)
         time.sleep(5 * _STEP_PERIOD)
         self.orders.clear()
 
@@ -101,7 +105,7 @@ class AnsweringPilot:
             with self._lock:
                 new, self._new = tuple(self._new), []
             now, sequence = clock.now(), sequence + 1
-            pose = Pose((3.0, 2.0, 1.1))
+            pose = Pose(self.place)
             inputs = Inputs(
                 sightings=(Sighting("ardrone", pose, now - 0.02, now),),
                 telemetry=Telemetry(now, self.status, 0.8),
@@ -111,7 +115,7 @@ class AnsweringPilot:
                 OrderAnswer(one.id, self.refused.get(one.kind, OrderOutcome.TAKEN)) for one in new
             )
             estimate = Estimate(now, pose.position, (0.0, 0.0, 0.0), 0.0, 0.02, 0.01)
-            outputs = Outputs(Command(Action.IDLE), estimate, phase=Phase.IDLE, answers=answers)
+            outputs = Outputs(Command(Action.IDLE), estimate, phase=self.phase, answers=answers)
             self.bus.publish(DroneTopics().step, PilotStep(sequence, now, inputs, outputs))
 
 

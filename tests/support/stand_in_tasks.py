@@ -292,6 +292,10 @@ class StandInTasks:
         """Answer one kind of question otherwise."""
         self._answers[kind] = answer
 
+    def flies_to_points(self) -> None:
+        """Take the wish for a point, too, as one to look around."""
+        self._answers[RequestTask] = lambda one: self._request(replace(one, service="patrol"))
+
     def keep_clip(self, info: ClipInfo) -> None:
         """Add a clip, the newest."""
         self.clips = (info, *self.clips)

@@ -26,7 +26,7 @@ from housefly.messages.words import literal
 from housefly.perception.laser_tracker import LaserTracker, OwnFootprint
 from housefly.perception.sensor_freshness import SensorFreshness
 from housefly.room.tracked import untracked
-from housefly.sensors.laser import LaserClient
+from housefly.sensors.lasers import AnyLaserClient, laser_client
 from housefly.sensors.message_rate import MessageRate
 from housefly.sites.loaded_site import LoadedSite, open_site
 
@@ -42,7 +42,7 @@ class PerceptionProcess:
     def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
         self._site, self._bus, self._clock = loaded.site, bus, clock
         self._tracker = LaserTracker(untracked(loaded.room, loaded.site), loaded.site.lasers)
-        self._clients = {laser.name: LaserClient(laser, clock) for laser in loaded.site.lasers}
+        self._clients = {laser.name: laser_client(laser, clock) for laser in loaded.site.lasers}
         self._rates = {name: MessageRate() for name in self._clients}
         self._sight = SensorFreshness(self._clients)
         self._depth = DepthService(loaded, bus, clock)
@@ -94,7 +94,7 @@ class PerceptionProcess:
             *self._depth.reports(),
         )
 
-    def _laser(self, name: str, client: LaserClient) -> SensorReport:
+    def _laser(self, name: str, client: AnyLaserClient) -> SensorReport:
         now, rate = self._clock.now(), self._rates[name]
         problem = client.problem or literal(self._doubts.get(name, ""))
         return SensorReport(

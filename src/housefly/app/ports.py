@@ -7,6 +7,7 @@ import socket
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from housefly.config.laser import scip_lasers
 from housefly.config.site import Site
 from housefly.config.tracking import MocapWire
 from housefly.errors import LinkError
@@ -58,7 +59,7 @@ def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
             _tcp(
                 f"simulated scanner {laser.name}", laser.address, laser.port, "its port or address"
             )
-            for laser in site.lasers
+            for laser in scip_lasers(site.lasers)
         ]
     if web and site.web.port:
         needs.append(

@@ -15,8 +15,8 @@ from housefly.messages.words import Words, figure
 from housefly.room.reach import Mask
 from housefly.room.ros_yaml import RosMapFile, RosMapMode, read_ros_yaml
 
-_MAX_SIDE = 4096
-"""Longest side of an image that is read [px]."""
+MAP_SIDE_MAX = 4096
+"""Longest side of a map that is read [px]."""
 _DEPTH_16 = 65535
 _UNSEEN = 50 / 255
 """Darkness of grey 205, which map_saver writes for what was never seen."""
@@ -108,14 +108,14 @@ def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
         if path.exists() and not path.is_file():
             raise OSError("no ordinary file")
         with Image.open(path) as image:
-            if max(image.size) > _MAX_SIDE:
+            if max(image.size) > MAP_SIDE_MAX:
                 raise RoomError(
                     Words(
                         "{name} is {n} x {m} pixels; at most {p} a side can be imported",
                         name=str(path),
                         n=figure(image.size[0]),
                         m=figure(image.size[1]),
-                        p=figure(_MAX_SIDE),
+                        p=figure(MAP_SIDE_MAX),
                     )
                 )
             return _brightness(image, path)

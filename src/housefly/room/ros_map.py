@@ -84,7 +84,7 @@ def import_ros_map(
     return room
 
 
-def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
+def cropped(ros_map: RosMap, source: Path | str) -> tuple[RosMap, Vec2]:
     """Return the part with free pixels and a border, moved to (0, 0), and where that was [m].
 
     Its notes say how much of it was never seen.

@@ -15,6 +15,8 @@ from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.messages.words import UNSAID, Words, figure
 
+RESOLUTIONS = 0.005, 1.0
+"""Edges that a pixel or cell may have [m]."""
 _NUMBER_MAX = 1e9
 """Largest number that a key may have; what is larger, or not finite, is none."""
 _TEXT_MAX = 64 * 1024
@@ -64,7 +66,7 @@ class RosMapFile:
 def read_ros_yaml(path: Path) -> RosMapFile:
     """Read the yaml file of a map; raises RoomError for the first key that is bad."""
     keys = _Keys(_tree(path), path)
-    resolution = keys.number("resolution", 0.005, 1.0, Words("m per pixel"))
+    resolution = keys.number("resolution", *RESOLUTIONS, Words("m per pixel"))
     origin = keys.origin()
     mode = keys.mode()
     occupied_from = keys.number("occupied_thresh", 0.0, 1.0)

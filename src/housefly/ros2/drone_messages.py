@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from housefly.config.capabilities import OnboardCamera
-from housefly.geometry import Quaternion
 from housefly.messages import (
     Path,
     Phase,
@@ -43,8 +42,6 @@ Outgoing = tuple[RosTopic, Callable[[], Any]]
 """A topic, and what makes its message: nothing is made for whom nobody hears."""
 _BATTERY_PERIOD = 1.0
 """The charge is told at most so often [s]."""
-_OPTICAL: Quaternion = (0.5, -0.5, 0.5, -0.5)
-"""From a camera that looks forward to its optical frame: z ahead, x right, y down (REP-103)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,12 +146,6 @@ def trajectory_message(planned: PlannedTrajectory, offset: float, frames: RosFra
         [frames.body],
         points,
     )
-
-
-def camera_transform(at: float, frames: RosFrames, camera: OnboardCamera) -> Any:
-    """Return tf2_msgs/TFMessage: the camera's optical frame on the drone."""
-    place = (camera.ahead, 0.0, 0.0)
-    return transform_message(at, frames.body, frames.optical, place, _OPTICAL)
 
 
 def camera_info(at: float, frames: RosFrames, camera: OnboardCamera, frame: VideoFrame) -> Any:

@@ -2,42 +2,37 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import replace
 from math import cos, isfinite, sin
-from threading import BoundedSemaphore, Lock
+from threading import Lock
 from typing import Any
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import HUB_QUERY, TASKS_QUERY
+from housefly.bus.topics import TASKS_QUERY
 from housefly.clock import Clock
-from housefly.errors import HouseflyError, TaskError, WireError
+from housefly.errors import HouseflyError
 from housefly.geometry import Vec2, Vec3
-from housefly.hub.api.json import question_from_json
-from housefly.messages import OrderKind
+from housefly.messages import Order, OrderKind
 from housefly.ros2.order_line import OrderLine, RosReply
-from housefly.ros2.ros_caller import RosCaller
+from housefly.ros2.question_desk import QuestionDesk
+from housefly.ros2.ros_caller import FLIGHTS_ARE_OFF, RosCaller
 from housefly.tasks.api.answers import TaskBoard, TasksAnswer
 from housefly.tasks.api.json import (
     task_answer_from_json,
-    task_question_from_json,
     task_question_to_json,
 )
 from housefly.tasks.api.questions import (
     BoardQuestion,
     CancelTask,
     RequestTask,
-    Sentence,
     TaskQuestion,
 )
 from housefly.tasks.api.values import (
     Confirm,
     ParameterValue,
-    ReasonCode,
     RequestSurface,
 )
-from housefly.tasks.rules.outside_question import outside_question
 
 GO_SERVICE = "fly_to"
 """The service that flies to a point."""
@@ -45,14 +40,10 @@ _PATIENCE = 1.0
 """How long memory and board may take to answer [s]."""
 _ASK_PATIENCE = 120.0
 """How long the tasks may take, which rehearse first [s]."""
-_ASKED_AT_ONCE = 2
-"""A rehearsal takes seconds; who waits for one holds up nobody's STOP."""
 _FLIGHT_PERIOD = 0.2
 """Between two orders to fly of one drone [s]."""
 _FACES_AHEAD = 2.0
 """A heading is faced by looking at a point so far ahead [m]."""
-_OFF = "flights are off for you: requests in the site file, or your role"
-_NO_QUESTIONS = "you may look, not ask: your role"
 
 
 class FlightDesk:
@@ -64,6 +55,9 @@ class FlightDesk:
         caller: whose wishes it takes.
         has_tasks: whether services run; without them nobody can be asked.
         clock: monotonic.
+
+    Attributes:
+        questions: answers what the caller asks.
     """
 
     def __init__(
@@ -71,8 +65,9 @@ class FlightDesk:
     ) -> None:
         self._bus, self._line, self._clock = bus, line, clock
         self._caller, self._requests = caller, caller.requests
+        self.questions = QuestionDesk(bus, caller)
         self._has_tasks = has_tasks
-        self._asking, self._answering = Lock(), BoundedSemaphore(_ASKED_AT_ONCE)
+        self._asking = Lock()
         self._flown_at: dict[str, float] = {}
         self._question = 0
 
@@ -87,7 +82,7 @@ class FlightDesk:
     def home(self, drone: str) -> RosReply:
         """Bring a drone home."""
         if self._requests == "off" or not self._caller.may_fly:
-            return RosReply(False, _OFF)
+            return RosReply(False, FLIGHTS_ARE_OFF)
         return self._flown(drone, OrderKind.HOME)
 
     def reset(self, drone: str) -> RosReply:
@@ -95,7 +90,7 @@ class FlightDesk:
         if self._line.is_airborne(drone):
             return self.stop(drone)
         if not self._caller.may_fly:
-            return RosReply(False, _OFF)
+            return RosReply(False, FLIGHTS_ARE_OFF)
         return self._ordered(drone, OrderKind.RESET)
 
     def nudge(self, drone: str, velocity: Vec3) -> str:
@@ -115,6 +110,45 @@ class FlightDesk:
             return self._flown(drone, OrderKind.TAKE_OFF)
         return self.request(GO_SERVICE, {}, drone)
 
+    def refusal(self, goal: Vec2) -> str:
+        """Return why nobody is even asked to fly to a point [m], in words, or ""."""
+        if not all(map(isfinite, goal)):
+            return f"the goal {goal} is no point; allowed: finite metres"
+        return FLIGHTS_ARE_OFF if self._requests == "off" else ""
+
+    def board(self) -> TaskBoard:
+        """Return what the tasks do; raises LinkError."""
+        board: TaskBoard = self._ask_tasks(BoardQuestion(), _PATIENCE)
+        return board
+
+    def holder(self, drone: str) -> Order | None:
+        """Return the order by which a drone flies; None on the ground."""
+        return self._line.holder(drone)
+
+    def call_off(self, drone: str, order: str, task: int) -> RosReply:
+        """End what a wish began: a drone that it flies holds its place, a task comes home.
+
+        Args:
+            drone: its name.
+            order: as the reply to the wish said it.
+            task: likewise.
+        """
+        if task:
+            taken_back = CancelTask(task, self._caller.name, only_of=self._caller.owner)
+            try:
+                self._ask_tasks(taken_back, _ASK_PATIENCE)
+            except HouseflyError as error:
+                return RosReply(False, str(error))
+            return RosReply(True, f"task {task} is called off", task=task)
+        holder = self._line.holder(drone)
+        if holder is None or holder.id != order:
+            return RosReply(True, "nothing flies by it any more")
+        reply = self._ordered(drone, OrderKind.HOVER)
+        if not reply.success:  # not in every phase; a STOP is taken in each
+            reply = self._ordered(drone, OrderKind.STOP)
+        self._line.give_back(drone, reply.order)
+        return reply
+
     def fly_to(self, drone: str, goal: Vec2, yaw: float | None = None) -> RosReply:
         """Fly to a point [m], face a heading [rad], and hover there."""
         if not all(map(isfinite, (*goal, yaw or 0.0))):
@@ -132,7 +166,7 @@ class FlightDesk:
     ) -> RosReply:
         """Ask for a service; a wish of ours that still waits for a yes is taken back."""
         if self._requests == "off":
-            return RosReply(False, _OFF)
+            return RosReply(False, FLIGHTS_ARE_OFF)
         if not self._has_tasks:
             return RosReply(False, "no services run here ([tasks] enabled in the site file)")
         if not self._asking.acquire(blocking=False):
@@ -143,52 +177,6 @@ class FlightDesk:
             return RosReply(False, str(error))
         finally:
             self._asking.release()
-
-    def ask(self, text: str) -> str:
-        """Return the answer, as JSON, to a sentence or to a question of memory or tasks as JSON."""
-        if not self._caller.may_ask:
-            return json.dumps({"error": _NO_QUESTIONS})
-        if not self._answering.acquire(blocking=False):
-            return json.dumps({"error": f"{_ASKED_AT_ONCE} questions are being answered already"})
-        try:
-            if not text.lstrip().startswith("{"):
-                return self._sentence(text)
-            return self._question_answered(text)
-        except (HouseflyError, ValueError, RecursionError) as error:
-            return json.dumps({"error": str(error)})
-        finally:
-            self._answering.release()
-
-    def _sentence(self, text: str) -> str:
-        # Checked like any question from outside: its length, its letters.
-        said = task_question_from_json(json.dumps({"ask": "sentence", "text": text}))
-        return self._asked_tasks(task_question_to_json(said))
-
-    def _question_answered(self, text: str) -> str:
-        tree = json.loads(text)
-        if not isinstance(tree, dict):
-            raise WireError("this is no JSON object")
-        try:
-            question_from_json(text)
-        except WireError:
-            return self._asked_tasks(json.dumps({"ask": "request", **tree}))
-        return self._bus.ask(HUB_QUERY, text, _PATIENCE)
-
-    def _asked_tasks(self, text: str) -> str:
-        question = outside_question(
-            text,
-            by=self._caller.name,
-            owner=self._caller.owner,
-            surface=RequestSurface.ROS,
-            is_trusted=self._requests == "auto",
-        )
-        if self._requests == "off" and isinstance(question, RequestTask):
-            raise TaskError(_OFF, ReasonCode.NOT_ALLOWED.value)
-        if self._requests == "off" and isinstance(question, Sentence):
-            question = replace(question, fly=False)
-        if isinstance(question, CancelTask) and not self._caller.may_fly:
-            question = replace(question, only_of=self._caller.owner)
-        return self._bus.ask(TASKS_QUERY, task_question_to_json(question), _ASK_PATIENCE)
 
     def _requested(
         self, service: str, parameters: Mapping[str, ParameterValue], drone: str
@@ -208,12 +196,13 @@ class FlightDesk:
         (task,) = answer.tasks
         self._question = task.id if task.question is not None else 0
         waits = ": a person must say yes in the console" if self._question else ""
-        return RosReply(True, f"task {task.id}: {task.state.value}{waits}")
+        words = f"task {task.id}: {task.state.value}{waits}"
+        return RosReply(True, words, task=task.id)
 
     def _take_back(self, number: int) -> None:
         self._question = 0
-        board: TaskBoard = self._ask_tasks(BoardQuestion(), _PATIENCE)
-        if any(one.id == number and one.question is not None for one in board.tasks):
+        tasks = self.board().tasks
+        if any(one.id == number and one.question is not None for one in tasks):
             taken_back = CancelTask(number, self._caller.name, only_of=self._caller.owner)
             self._ask_tasks(taken_back, _PATIENCE)
 

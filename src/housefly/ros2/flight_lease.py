@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from housefly.messages import Order, OrderKind, OrderSource, PilotStep
+from housefly.messages import Order, OrderKind, OrderSource, Phase, PilotStep
 from housefly.messages.sensing import AIRBORNE_STATUSES
 
 _TAKES_THE_DRONE = frozenset(
@@ -37,7 +37,13 @@ class FlightLease:
             is_stop = order.kind is OrderKind.STOP
             if (is_stop or order.kind in _TAKES_THE_DRONE) and order.id not in refused:
                 self.holder = order
-        if not self.is_airborne and not step.inputs.orders:
+        stands = not self.is_airborne and step.outputs.phase is Phase.IDLE
+        if stands and not step.inputs.orders:
+            self.holder = None
+
+    def give_back(self, order: str) -> None:
+        """Let everybody have the drone whom this order flew."""
+        if self.holder is not None and self.holder.id == order:
             self.holder = None
 
     def objection(self, sender: str) -> str:

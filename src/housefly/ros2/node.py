@@ -20,6 +20,8 @@ _SPIN_PERIOD = 1.0
 """How often the end of the process is looked for [s]."""
 _THREADS = 6
 """Requests that are answered at once; who waits for a pilot holds up no STOP."""
+_GOALS_AT_ONCE = 2
+"""Of an action: the one that is flown, and the one that takes its place; each has a thread."""
 _DEPTH = {Quality.SENSOR: 5, Quality.STATE: 50, Quality.LATCHED: 1}
 _RANGES = {"localhost": "LOCALHOST", "subnet": "SUBNET"}
 _REPEAT_PERIOD, _SAID_MAX = 2.0, 200
@@ -55,6 +57,7 @@ class RosNode:
         self._executor: Any = None
         self._lock = threading.Lock()
         self._said: dict[str, float] = {}
+        self._threads = _THREADS
 
     def advertise(self, topic: RosTopic, name: str) -> None:
         """Offer a topic under its full name; one whose package is not installed is left out."""
@@ -101,6 +104,47 @@ class RosNode:
         if (service := _interface(kind, name)) is not None:
             self._node.create_service(service, name, handler, callback_group=self._group)
 
+    def act(
+        self,
+        kind: str,
+        name: str,
+        refusal: Callable[[Any], str],
+        execute: Callable[[Any], Any],
+    ) -> bool:
+        """Serve an action; return whether its package is installed.
+
+        Args:
+            kind: its type.
+            name: in full.
+            refusal: returns why a goal is not taken, in words, or "".
+            execute: works on a goal until it ends, or is called off (``is_cancel_requested``), and
+                returns the result; it has a thread for that.
+        """
+        if (action := _interface(kind, name)) is None:
+            return False
+        module = importlib.import_module("rclpy.action")
+        goal, cancelling = module.GoalResponse, module.CancelResponse
+        module.ActionServer(
+            self._node,
+            action,
+            name,
+            execute,
+            goal_callback=lambda wish: goal.REJECT if refusal(wish) else goal.ACCEPT,
+            cancel_callback=lambda _: cancelling.ACCEPT,
+            callback_group=self._group,
+        )
+        self._threads += _GOALS_AT_ONCE
+        return True
+
+    def interface(self, kind: str) -> Any:
+        """Return the class of a type that is installed."""
+        return _interface(kind, kind)
+
+    @property
+    def is_ended(self) -> bool:
+        """Whether ``end`` was called."""
+        return self._ended.is_set()
+
     def warn(self, words: str) -> None:
         """Tell ROS (/rosout) and our log why something was not done."""
         if self._is_new(words):
@@ -114,7 +158,7 @@ class RosNode:
     def spin(self) -> None:
         """Answer until ``end``; an error of one request ends nothing."""
         executors = importlib.import_module("rclpy.executors")
-        executor = executors.MultiThreadedExecutor(num_threads=_THREADS)
+        executor = executors.MultiThreadedExecutor(num_threads=self._threads)
         executor.add_node(self._node)
         self._executor = executor
         while not self._ended.is_set():

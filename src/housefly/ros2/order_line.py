@@ -19,10 +19,18 @@ _PATIENCE = 1.0
 
 @dataclass(frozen=True, slots=True)
 class RosReply:
-    """What became of a wish, as std_srvs/Trigger says it."""
+    """What became of a wish, as std_srvs/Trigger says it.
+
+    Attributes:
+        success, message: whether it is done, and why not, in words.
+        order: id of the order that was given; "" for none.
+        task: number of the task that was asked for; 0 for none.
+    """
 
     success: bool
     message: str
+    order: str = ""
+    task: int = 0
 
 
 class OrderLine:
@@ -59,6 +67,14 @@ class OrderLine:
         """Return why a program may not fly a drone now, in words, or ""."""
         return self._leases[drone].objection(_short(sender))
 
+    def holder(self, drone: str) -> Order | None:
+        """Return the order by which a drone flies; None on the ground."""
+        return self._leases[drone].holder
+
+    def give_back(self, drone: str, order: str) -> None:
+        """Let everybody have the drone whom this order flew."""
+        self._leases[drone].give_back(order)
+
     def new_order(self, kind: OrderKind, sender: str) -> Order:
         """Return an order of a program, without a target."""
         return Order(
@@ -93,7 +109,7 @@ class OrderLine:
             answer = self._answers[order]
         if answer is None:
             return RosReply(False, f"the pilot of {drone} does not answer")
-        return RosReply(answer.is_taken, str(answer.reason) or "done")
+        return RosReply(answer.is_taken, str(answer.reason) or "done", order)
 
 
 def _short(sender: str) -> str:

@@ -20,6 +20,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.process_log import log_line
 from housefly.config.site import site_from_file
 from housefly.errors import HouseflyError
+from housefly.ros2.navigate_server import NavigateServer
 from housefly.ros2.node import RosNode
 from housefly.ros2.order_line import RosReply
 from housefly.ros2.ros_caller import node_caller
@@ -55,6 +56,8 @@ def run_ros2(loaded: LoadedSite, endpoint: str) -> None:
         desk = room.desk(node_caller(loaded.site.ros2.requests))
         _offer(node, room.offered(desk, node.publish))
         room.on_errands = lambda: _offer(node, room.offered_errands(desk))
+        for drone in room.drones:
+            NavigateServer(drone, loaded.site.ros2.frame, node, desk).begin(bus, stack)
         looking = threading.Thread(target=room.look, args=(ended.wait,), name="look", daemon=True)
         looking.start()
         log_line("ros2 ready")

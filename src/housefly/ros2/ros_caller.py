@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from housefly.config.ros2 import RosRequests
 
 NODE_SENDER, NODE_OWNER = "ROS 2", "ros2"
+FLIGHTS_ARE_OFF = "flights are off for you: requests in the site file, or your role"
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
 from typing import Any
@@ -21,7 +22,6 @@ from housefly.ros2.carrier import RosCarrier
 from housefly.ros2.drone_messages import (
     DroneMessages,
     RosFrames,
-    camera_transform,
     trajectory_message,
 )
 from housefly.ros2.flight_desk import FlightDesk
@@ -33,7 +33,6 @@ from housefly.ros2.topic_table import (
     GOAL,
     H264,
     PICTURES,
-    STATIC_TRANSFORMS,
     TRAJECTORY,
     RosTopic,
     full_name,
@@ -51,6 +50,11 @@ class RosDrone:
         line: hears what the pilot says.
         wall: Unix time.
         has_paper_names: whether it serves the topics of the paper's own drone node, too.
+
+    Attributes:
+        name: of the drone.
+        action: full name of the action that flies it to a pose.
+        on_step: hears each step of its pilot, once the line has heard it.
     """
 
     def __init__(
@@ -64,9 +68,11 @@ class RosDrone:
         has_paper_names: bool,
     ) -> None:
         name = site.drone.name
-        self._drone, self._carrier, self._line, self._wall = name, carrier, line, wall
+        self.name, self._carrier, self._line, self._wall = name, carrier, line, wall
         self._frame = site.ros2.frame
         self._space = (room, topic_part(name))
+        self.action = "/".join(("", *self._space, "navigate_to_pose"))
+        self.on_step: Callable[[PilotStep], None] = lambda _: None
         self._frames = RosFrames.of(self._frame, topic_part(name))
         self._messages = DroneMessages(site.tracking.body, self._frames, site.map.flight_height)
         self._lens = site.drone.airframe.capabilities.camera
@@ -88,14 +94,10 @@ class RosDrone:
 
     def begin(self, bus: Bus, stack: ExitStack) -> None:
         """Offer topics, and listen."""
-        carrier, topics = self._carrier, DroneTopics(self._drone)
+        carrier, topics = self._carrier, DroneTopics(self.name)
         for topic in DRONE_TOPICS:
             if self._camera is not None or not topic.name.startswith("camera/"):
                 carrier.advertise(topic, self._name(topic))
-        if self._lens is not None:
-            at = self._wall.now()
-            make = partial(camera_transform, at, self._frames, self._lens)
-            carrier.publish(STATIC_TRANSFORMS, STATIC_TRANSFORMS.name, make)
         if self._paper is not None:
             for topic in PAPER_TOLD:
                 carrier.advertise(topic, topic.name)
@@ -114,8 +116,8 @@ class RosDrone:
             ("home", desk.home, False),
         ):
             name = "/".join(("", *self._space, what))
-            stops = (self._drone,) if wish == desk.stop else ()
-            yield RosService(name, partial(wish, self._drone), is_safer, stops)
+            stops = (self.name,) if wish == desk.stop else ()
+            yield RosService(name, partial(wish, self.name), is_safer, stops)
         yield RosInput(self._name(GOAL), GOAL, partial(self._on_goal, desk))
         if self._paper is not None:
             yield from self._paper.offered(desk)
@@ -128,12 +130,13 @@ class RosDrone:
     def statuses(self) -> list[Any]:
         """Return how the drone is, for diagnostics."""
         step, link = self._step, self._link
-        found = [] if step is None else [diagnostics.flight_status(self._drone, step)]
-        return found if link is None else [*found, diagnostics.link_status(self._drone, link)]
+        found = [] if step is None else [diagnostics.flight_status(self.name, step)]
+        return found if link is None else [*found, diagnostics.link_status(self.name, link)]
 
     def _on_step(self, step: PilotStep) -> None:
         self._step = step
-        self._line.heard(self._drone, step)
+        self._line.heard(self.name, step)
+        self.on_step(step)
         if self._camera is not None:
             self._camera.add_step(step)
         for topic, make in self._messages.of(step, self._wall.offset()):
@@ -162,8 +165,8 @@ class RosDrone:
             return RosReply(False, words)
         quaternion = (turn.w, turn.x, turn.y, turn.z)
         yaw = yaw_of(quaternion) if any(quaternion) else None
-        reply = desk.fly_to(self._drone, (place.x, place.y), yaw)
-        words = f"goal x {place.x:.2f}, y {place.y:.2f} for {self._drone}: {reply.message}"
+        reply = desk.fly_to(self.name, (place.x, place.y), yaw)
+        words = f"goal x {place.x:.2f}, y {place.y:.2f} for {self.name}: {reply.message}"
         return RosReply(reply.success, words)
 
     def _name(self, topic: RosTopic) -> str:

@@ -38,6 +38,7 @@ from housefly.ros2.flight_desk import FlightDesk
 from housefly.ros2.order_line import OrderLine, RosReply
 from housefly.ros2.ros_caller import RosCaller
 from housefly.ros2.ros_drone import RosDrone
+from housefly.ros2.static_frames import static_frames, static_transforms
 from housefly.ros2.topic_table import (
     ANSWERS,
     ASK,
@@ -83,6 +84,7 @@ class RosRoom:
     Attributes:
         errands: services of the tasks that need no parameter, once the tasks have named them.
         on_errands: is told when they are known.
+        drones: in the order of the site.
     """
 
     def __init__(self, loaded: LoadedSite, bus: Bus, carrier: RosCarrier) -> None:
@@ -93,7 +95,7 @@ class RosRoom:
         self._wall, self._clock = WallClock(), RealClock()
         self._room = site.ros2.namespace or topic_part(site.name).lower()
         self._line = OrderLine(bus, site.drone_names, self._clock)
-        self._drones = tuple(
+        self.drones = tuple(
             RosDrone(
                 site.for_drone(name),
                 self._room,
@@ -116,7 +118,7 @@ class RosRoom:
         for topic in (*ROOM_TOPICS, TRANSFORMS, STATIC_TRANSFORMS):
             self._carrier.advertise(topic, self._name(topic))
         self._tell_what_stands()
-        for drone in self._drones:
+        for drone in self.drones:
             drone.begin(bus, stack)
         for subscription in (
             bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
@@ -137,7 +139,7 @@ class RosRoom:
         for what, wish, stops in (("stop", desk.stop, every), ("land", desk.land, ())):
             yield RosService(f"/{self._room}/{what}", partial(self._all, wish), True, stops)
         yield RosInput(self._name(ASK), ASK, partial(self._asked, desk, tell))
-        for drone in self._drones:
+        for drone in self.drones:
             yield from drone.offered(desk)
         yield from self.offered_errands(desk)
 
@@ -175,6 +177,8 @@ class RosRoom:
         self._tell(MAP, partial(ros_messages.occupancy, at, grid, frame))
         solids = untracked(loaded.room, site).solids
         self._tell(ROOM_MARKERS, partial(room_messages.room_markers, at, frame, solids))
+        frames = static_frames(loaded)
+        self._tell(STATIC_TRANSFORMS, partial(static_transforms, at, frames))
 
     def _on_news(self, news: News) -> None:
         with self._lock:
@@ -226,7 +230,7 @@ class RosRoom:
         self._tell(TASKS, partial(text_message, room_messages.json_text(board)))
 
     def _set_mode(self, mode: HouseMode) -> None:
-        for drone in self._drones:
+        for drone in self.drones:
             drone.set_mode(mode)
 
     def _ask_picture(self) -> None:
@@ -244,7 +248,7 @@ class RosRoom:
             self._on_board(task_answer_from_json(question, text))
 
     def _tell_health(self) -> None:
-        statuses = [status for drone in self._drones for status in drone.statuses()]
+        statuses = [status for drone in self.drones for status in drone.statuses()]
         if self._site.hub.enabled and self._carrier.is_heard(self._name(DIAGNOSTICS)):
             answer: SensorsAnswer = self._asked_memory(SensorsQuestion())
             statuses += [diagnostics.sensor_status(sensor) for sensor in answer.sensors]
@@ -268,7 +272,7 @@ class RosRoom:
             self.on_errands()
 
     def _asked(self, desk: FlightDesk, tell: Tell, said: Any) -> RosReply:
-        answer = desk.ask(said.data)
+        answer = desk.questions.ask(said.data)
         tell(ANSWERS, self._name(ANSWERS), partial(text_message, answer))
         return NOTHING_TO_SAY
 

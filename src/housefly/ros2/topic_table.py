@@ -99,7 +99,7 @@ ROOM_TOPICS = (
 
 TRANSFORMS = RosTopic("/tf", "tf2_msgs/msg/TFMessage", _STATE, "world to each drone")
 STATIC_TRANSFORMS = RosTopic(
-    "/tf_static", "tf2_msgs/msg/TFMessage", _LATCHED, "drone to its camera"
+    "/tf_static", "tf2_msgs/msg/TFMessage", _LATCHED, "pads, sensors, cameras"
 )
 
 GOAL = RosTopic("goal_pose", "geometry_msgs/msg/PoseStamped", _STATE, "fly there and hover")

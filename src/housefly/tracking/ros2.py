@@ -5,13 +5,9 @@ rclpy has threads of its own and may not be reloaded; it runs in a child process
 
 from __future__ import annotations
 
-import importlib.util
-import json
-import sys
-
+from housefly.bus.ros2_child import ros2_command
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
-from housefly.errors import MissingPartError
 from housefly.messages import Sighting
 from housefly.messages.words import Words
 from housefly.tracking.child_tracker import ChildTracker
@@ -37,15 +33,13 @@ class Ros2Tracker(ChildTracker):
         )
 
     def _command(self) -> tuple[str, ...]:
-        if importlib.util.find_spec("rclpy") is None:
-            raise MissingPartError("rclpy", "source ROS 2, or pip install 'housefly[ros2]'")
         config = self._config
         settings = {
             "topic": config.ros_topic,
             "domain": config.ros_domain,
             "discovery": config.ros_discovery,
         }
-        return sys.executable, "-m", "housefly.tracking.ros2_child", json.dumps(settings)
+        return ros2_command("housefly.tracking.ros2_child", settings)
 
     def _begin(self) -> None:
         self._lines = Ros2Lines(self._config.latency, self._config.y_up, self.counts)

@@ -6,13 +6,11 @@
 from __future__ import annotations
 
 import importlib
-import json
-import os
 import re
-import sys
-import threading
 from collections.abc import Callable, Iterator
 from typing import IO, Any
+
+from housefly.bus.ros2_child import ros2_node, ros2_type, run_ros2_child, write_line
 
 _LOOK_PERIOD = 1.0
 """How often new topics are looked for [s]."""
@@ -25,16 +23,7 @@ Told = tuple[str, Any, Pose]
 
 def hear_poses() -> None:
     """Hear poses until the parent is gone."""
-    settings = json.loads(sys.argv[1])
-    out = os.fdopen(os.dup(1), "w", buffering=1)
-    os.dup2(2, 1)  # what the library itself prints
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    try:
-        _hear(settings, out)
-    except BrokenPipeError:
-        return
-    except Exception as error:  # whatever the library raises; the parent says it in words
-        _write(out, {"problem": str(error) or type(error).__name__})
+    run_ros2_child(_hear)
 
 
 def topic_pattern(topic: str) -> re.Pattern[str]:
@@ -45,11 +34,8 @@ def topic_pattern(topic: str) -> re.Pattern[str]:
 
 
 def _hear(settings: dict[str, Any], out: IO[str]) -> None:
-    os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = settings["discovery"].upper()
-    rclpy = importlib.import_module("rclpy")
+    node = ros2_node("housefly_tracking", settings)
     qos = importlib.import_module("rclpy.qos").qos_profile_sensor_data
-    rclpy.init(args=[], domain_id=settings["domain"])
-    node = rclpy.create_node("housefly_tracking")
     pattern, heard = topic_pattern(settings["topic"]), set[str]()
 
     def look() -> None:
@@ -59,15 +45,13 @@ def _hear(settings: dict[str, Any], out: IO[str]) -> None:
                 continue
             heard.add(name)
             body = found.groupdict().get("body") or name.strip("/").replace("/", "_")
-            package, kind, interface = kinds[0].split("/")
-            message_type = getattr(importlib.import_module(f"{package}.{kind}"), interface)
             receive = _receiver(READERS[kinds[0]], body, out)
-            node.create_subscription(message_type, name, receive, qos)
-        _write(out, {"topics": sorted(heard)})
+            node.create_subscription(ros2_type(kinds[0]), name, receive, qos)
+        write_line(out, {"topics": sorted(heard)})
 
     node.create_timer(_LOOK_PERIOD, look)
     look()
-    rclpy.spin(node)
+    importlib.import_module("rclpy").spin(node)
 
 
 def _receiver(
@@ -76,7 +60,7 @@ def _receiver(
     def receive(message: Any) -> None:
         for name, stamp, pose in read(message):
             at = stamp.sec * 1_000_000_000 + stamp.nanosec
-            _write(out, {"body": name or body, "stamp": at, "pose": pose})
+            write_line(out, {"body": name or body, "stamp": at, "pose": pose})
 
     return receive
 
@@ -116,15 +100,6 @@ READERS: dict[str, Callable[[Any], Iterator[Told]]] = {
     "tf2_msgs/msg/TFMessage": _transforms,
 }
 """How each type of message tells poses."""
-
-
-def _write(out: IO[str], line: dict[str, Any]) -> None:
-    out.write(json.dumps(line) + "\n")
-
-
-def _end_with_parent() -> None:
-    sys.stdin.buffer.read()
-    os._exit(0)
 
 
 if __name__ == "__main__":

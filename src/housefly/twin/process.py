@@ -26,6 +26,7 @@ from housefly.bus.simulated_room import (
 )
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
+from housefly.config.laser import scip_lasers
 from housefly.config.process_log import log_line
 from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError, WireError
@@ -178,7 +179,8 @@ class Twin:
         tracking = self._site.tracking
         video = "on" if any(drone.films for drone in self._drones) else "off"
         scanners = "".join(
-            f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers
+            f", {laser.name} at {laser.address}:{laser.port}"
+            for laser in scip_lasers(self._site.lasers)
         )
         places = ", ".join(
             f"{tracking.address}:{tracking.port_of(wire)}" for wire in self._site.served_wires

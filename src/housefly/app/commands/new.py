@@ -30,11 +30,12 @@ examples:
   housefly new mylab --room 6x4 --yes                    # an empty rectangle, all simulated
   housefly new mylab --room 6x4 --drone crazyflie --yes  # another model of drone
   housefly new house --room map.yaml --yes               # a ROS map
+  housefly new house --room ros2:/map --yes              # the map that a ROS 2 node publishes now
   housefly new flat --room 'scan.ply up=z' --yes         # a 3-D scan
   housefly new flat --room 'plan.dxf layers=WALL' --yes  # a floor plan
 """
 _OPTIONS = (
-    ("room", "ROOM", "size LxWxH in metres, or a file of the room"),
+    ("room", "ROOM", "size LxWxH in metres, a file of the room, or ros2:/map"),
     ("object", "LINE", "furniture: 'table 3,1 1.2x0.8x0.75'; repeatable"),
     ("pad", "X,Y", "where the drone starts and lands"),
     ("place", "LINE", "'kitchen 5,1'; repeatable"),

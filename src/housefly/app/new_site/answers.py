@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal, get_args
 
+from housefly.app.new_site.ros2_map import ROS2_MAP, hear_map, map_topic
 from housefly.app.new_site.typed import (
     SIZE,
     after_word,
@@ -25,7 +26,7 @@ from housefly.config.tracking import DRONE_BODY, AddressedTracking
 from housefly.errors import ConfigError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.imports.contracts import ImportHints
-from housefly.room.draft.imports.imported import imported
+from housefly.room.draft.imports.imported import imported, imported_ros_map
 from housefly.room.draft.missing import DraftStep
 from housefly.room.draft.model import (
     DraftBox,
@@ -73,27 +74,42 @@ def _room(draft: SiteDraft, text: str, folder: Path) -> Answer:
     if size:
         length, width, height = (float(part) if part else 2.5 for part in size.groups())
         return with_size(draft, length, width, height), ()
+    if text.startswith(ROS2_MAP):
+        return _room_of_ros2(draft, text)
     name, keys = split_keys(text, ("unit", "up", "layers", "unexplored"))
     if not Path(name).suffix[1:2].isalpha():
         raise ConfigError(
             "room",
-            f"is {name!r}; allowed: a size such as 6x4x2.5 (metres, decimal points), or a file",
+            f"is {name!r}; allowed: a size such as 6x4x2.5 (metres, decimal points), a file, or"
+            " ros2:/map",
         )
     up = keys.get("up", "auto")
     if up not in _UP_AXES:
         raise ConfigError("up", f"is {up!r}; allowed: y, z")
-    unexplored = keys.get("unexplored", "wall")
-    if unexplored not in _UNEXPLORED:
-        raise ConfigError("unexplored", f"is {unexplored!r}; allowed: wall, free")
     hints = ImportHints(
         unit=typed_number(keys["unit"], "unit") if "unit" in keys else None,
         up=_UP_AXES[up],
         layers=tuple(part for part in keys.get("layers", "").split(",") if part),
-        unexplored=_UNEXPLORED[unexplored],
+        unexplored=_unexplored(keys),
     )
     path = expanded(name, "room")
     found = imported(draft, path if path.is_absolute() else folder / path, hints)
     return found.draft, found.notes
+
+
+def _room_of_ros2(draft: SiteDraft, text: str) -> Answer:
+    """Return the draft with the room of a map that a ROS node publishes now."""
+    source, keys = split_keys(text, ("domain", "discovery", "unexplored"))
+    topic, hints = map_topic(source, keys), ImportHints(unexplored=_unexplored(keys))
+    found = imported_ros_map(draft, hear_map(topic), topic.source, hints)
+    return found.draft, found.notes
+
+
+def _unexplored(keys: dict[str, str]) -> Literal["wall", "free"]:
+    said = keys.get("unexplored", "wall")
+    if said not in _UNEXPLORED:
+        raise ConfigError("unexplored", f"is {said!r}; allowed: wall, free")
+    return _UNEXPLORED[said]
 
 
 def _objects(draft: SiteDraft, text: str, _: Path) -> Answer:

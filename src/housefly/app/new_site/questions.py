@@ -97,6 +97,7 @@ QUESTIONS: tuple[Question, ...] = (
 6x4 or 6x4x2.5: an empty rectangle with four walls; x runs along its length, y along its width,
   both from 0.
 A file ({_FILES}): a ROS map (its yaml), a 3-D scan, a floor plan.
+ros2:/map: the map that a ROS 2 node publishes now; domain=3 and discovery=subnet say where.
   After the file may stand what it does not say itself:
     unit=0.001    metres per unit of the file (found out where it can be)
     up=y          axis of a scan that points up (z, or y as in glTF)

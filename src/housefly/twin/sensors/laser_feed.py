@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from housefly.config.laser import scip_lasers
 from housefly.config.site import Site
 from housefly.twin.address import check_address
 from housefly.twin.faults.injector import FaultInjector
@@ -36,15 +37,17 @@ class LaserFeed:
         faults: FaultInjector | None = None,
         slipped: Callable[[], float] = lambda: 0.0,
     ) -> None:
-        for number, laser in enumerate(site.lasers):
+        lasers = scip_lasers(site.lasers)
+        for laser in lasers:
+            number = site.lasers.index(laser)
             check_address(f"lasers.{number}.address", laser.address, beyond_loopback)
         self._world, self._faults = world, faults or FaultInjector(site, Injection.WIRES)
         self._slipped = slipped
-        self._periods = {laser.name: MODELS[laser.model].period for laser in site.lasers}
+        self._periods = {laser.name: MODELS[laser.model].period for laser in lasers}
         self._due = dict.fromkeys(self._periods, 0.0)
         self._servers = {
             laser.name: LaserServer(MODELS[laser.model], laser.address, laser.port, f"H{number:07}")
-            for number, laser in enumerate(site.lasers, start=1)
+            for number, laser in enumerate(lasers, start=1)
         }
 
     async def start(self) -> None:

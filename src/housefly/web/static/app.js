@@ -1,1 +1,1 @@
-import"./chunk-chunk-E6KZFNDK.js";
+import"./chunk-chunk-WQIFHIFC.js";

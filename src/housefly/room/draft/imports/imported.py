@@ -19,7 +19,7 @@ from housefly.room.draft.imports.svg_plan import svg_plan
 from housefly.room.draft.model import SiteDraft
 from housefly.room.draft.site_of_draft import suggested_places
 from housefly.room.draft.suggestions import suggested_pad
-from housefly.room.ros_image import read_ros_map
+from housefly.room.ros_image import RosMap, read_ros_map
 from housefly.room.ros_map import cropped
 
 FILE_SIZE_MAX = 500_000_000
@@ -33,22 +33,26 @@ _Importer = Callable[[SiteDraft, Path, ImportHints], Imported]
 
 
 def _ros_cells(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
+    return _map_cells(draft, read_ros_map(path), str(path), path.name)
+
+
+def _map_cells(draft: SiteDraft, whole: RosMap, source: str, name: str) -> Imported:
     """Return the draft with the room of a ROS map; raises RoomError."""
-    ros_map, origin = cropped(read_ros_map(path), path)
+    ros_map, origin = cropped(whole, source)
     edge, (nx, ny) = ros_map.resolution, ros_map.free.shape
     unknown = ~ros_map.occupied & ~ros_map.free
     boxes = (
         *boxes_of_cells(ros_map.occupied, edge, draft.height, "wall"),
         *boxes_of_cells(unknown, edge, draft.height, "unexplored"),
     )
-    refuse_too_many(boxes, path.name)
+    refuse_too_many(boxes, name)
     length, width = round(nx * edge, 4), round(ny * edge, 4)
     notes = (
         *ros_map.notes,
         Words(
             "{name}: {a} m x {b} m, {n} boxes; a ROS map is flat, so its walls reach from the"
             " floor to the ceiling",
-            name=path.name,
+            name=name,
             a=figure(length, ".2f"),
             b=figure(width, ".2f"),
             n=figure(len(boxes)),
@@ -119,7 +123,24 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
                 n=figure(FILE_SIZE_MAX // 1_000_000),
             )
         )
-    empty = replace(
+    return _with_pad(read(_emptied(draft, path.name), path, hints), hints)
+
+
+def imported_ros_map(
+    draft: SiteDraft, ros_map: RosMap, name: str, hints: ImportHints | None = None
+) -> Imported:
+    """Return a draft with the room of a ROS map, as ``imported``; ``name`` says where it is from.
+
+    Raises:
+        ConfigError, RoomError: as there.
+    """
+    found = _map_cells(_emptied(draft, name), ros_map, name, name)
+    return _with_pad(found, hints or ImportHints())
+
+
+def _emptied(draft: SiteDraft, source: str) -> SiteDraft:
+    """Return a draft without its room."""
+    return replace(
         draft,
         walls=(),
         furniture=(),
@@ -128,11 +149,14 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
         places=(),
         zones=(),
         frame_points=(),
-        source=path.name,
+        source=source,
     )
-    found = read(empty, path, hints)
+
+
+def _with_pad(found: Imported, hints: ImportHints) -> Imported:
+    """Return what was found with a pad and places."""
     # What a file says is as much from outside as what a page sends.
-    draft = draft_from_json(draft_to_json(found.draft), path.name)
+    draft = draft_from_json(draft_to_json(found.draft), found.draft.source)
     pad = suggested_pad(draft)
     if pad is None:
         return Imported(draft, (*found.notes, _why_nowhere(draft)))

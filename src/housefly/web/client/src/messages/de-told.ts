@@ -899,6 +899,11 @@ export const DE_TOLD: Templates = {
     "niemand antwortet unter {name}; läuft {what}, und sendet es?",
   "nobody listens to it; is the perception process running?":
     "niemand hört darauf; läuft der Prozess „perception“?",
+  "what is published there ({name}) is {found}; allowed: {words}":
+    "was dort gesendet wird ({name}), ist {found}; erlaubt: {words}",
+  "{n} nodes publish on {topic} ({names}): none is believed; give each scanner a topic of its own":
+    "{n} Knoten senden auf {topic} ({names}): keinem wird geglaubt; jeder Scanner braucht ein " +
+    "eigenes Topic",
   "not connected to {name} yet": "noch nicht mit {name} verbunden",
   "not heard yet; it sends its state at least every {k} s":
     "noch nicht gehört; sendet sonst mindestens alle {k} s",

@@ -832,6 +832,11 @@ export const JA_TOLD: Templates = {
     "{name}で応答がありません。{what}は動作中で、送信していますか",
   "nobody listens to it; is the perception process running?":
     "受信されていません。perceptionプロセスは動作中ですか",
+  "what is published there ({name}) is {found}; allowed: {words}":
+    "そこで配信されているもの({name})は{found}です。使えるもの: {words}",
+  "{n} nodes publish on {topic} ({names}): none is believed; give each scanner a topic of its own":
+    "{n}個のノードが{topic}に配信しています({names})。どれも信用しません。" +
+    "スキャナごとに別のトピックにしてください",
   "not connected to {name} yet": "{name}にまだ接続していません",
   "not heard yet; it sends its state at least every {k} s":
     "まだ応答なし。通常は{k}秒以内ごとに送信します",
