@@ -150,6 +150,9 @@ def choose(pages: dict[str, Page]) -> None:
         if close.is_visible():
             close.click()
         show(page, "Live")
+    take = desktop.get_by_role("button", name="Take control")
+    if take.first.is_visible():  # a page that was silent for a moment has lost it
+        take.first.click()
     desktop.get_by_role("button", name="Fly to …").first.click()
     desktop.get_by_role("button", name="Entrance", exact=True).click()
     desktop.wait_for_timeout(2000)
