@@ -128,7 +128,9 @@ def begin(browser: Browser, drawing: Browser, address: str) -> dict[str, Page]:
         services = page.get_by_role("region", name="Services")
         expect(services.get_by_role("listitem").first).to_be_visible(timeout=30_000)
     desktop.get_by_role("button", name="Who is at the door?").click()
-    expect(desktop.get_by_role("region", name="Ask").get_by_role("status")).to_contain_text(".")
+    expect(desktop.get_by_role("region", name="Ask").get_by_role("status")).to_contain_text(
+        ".", timeout=30_000
+    )
     photograph(pages, "first")
     return {"console": desktop, "phone": phone, "console-dark": dark}
 
