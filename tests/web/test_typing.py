@@ -14,6 +14,7 @@ from stand_in_tasks import StandInTasks
 
 from housefly.app.views import room_view
 from housefly.config.house_mode import HouseMode
+from housefly.messages import DroneStatus, Phase
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.sites.loaded_site import open_site, read_site
@@ -77,6 +78,19 @@ async def test_a_name_and_a_question_stay(desk: Desk) -> None:
     await desk.type(page.get_by_role("combobox", name="Where is"), "the red cup")
     await page.get_by_role("button", name="You have control", exact=True).click()
     await desk.type(page.get_by_role("textbox", name="Your name"), "Anna")
+
+
+async def test_half_a_question_stays_when_a_drone_takes_off_and_is_no_command(desk: Desk) -> None:
+    page, pilot = desk.page, desk.console.pilot
+    field = page.get_by_role("combobox", name="Where is")
+    await desk.type(field, "where is ")
+    pilot.status, pilot.phase = DroneStatus.FLYING, Phase.HOLDING
+    await expect(page.locator(".headline")).to_contain_text("Hovering")
+    await page.keyboard.type("teabottle")  # a space would stop, also here
+    await expect(field).to_have_value("where is teabottle")
+    assert pilot.orders == []
+    await page.keyboard.press("Enter")
+    await expect(page.get_by_role("button", name="Fly home")).to_be_visible()
 
 
 async def test_a_wish_its_numbers_and_a_search_stay(desk: Desk) -> None:

@@ -1,1 +1,1 @@
-import"./chunk-chunk-WQIFHIFC.js";
+import"./chunk-chunk-BEQG3UV2.js";

@@ -12,7 +12,7 @@ import { answer, said, trouble } from "../tasks/ask";
 import { AskForm } from "../tasks/ask-form";
 import { running } from "../tasks/board";
 import { SentenceAnswerView } from "../tasks/sentence-answer";
-import { askFor, ideasFor, lookThere, unask } from "./asked-words";
+import { askFor, ideasFor, lookThere, unask, writing } from "./asked-words";
 import { t, tongue, translated } from "../messages/language";
 
 const HOLD = 0.6;
@@ -53,7 +53,11 @@ export function Ask() {
         list="names"
         maxLength={200}
         autocomplete="off"
-        onInput={(event) => event.currentTarget.value === "" && unask()}
+        onInput={(event) => {
+          writing.value = event.currentTarget.value !== "";
+          if (!writing.value) unask();
+        }}
+        onBlur={() => (writing.value = false)}
       />
       <datalist id="names">
         {ideasFor().map((one) => (

@@ -1,4 +1,5 @@
 // What somebody typed into the ask bar: a place to fly to, a thing to find, or a sentence.
+import { signal } from "@preact/signals";
 import { choosePlace, choosePoint } from "../goal";
 import { find, unfind } from "../live/room-client";
 import { catalogue } from "../live/store";
@@ -9,6 +10,9 @@ import { services, request } from "../tasks/tasks-client";
 import type { PlaceView } from "../wire/messages";
 import type { WhereAnswer } from "../wire/room-messages";
 import { t } from "../messages/language";
+
+/** Whether the field holds half a question: without it the next letters would be commands. */
+export const writing = signal(false);
 
 const GO = [
   /^(?:go|fly|look)\s+(?:to|at)?\s*(?:the\s+)?(.+?)[.!?]*$/i,
@@ -54,6 +58,7 @@ export function unask(): void {
 
 export async function askFor(typed: string): Promise<void> {
   const words = typed.trim();
+  writing.value = false;
   unask();
   if (!words) return;
   const target = part(GO, words) ?? "";
