@@ -11,6 +11,7 @@ from starlette.routing import BaseRoute, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.clock import Clock
+from housefly.config.ros2 import RosRequests
 from housefly.ros2.ros_caller import RosCaller
 from housefly.web.access.audit_log import AuditLog
 from housefly.web.access.bearer import bears, is_key
@@ -20,7 +21,6 @@ from housefly.web.access.session_auth import SessionAuth, chosen_subprotocol, sa
 from housefly.web.access.session_watch import while_logged_in
 from housefly.web.http.seats import Seats
 from housefly.web.rosbridge.bridge_room import BridgeRoom
-from housefly.web.rosbridge.callers import caller_of
 from housefly.web.rosbridge.calls import Calls
 from housefly.web.rosbridge.client import BridgeClient
 from housefly.web.rosbridge.outbox import Outbox
@@ -30,6 +30,7 @@ ROSBRIDGE_PATHS = ("/rosbridge", "/")
 _WHO_MAY = "open it with the session of the console, or with the key of this run"
 _KEY = "key"
 """Parameter of the address: a page cannot set the headers of a WebSocket."""
+_PROGRAM = "rosbridge"
 _SEATS = 16
 _READ_AT_ONCE, _FLOOD_PAUSE = 20, 0.02
 """After so many refused messages a socket is not read for a moment [s]."""
@@ -98,11 +99,11 @@ class RosbridgeRoute:
 
     def _caller(self, session: Session | None) -> RosCaller | None:
         if session is None:
-            return caller_of(None, "", self._bridge.requests)
+            return _caller_of(None, "", self._bridge.requests)
         now = self._auth.renewed(session)
         if now is None:
             return None
-        return caller_of(now, self._shown(now), self._bridge.requests)
+        return _caller_of(now, self._shown(now), self._bridge.requests)
 
     def _shown(self, session: Session) -> str:
         return session.user or self._name_of(session.owner)
@@ -153,3 +154,22 @@ async def _write(websocket: WebSocket, outbox: Outbox) -> None:
 
 def _forget(words: str) -> None:
     pass
+
+
+def _caller_of(session: Session | None, name: str, requests: RosRequests) -> RosCaller:
+    """Return who calls; a session may what its role may, and no more than the site allows.
+
+    Args:
+        session: of a browser; None for a program with the key of the run.
+        name: that others see for the session.
+        requests: of the site.
+    """
+    if session is None:
+        return RosCaller(_PROGRAM, _PROGRAM, requests)
+    shown, role = f"{name} ({_PROGRAM})", session.role
+    if role.includes(Role.FLY):
+        return RosCaller(shown, session.owner, requests)
+    if role.includes(Role.ASK):
+        asks: RosRequests = "off" if requests == "off" else "ask"
+        return RosCaller(shown, session.owner, asks, may_fly=False)
+    return RosCaller(shown, session.owner, "off", may_ask=False, may_fly=False)
