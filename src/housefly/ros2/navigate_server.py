@@ -40,7 +40,7 @@ class NavigateServer:
 
     def __init__(self, drone: RosDrone, frame: str, node: RosNode, desk: FlightDesk) -> None:
         self._drone, self._name, self._frame = drone.name, drone.action, frame
-        self._told_by = drone
+        self._ros_drone = drone
         self._node, self._desk = node, desk
         self._flown: dict[bytes, Navigation] = {}
         self._news = Condition()
@@ -48,7 +48,7 @@ class NavigateServer:
     def begin(self, bus: Bus, stack: ExitStack) -> None:
         """Offer the action where its package is installed, and listen."""
         if self._node.act(NAVIGATE, self._name, self._may_be, self._fly):
-            self._told_by.on_step = self._on_step
+            self._ros_drone.on_step = self._on_step
             stack.callback(bus.subscribe(TASK_NEWS_TOPIC, self._on_board).close)
 
     def _on_step(self, step: PilotStep) -> None:
