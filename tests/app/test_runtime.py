@@ -40,3 +40,9 @@ def test_each_drone_has_a_pilot_and_a_driver_and_the_drivers_land_last(tmp_path:
         assert (pilot.lands, driver.lands) == (Landing.FIRST, Landing.LAST)
     alone = {spec.name for spec in processes_of(new_runtime(Site(), tmp_path))}
     assert {"pilot", "driver"} <= alone and not {name for name in alone if "-" in name}
+
+
+def test_the_ports_of_a_run_are_none_that_an_outgoing_connection_may_take(tmp_path: Path) -> None:
+    site = changed(Site(), mqtt__start=True, mqtt__port=0)
+    ports = {new_runtime(site, tmp_path).site().mqtt.port for _ in range(3)}
+    assert all(1024 < port < 32_768 for port in ports)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import random
 import secrets
 import socket
+from contextlib import suppress
 from pathlib import Path
 
 from housefly.app.run_folder import new_run_folder
@@ -12,6 +14,7 @@ from housefly.app.runtime import Runtime
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop_port import StopPort
 from housefly.config.site import Site, changed
+from housefly.errors import ConfigError
 from housefly.hub.client.discovery import RoomAddress
 from housefly.twin.faults.parse import faults_of
 from housefly.web.access.exposure import console_address
@@ -68,8 +71,15 @@ def discovery_entry(runtime: Runtime) -> RoomAddress:
     )
 
 
+_PORTS = range(20_000, 32_000)
+"""Below those that Linux gives to outgoing connections: one of these could take it meanwhile."""
+_TRIES = 50
+
+
 def _free_port() -> int:
     """Return a free TCP port of loopback."""
-    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    for port in (*random.sample(_PORTS, _TRIES), 0):
+        with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe, suppress(OSError):
+            probe.bind(("127.0.0.1", port))
+            return int(probe.getsockname()[1])
+    raise ConfigError("the machine", "has no free TCP port of loopback")
