@@ -10,7 +10,7 @@ import pytest
 from housefly.app.launcher import Landing, processes_of
 from housefly.app.new_runtime import discovery_entry, new_runtime
 from housefly.app.runtime import runtime_from_environment
-from housefly.config.site import Site, changed
+from housefly.config.site import Site, changed, site_from_tree
 from housefly.errors import ConfigError
 
 BLUE = {"name": "blue", "address": "127.0.0.2", "pad": (4.0, 4.0, 0.0)}
@@ -43,6 +43,7 @@ def test_each_drone_has_a_pilot_and_a_driver_and_the_drivers_land_last(tmp_path:
 
 
 def test_the_ports_of_a_run_are_none_that_an_outgoing_connection_may_take(tmp_path: Path) -> None:
-    site = changed(Site(), mqtt__start=True, mqtt__port=0)
+    own = {"broker": "127.0.0.1", "start": True, "port": 0}
+    site = site_from_tree({"mqtt": own})
     ports = {new_runtime(site, tmp_path).site().mqtt.port for _ in range(3)}
     assert all(1024 < port < 32_768 for port in ports)
